@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@ template <class Number>
 std::string number_text(Number value) {
   std::array<char, 32> digits;
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+/// A length in a sentence: to three decimals.
+inline std::string rounded_text(double length) {
+  const double rounded = std::round(1e3 * length) / 1e3;
+  return number_text(rounded < 1e12 ? rounded : length);
 }
 
 /// The number that all of a text is; nothing where it is none or does not fit.

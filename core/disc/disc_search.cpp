@@ -269,7 +269,9 @@ void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
 
 bool DiscSearch::tell_improvement(const Poller* poller) {
   return improvements_.tell(lower_, upper_, poller, [this](std::vector<Point>& path) {
-    path = polyline_of(trace(*space_, labels_, last_, last_normal_, start_, goal_), *space_);
+    const Curve curve = trace(*space_, labels_, last_, last_normal_, start_, goal_);
+    path = polyline_of(curve, *space_);
+    return curve_length(curve, space_->radius());
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -63,8 +64,11 @@ class DiscSpace {
   /// False proves that it cannot go from a to b, both clear, by any way. True where cells that are
   /// not blocked, 4-connected, lead there: nearly always there is a way then.
   bool joined(Point a, Point b) const noexcept;
-  /// The clear point nearest to a point of the map; nothing if there is none.
-  std::optional<Point> way_out(Point p) const;
+  /// The clear point nearest to a point, of those that are joined() to `other`, if given, and are
+  /// taken, if that is asked; nothing if there is none, or when stopped. What is taken is to be
+  /// what a straight leg leads to that is nowhere nearer to what is blocked than `p`.
+  std::optional<Point> way_out(Point p, Poller& poller, const std::optional<Point>& other = {},
+                               const std::function<bool(Point)>& taken = {}) const;
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
@@ -129,7 +133,11 @@ class DiscSpace {
   bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
   bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
   struct Nearest;
+  Box inner_box(Cell cell) const noexcept;
+  Point end_of(const Arc& arc, double end) const noexcept;
   void nearest_in(Cell cell, Nearest& nearest) const;
+  void nearest_along(Point direction, double place, Nearest& nearest) const;
+  void nearest_past(Point corner, double clearance, Nearest& nearest) const;
 
   double asked_radius_;
   double radius_;

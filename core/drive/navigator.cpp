@@ -125,7 +125,6 @@ class Navigator::Impl {
   void take(Result&& result) {
     static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
-    way.way_out.reset();
     way.walk.clear();
     walker.begin(way.path);
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
@@ -156,7 +155,7 @@ class Navigator::Impl {
     rest.lower_bound.reset();
     rest.optimal = false;
     take(std::move(rest));
-    way.way_out = out.back();
+    way.way_out = centre(out.back());
     for (std::size_t i = out.size() - 1; i > 0; --i)
       way.path.insert(way.path.begin(), centre(out[i - 1]));
     way.walk = std::move(out);
@@ -169,7 +168,7 @@ class Navigator::Impl {
     auto& path = way.path;
     if (way.way_out) {
       path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(moves));
-      if (way.walk[moves] == *way.way_out) way.way_out.reset();
+      if (centre(way.walk[moves]) == way.way_out) way.way_out.reset();
     } else {
       const std::size_t left = walker.vertices_after(way.walk[moves]);
       std::size_t last = path.size() - std::min(left + 1, path.size() - 1);

@@ -162,8 +162,10 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
 }
 
 bool ExactSearch::tell_improvement() {
-  return improvements_.tell(lower_, upper_, poller_,
-                            [this](std::vector<Point>& path) { trace(path); });
+  return improvements_.tell(lower_, upper_, poller_, [this](std::vector<Point>& path) {
+    trace(path);
+    return path_length(path);
+  });
 }
 
 void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {

@@ -111,15 +111,16 @@ class Improvements {
     once_polled_ = options.improved_once_polled;
     least_ = kInfinity;
   }
-  /// False where the search is to end. `trace(path)` makes the path of length `upper`, if finite.
+  /// False where the search is to end. `trace(path)` makes the path of length `upper`, if finite,
+  /// and returns its length.
   /// @param poller  of the search; null when it has ended
   template <class Trace>
   bool tell(double lower, double upper, const Poller* poller, const Trace& trace) {
     if (told_ == nullptr || !(upper < least_)) return true;
     if (once_polled_ && (poller == nullptr || !poller->polled())) return true;
     least_ = upper;
-    trace(path_);
-    return (*told_)(path_, path_length(path_), rounded_down(lower));
+    const double length = trace(path_);
+    return (*told_)(path_, length, rounded_down(lower));
   }
   std::int64_t bytes() const noexcept { return held_bytes(path_); }
 

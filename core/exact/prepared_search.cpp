@@ -317,8 +317,10 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
 }
 
 bool PreparedSearch::tell_improvement() {
-  return improvements_.tell(lower_, upper_, poller_,
-                            [this](std::vector<Point>& path) { trace(path); });
+  return improvements_.tell(lower_, upper_, poller_, [this](std::vector<Point>& path) {
+    trace(path);
+    return path_length(path);
+  });
 }
 
 std::int64_t PreparedSearch::bytes() const noexcept {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
@@ -87,8 +88,8 @@ Enum named(const Json& object, const std::string& key, Enum last) {
 
 /// Of a question, which the program keeps beside the parameters.
 bool is_setting(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kSettings{"target_gap", "time_limit", "radius",
-                                                      "unknown",    "prepare",    "frame"};
+  constexpr std::array<std::string_view, 7> kSettings{
+      "target_gap", "time_limit", "radius", "goal_tolerance", "unknown", "prepare", "frame"};
   return std::ranges::find(kSettings, name) != kSettings.end();
 }
 
@@ -134,6 +135,7 @@ std::string result_to_json(const Result& result) {
   json::add_proof(object, result);
   if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
   if (result.own_rules) object["own_rules"] = true;
+  if (result.way_out) object["way_out"] = json::point(*result.way_out);
   for (const auto& [name, cell] : kCells)
     if (const auto& c = result.*cell) object[name] = {c->x, c->y};
   return json::line(object);
@@ -168,11 +170,23 @@ Result result_from_json(std::string_view text) {
   result.optimal = member<bool>(object, "optimal");
   if (object.contains("fault")) result.fault = named(object, "fault", Fault::trapped);
   result.own_rules = member_or(object, "own_rules", false);
+  const auto pair = [&](const std::string& name) -> std::optional<Point> {
+    if (!object.contains(name) || object[name].is_null()) return std::nullopt;
+    const auto numbers = member<std::vector<double>>(object, name);
+    const auto on_a_map = [](double number) { return std::abs(number) < 0x1p31; };
+    if (numbers.size() != 2 || !std::ranges::all_of(numbers, on_a_map))
+      throw broken("holds \"" + name + "\" that is no place of a map");
+    return Point{numbers[0], numbers[1]};
+  };
+  result.way_out = pair("way_out");
   for (const auto& [name, to] : kCells) {
-    if (!object.contains(name) || object[name].is_null()) continue;
-    const auto cell = whole_numbers(object, name);
-    if (cell.size() != 2) throw broken(std::string("holds \"") + name + "\" that is no cell");
-    result.*to = Cell{cell[0], cell[1]};
+    const auto at = pair(name);
+    if (!at) continue;
+    const Cell cell{static_cast<int>(std::floor(at->x)), static_cast<int>(std::floor(at->y))};
+    const bool whole = cell.x == at->x && cell.y == at->y;
+    if (!whole && to != &Result::goal_reached)  // which may be a point of its cell
+      throw broken(std::string("holds \"") + name + "\" that is no cell");
+    result.*to = cell;
   }
   return result;
 }

@@ -27,9 +27,9 @@ LASIUS_IO_EXPORT Params params_from_json(std::string_view text);
 
 /// One JSON object on one line, under the names that `lasius plan --json` gives: "status", "error",
 /// "length", "path", "iterations", "best", "mean", "arrived", "lower_bound", "gap", "optimal"; then
-/// "fault", "own_rules", "goal_reached", "nearest_free" and "nearest_reachable" where the answer
-/// has them. What is missing, or no number, is null. Result::limit is not written: with "limit" it
-/// is read back as Limit::time, the only one on bitmaps.
+/// "fault", "own_rules", "way_out", "goal_reached", "nearest_free" and "nearest_reachable" where
+/// the answer has them. What is missing, or no number, is null. Result::limit is not written: with
+/// "limit" it is read back as Limit::time, the only one on bitmaps.
 LASIUS_IO_EXPORT std::string result_to_json(const Result& result);
 
 /// The answer in such a text, or in what `lasius plan --json` printed (cells); "gap" follows from

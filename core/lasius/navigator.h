@@ -35,7 +35,9 @@ struct NavigatorOptions {
   int doubt_after = 16;
 };
 
-/// The way that a robot is to go on.
+/// The way that a robot is to go on. Where it may not be, its cell blocked or too near to one that
+/// is, path and walk lead first to the centre of a cell, `way_out`, by the fewest moves over free
+/// cells of map().
 struct Way : Result {
   /// The way was planned in this step; else it is the one of an earlier step, which still holds:
   /// `path` is what is left of it from the robot on, `length` that of this, and where the robot has
@@ -46,9 +48,6 @@ struct Way : Result {
   /// without a path. Eight directions make it up to 8.3% longer than the path, which goes at any
   /// angle: a robot that can, follows `path`.
   std::vector<Cell> walk;
-  /// The robot is where its centre may not be, its cell blocked or too near to one that is: path
-  /// and walk lead first to this cell, by the fewest moves over free cells of map().
-  std::optional<Cell> way_out;
   /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
   std::int64_t doubted = 0;
 };

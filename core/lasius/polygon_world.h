@@ -33,7 +33,7 @@ struct World {
   std::vector<Polygon> obstacles;  ///< they may overlap, and reach out of the boundary
   std::optional<Point> start;      ///< of a request that names none
   std::optional<Point> goal;       ///< likewise
-  double margin = 0;               ///< of the robot, at least 0: obstacles grow by it
+  double margin = 0;               ///< of a disc, at least 0: its centre keeps that from obstacles
   /// Obstacles of no width, each a line of two points or more: a path may touch one and slide along
   /// it, but not cross it. A closed line ends with its first point.
   std::vector<Ring> walls = {};

@@ -15,7 +15,8 @@ struct Request {
   /// one (Algorithm::Kind::exact).
   double target_gap = 0;
   /// Where the goal cannot be reached, the path ends at the cell nearest to it that can be: centre
-  /// to centre at most so far from it, in cells, ties to the smaller row, then column. 0 or more.
+  /// to centre at most so far from it, in cells, ties to the smaller row, then column. For a disc,
+  /// by `exact`, at the nearest point. 0 or more.
   double goal_tolerance = 0;
 };
 

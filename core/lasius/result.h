@@ -17,7 +17,15 @@ struct Result : SearchResult {
   std::vector<Point> path;
   /// Of `exact` for a disc: the path itself, whose length `length` is; else empty.
   Curve curve;
-  std::optional<Cell> goal_reached;  ///< with a goal tolerance: where the path ends, or is to end
+  /// Of a disc that stands nearer than its radius to what is blocked: the nearest place from which
+  /// the goal can be reached, of those that a straight leg leads to which is nowhere nearer than
+  /// the start. `exact` takes a point that just keeps the radius, the others a cell's centre. Path,
+  /// curve and their lengths begin with the leg; the rest is the plan from here, which is all that
+  /// a target gap, ants' tours and observers are about. Nothing is certified of the whole.
+  std::optional<Point> way_out;
+  /// With a goal tolerance: the cell where the path ends, or is to end. There its last vertex is
+  /// the centre, or for a disc, by `exact`, the point nearest to the goal.
+  std::optional<Cell> goal_reached;
   std::optional<Cell> nearest_free;  ///< to a start or goal that is blocked or outside
   /// The same among the cells that are joined to the other end, where that is free; with a goal
   /// tolerance also of a goal in another region.

@@ -1,14 +1,17 @@
 #include "core/plan/answer.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "core/base/special_values.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
+#include "core/grid/rings.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
@@ -53,8 +56,16 @@ Result result_of(const ExactAnswer& answer) {
   return result;
 }
 
-Result run_exact(const PlanningMap& map, const Request& request, WorkspaceMemory& memory,
-                 const Observer& observer) {
+/// Where a plan begins and ends: cells' centres, but of a disc's curve.
+struct Places {
+  Point from, to;
+  std::optional<Point> way_out = {};  ///< from where it begins, if not at the start
+};
+
+Cell cell_at(Point p) noexcept { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
+
+Result run_exact(const PlanningMap& map, const Request& request, const Places& places,
+                 WorkspaceMemory& memory, const Observer& observer) {
   int improvements = 0;
   const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
     const ExactView view(path, improvements++, length, bound);
@@ -65,8 +76,8 @@ Result run_exact(const PlanningMap& map, const Request& request, WorkspaceMemory
                              .improved = observer ? &show : nullptr};
   if (map.disc != nullptr) {
     disc::DiscAnswer& answer = memory.disc_answer;
-    memory.disc.search(*map.disc->space, map.disc_graph, centre(request.start),
-                       centre(request.goal), options, request.stop, answer);
+    memory.disc.search(*map.disc->space, map.disc_graph, places.from, places.to, options,
+                       request.stop, answer);
     Result result = result_of(answer);
     if (!result.path.empty()) result.curve = answer.curve;
     return result;
@@ -97,14 +108,14 @@ class Ends {
     return space_ == nullptr ? map_.grid.free(c) : space_->clear(centre(c));
   }
   /// Of two that serve; nothing if stopped.
-  std::optional<bool> joined(Cell a, Cell b) const {
-    if (space_ == nullptr) return map_.connected(a, b, corners_);
-    return space_->joined(centre(a), centre(b));
+  std::optional<bool> joined(Point a, Point b) const {
+    if (space_ == nullptr) return map_.connected(cell_at(a), cell_at(b), corners_);
+    return space_->joined(a, b);
   }
   /// Of those that serve, if given of those joined to `other`, the nearest to `c`. It is found
   /// whatever the deadline.
   std::optional<Cell> nearest(Cell c, const std::stop_token& token,
-                              const std::optional<Cell>& other = {}) const {
+                              const std::optional<Point>& other = {}) const {
     const StopCondition no_deadline{.token = token};
     Poller poller(no_deadline);
     if (space_ != nullptr) {
@@ -112,10 +123,40 @@ class Ends {
       return cells ? nearest_free(*cells, c, poller) : std::nullopt;
     }
     if (!other) return nearest_free(map_.grid, c, poller);
-    const auto joined = [&](Cell at) {
-      return map_.connected(*other, at, corners_).value_or(false);
-    };
-    return nearest_free(map_.grid, c, poller, joined);
+    const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
+    return nearest_free(map_.grid, c, poller, leads_on);
+  }
+  /// The same, of a disc's curve any point.
+  std::optional<Point> nearest_point(Cell c, const std::stop_token& token, Point other) const {
+    if (space_ == nullptr) {
+      const auto cell = nearest(c, token, other);
+      return cell ? std::optional(centre(*cell)) : std::nullopt;
+    }
+    const StopCondition no_deadline{.token = token};
+    Poller poller(no_deadline);
+    return space_->way_out(centre(c), poller, other);
+  }
+  /// From a start that does not serve, but lies in a free cell: the nearest place that serves, if
+  /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
+  /// blocked than the start.
+  std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
+    if (map_.disc == nullptr || map_.disc->map.blocked(start)) return std::nullopt;
+    const Grid& map = map_.disc->map;
+    const Point from = centre(start);
+    const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
+    const double clearance = segment_clearance(map, from, from, most);
+    const auto leads_there = [&](Point to) { return keeps_clearance(map, from, to, clearance); };
+    if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
+    std::optional<Point> best;
+    double nearest = kInfinity;
+    for_rings(map, start, nearest, poller, [&](Cell c) {
+      const Point to = centre(c);
+      if (map_.grid.blocked(c) || !(disc::distance(from, to) < nearest) || !leads_there(to)) return;
+      if (goal && joined(to, *goal) != true) return;
+      nearest = disc::distance(from, to);
+      best = to;
+    });
+    return best;
   }
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
@@ -124,7 +165,7 @@ class Ends {
     if (map_.disc == nullptr || map_.disc->map.blocked(c)) return {fault, text};
     text.replace(
         text.find(" is blocked"), std::string::npos,
-        " is nearer to what is blocked than the radius of " + number_text(map_.disc->radius));
+        " is nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
     if (space_ == nullptr && map_.disc->space && map_.disc->space->clear(centre(c)))
       text +=
           ", though its centre is not: exact plans from there, other algorithms on cells that "
@@ -148,16 +189,16 @@ std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& re
          (at_start ? "does not lead there" : "cannot be reached");
 }
 
-/// The answer to a start or goal that is blocked or outside.
-Result invalid(const Ends& ends, bool at_start, const Request& request) {
+/// The answer to a start or goal that is blocked or outside; `other` is the other end, if good.
+Result invalid(const Ends& ends, bool at_start, const Request& request,
+               const std::optional<Point>& other) {
   const Cell cell = at_start ? request.start : request.goal;
-  const Cell other = at_start ? request.goal : request.start;
   const std::stop_token& token = request.stop.token;
   const auto [fault, text] = ends.fault(at_start, cell);
   auto result = failed<Result>(Status::invalid, fault, text);
   result.nearest_free = ends.nearest(cell, token);
-  if (result.nearest_free && ends.serves(other)) {
-    result.nearest_reachable = ends.joined(other, *result.nearest_free) == true
+  if (result.nearest_free && other) {
+    result.nearest_reachable = ends.joined(*other, centre(*result.nearest_free)) == true
                                    ? result.nearest_free
                                    : ends.nearest(cell, token, other);
   }
@@ -169,46 +210,70 @@ Result invalid(const Ends& ends, bool at_start, const Request& request) {
   return result;
 }
 
-/// The answer where start and goal are not joined.
-Result apart(const Ends& ends, const Request& request) {
+/// The answer where start and goal are not joined; `from` is where the plan begins.
+Result apart(const Ends& ends, const Request& request, Point from) {
   auto result =
       failed<Result>(Status::unreachable, Fault::disconnected,
                      "start " + cell_name(request.start) + " and goal " + cell_name(request.goal) +
                          " lie in different regions of free cells");
   if (request.goal_tolerance > 0)
-    result.nearest_reachable = ends.nearest(request.goal, request.stop.token, request.start);
+    result.nearest_reachable = ends.nearest(request.goal, request.stop.token, from);
   return result;
 }
 
-/// Why no path leads to the goal, or nothing where one does; not `connected` when stopped.
-std::optional<Result> refused(const Ends& ends, const Request& request) {
-  const auto& [start, goal] = std::pair(request.start, request.goal);
-  if (!ends.serves(start)) return invalid(ends, true, request);
-  if (!ends.serves(goal)) return invalid(ends, false, request);
-  if (start == goal) return std::nullopt;
-  const auto joined = ends.joined(start, goal);
-  if (joined == true) return std::nullopt;
-  if (joined) return apart(ends, request);
+Result stopped(StopCondition::Cause cause) {
   Result result;
-  end_run(result, request.stop.poll(), Status::limit);
+  end_run(result, cause, Status::limit);
   return result;
 }
 
-/// Makes the nearest cell that can be reached the goal, or says why not.
-bool take_nearest(Request& request, Result& refusal) {
-  const auto& nearest = refusal.nearest_reachable;
-  const bool at_goal = refusal.fault == Fault::goal_blocked ||
-                       refusal.fault == Fault::goal_outside || refusal.fault == Fault::disconnected;
-  if (!nearest || !at_goal || request.goal_tolerance == 0) return false;
-  const double away = distance(*nearest, request.goal);
-  if (away > request.goal_tolerance) {
-    refusal.error += "; the nearest cell that can be reached, " + cell_name(*nearest) + ", is " +
-                     number_text(away) + " from the goal, its tolerance " +
-                     number_text(request.goal_tolerance);
-    return false;
+/// Finds where the plan begins and ends, or why there is none.
+std::optional<Result> refused(const Ends& ends, const Request& request, Places& places) {
+  const auto& [start, goal] = std::pair(request.start, request.goal);
+  places = {centre(start), centre(goal)};
+  const bool goal_serves = ends.serves(goal);
+  if (!ends.serves(start)) {
+    const auto to = goal_serves ? std::optional(places.to) : std::nullopt;
+    Poller poller(request.stop);
+    places.way_out = ends.way_out(start, to, poller);
+    if (poller.stopped()) return stopped(poller.cause());
+    if (!places.way_out) return invalid(ends, true, request, to);
+    places.from = *places.way_out;
   }
-  request.goal = *nearest;
-  return true;
+  if (goal_serves) {
+    const auto joined = places.from == places.to ? true : ends.joined(places.from, places.to);
+    if (!joined) return stopped(request.stop.poll());
+    if (*joined) return std::nullopt;
+  }
+  const double tolerance = request.goal_tolerance;
+  if (tolerance > 0) {
+    const auto nearest = ends.nearest_point(goal, request.stop.token, places.from);
+    if (nearest && disc::distance(*nearest, places.to) <= tolerance) {
+      places.to = *nearest;
+      return std::nullopt;
+    }
+  }
+  Result refusal =
+      goal_serves ? apart(ends, request, places.from) : invalid(ends, false, request, places.from);
+  if (const auto& nearest = refusal.nearest_reachable; nearest && tolerance > 0)
+    refusal.error += "; the nearest cell that can be reached, " + cell_name(*nearest) + ", is " +
+                     rounded_text(distance(*nearest, goal)) +
+                     " cells from the goal, its tolerance " + rounded_text(tolerance);
+  return refusal;
+}
+
+/// Puts the leg from the start to the way out before a plan; the ants' tours begin there.
+void lead_out(Result& result, Point start, Point way_out, bool curved) {
+  const double leg = disc::distance(start, way_out);
+  result.way_out = way_out;
+  result.lower_bound.reset();
+  result.optimal = false;
+  for (auto* lengths : {&result.best, &result.iteration_best})
+    for (double& length : *lengths) length += leg;
+  if (result.path.empty()) return;
+  result.path.insert(result.path.begin(), start);
+  if (curved) result.curve.insert(result.curve.begin(), {.from = start, .to = way_out});
+  result.length += leg;
 }
 
 }  // namespace
@@ -243,50 +308,45 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
   const Corners corners = corners_of_paths(params);
   const bool curved = map.disc != nullptr && algorithm.kind == Algorithm::Kind::exact;
   const Ends ends(map, curved ? &*map.disc->space : nullptr, corners);
+  Places places;
+  if (auto refusal = refused(ends, asked, places)) return std::move(*refusal);
   Request request = asked;
-  if (auto refusal = refused(ends, asked); refusal && !take_nearest(request, *refusal))
-    return std::move(*refusal);
-  Result result;
-  if (request.goal_tolerance > 0) result.goal_reached = request.goal;
-  if (request.start == request.goal) {
-    static_cast<SearchResult&>(result) = already_there<SearchResult>();
-    result.path = {centre(request.start)};
-    return result;
-  }
-
+  request.start = cell_at(places.from);
+  request.goal = cell_at(places.to);
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
-  switch (algorithm.kind) {
-    case Algorithm::Kind::exact:
-      result = run_exact(map, request, memory, observer);
-      // Cells may be joined where a disc is not: then the search has proven it.
-      if (result.status == Status::unreachable) {
-        request = asked;
-        request.goal_tolerance = 0;  // what would be named as the nearest is what has no way
-        return apart(ends, request);
-      }
-      break;
-    case Algorithm::Kind::genetic: {
-      const auto joined = [&](Cell c) {
-        return map.connected(request.start, c, corners).value_or(false);
-      };
-      result = run_grid_ga(grid, request, params, joined, memory.genetic, observer);
-      break;
+  Result result;
+  if (places.from == places.to) {
+    static_cast<SearchResult&>(result) = already_there<SearchResult>();
+    result.path = {places.from};
+  } else if (algorithm.kind == Algorithm::Kind::exact) {
+    result = run_exact(map, request, places, memory, observer);
+    // Cells may be joined where a disc is not: then the search has proven it.
+    if (result.status == Status::unreachable) {
+      request = asked;
+      request.goal_tolerance = 0;  // what would be named as the nearest is what has no way
+      return apart(ends, request, places.from);
     }
-    case Algorithm::Kind::colony:
-      result = map.colony ? map.colony(request, observer)
-                          : run_colony(grid, request, params, memory.colony, observer, own);
-      result.own_rules = !own.none();
-      break;
+  } else if (algorithm.kind == Algorithm::Kind::genetic) {
+    const auto joined = [&](Cell c) {
+      return map.connected(request.start, c, corners).value_or(false);
+    };
+    result = run_grid_ga(grid, request, params, joined, memory.genetic, observer);
+  } else {
+    result = map.colony ? map.colony(request, observer)
+                        : run_colony(grid, request, params, memory.colony, observer, own);
+    result.own_rules = !own.none();
   }
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
-  if (result.path.empty()) return result;
   // Not to be cut short: a glance at the words along the path.
-  const auto fault =
-      curved ? disc_path_fault(map.disc->map, map.disc->radius, result.path, result.curve)
-             : path_fault(grid, result.path, corners);
-  if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
+  if (result.path.size() > 1) {
+    const auto fault =
+        curved ? disc_path_fault(map.disc->map, map.disc->radius, result.path, result.curve)
+               : path_fault(grid, result.path, corners);
+    if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
+  }
+  if (places.way_out) lead_out(result, centre(asked.start), *places.way_out, curved);
   return result;
 }
 

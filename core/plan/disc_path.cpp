@@ -102,7 +102,7 @@ class Judge {
 }  // namespace
 
 std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
-                                const std::optional<Cell>& other) {
+                                const std::optional<Point>& other) {
   Grid cells = space.map();
   for (int y = 0; y < cells.height(); ++y) {
     if (poller.stop_after(cells.width())) return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
       const Point at = centre({x, y});
       const bool clear = space.blocked_cells().free({x, y}) &&
                          (!space.in_band({x, y}) || space.clear(at)) &&
-                         (!other || space.joined(at, centre(*other)));
+                         (!other || space.joined(at, *other));
       if (!clear) cells.set_blocked({x, y});
     }
   }
@@ -149,6 +149,19 @@ double segment_clearance(const Grid& map, Point a, Point b, double most) noexcep
     }
   }
   return least;
+}
+
+// Piece by piece from a on: what is in the way is mostly near.
+bool keeps_clearance(const Grid& map, Point a, Point b, double clearance) noexcept {
+  const int pieces = 1 + static_cast<int>(distance(a, b) / 8);
+  Point from = a;
+  for (int i = 1; i <= pieces; ++i) {
+    const double t = 1.0 * i / pieces;
+    const Point to = i < pieces ? Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)} : b;
+    if (segment_clearance(map, from, to, clearance) < clearance - disc::kSlack) return false;
+    from = to;
+  }
+  return true;
 }
 
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,

@@ -13,11 +13,14 @@ namespace lasius {
 /// A map whose free cells are those whose centres are clear, of those the ones from which a disc
 /// can go to `other`, if given. Empty when stopped.
 std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
-                                const std::optional<Cell>& other = {});
+                                const std::optional<Point>& other = {});
 
-/// The least distance from a segment to a blocked cell or the outside, at most `most` cells, which
-/// is less than 64. Both ends lie on the map.
+/// The least distance from a segment to a blocked cell or the outside, at most `most` cells. Both
+/// ends lie on the map.
 double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept;
+
+/// Is no point of a segment nearer than that to a blocked cell or the outside, up to disc::kSlack?
+bool keeps_clearance(const Grid& map, Point a, Point b, double clearance) noexcept;
 
 /// Why a disc's path or curve is none, or comes nearer than the radius (up to twice disc::kSlack),
 /// or nothing. Shares nothing with the search but what bits of a row say.

@@ -65,6 +65,15 @@ std::pair<std::size_t, std::size_t> passages(const FreeSpace& space) {
   return {space.pieces.size(), holes};
 }
 
+/// Of a point within the boundary: is it an obstacle's?
+bool covered(const World& world, Point p) {
+  const auto within = [p](const Ring& ring) { return inside(ring, p); };
+  return std::ranges::any_of(world.boundary.holes, within) ||
+         std::ranges::any_of(world.obstacles, [&](const Polygon& obstacle) {
+           return within(obstacle.outer) && std::ranges::none_of(obstacle.holes, within);
+         });
+}
+
 GrowOptions with_margin(GrowOptions options, double margin) {
   options.margin = options.margin.value_or(margin);
   if (const auto wrong = margin_fault(*options.margin))
@@ -107,15 +116,17 @@ class Planner::Impl {
     const bool inside = polygon::inside(world.boundary.outer, p);
     const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
                                  : (inside ? Fault::goal_blocked : Fault::goal_outside);
-    auto result = failed<Result>(Status::invalid, fault,
-                                 (at_start ? "start " : "goal ") + text(p) +
-                                     (inside ? " is blocked; " : " is outside the boundary; "));
+    const bool near = *growth.margin > 0 && !covered(world, p);
+    const std::string why = !inside ? " is outside the boundary; "
+                            : near  ? " is nearer to what is blocked than the margin of " +
+                                         number_text(*growth.margin) + "; "
+                                   : " is blocked; ";
+    auto result =
+        failed<Result>(Status::invalid, fault, (at_start ? "start " : "goal ") + text(p) + why);
     const auto nearest = nearest_point(regions.space(), world.boundary.outer, p);
     result.nearest_free = nearest;
     if (!nearest) {
       result.error += "no space is free";
-      if (const double margin = *growth.margin; margin > 0)
-        result.error += " with a margin of " + number_text(margin);
       return result;
     }
     result.error += "the nearest free point ";

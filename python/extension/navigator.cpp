@@ -26,7 +26,7 @@ NavigatorOptions navigator_options(const Params& params, double radius, bool pre
 
 py::tuple fields(const Way& way) {
   return py::make_tuple(fields(static_cast<const Result&>(way)), way.replanned,
-                        to_array(std::span<const Cell>(way.walk)), way.way_out, way.doubted);
+                        to_array(std::span<const Cell>(way.walk)), way.doubted);
 }
 
 namespace {

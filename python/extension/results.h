@@ -14,8 +14,8 @@ py::object curves(const Convergence& convergence);
 /// The fields of lasius.SearchResult.
 py::tuple search_fields(const SearchResult& result);
 
-/// (fields of lasius.SearchResult, path, goal_reached, nearest_free, nearest_reachable,
-/// own_rules).
+/// (fields of lasius.SearchResult, path, way_out, goal_reached, nearest_free, nearest_reachable,
+/// own_rules, curve).
 py::tuple fields(const Result& result);
 
 }  // namespace lasius::python

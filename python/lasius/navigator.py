@@ -44,7 +44,7 @@ class Navigator:
         **settings: parameters by name.
     """
 
-    __slots__ = ("_raw", "_params")
+    __slots__ = ("_raw", "_params", "_radius")
 
     def __init__(
         self,
@@ -60,7 +60,7 @@ class Navigator:
         doubt_after: int = 16,
         **settings: Any,
     ) -> None:
-        self._params = chosen(Params, params, settings)
+        self._params, self._radius = chosen(Params, params, settings), radius
         self._raw = _lasius.Navigator(
             grid, goal, self._params._raw, radius, prepare, target_gap, search_on, goal_tolerance, doubt_after
         )
@@ -82,7 +82,7 @@ class Navigator:
         """
         error, ((search, *found), *going) = self._raw.step(robot, time_limit)
         grid, goal = self._raw.map(), self._raw.goal()
-        way = answer(Way, search, *found, robot, goal, self._params, grid, *going)
+        way = answer(Way, search, *found, robot, goal, self._params, self._radius, grid, *going)
         return finish(error, way)
 
     @property

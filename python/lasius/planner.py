@@ -155,7 +155,7 @@ class Planner:
             error, (search, *found) = self._raw.plan(
                 start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own
             )
-        result = answer(Result, search, *found, start, goal, used, self._grid)
+        result = answer(Result, search, *found, start, goal, used, self.radius, self._grid)
         return result if error is None else finish(error, result)
 
     def batch(

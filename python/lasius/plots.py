@@ -81,14 +81,44 @@ def place_images(images: List[Any], axes: Any, frame: WorldFrame, grid: Grid) ->
     axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x, m", ylabel="y, m")
 
 
-def draw_line(points: Any, axes: Any) -> None:
+def draw_line(points: Any, axes: Any, goal: str = "goal") -> None:
     """A path, its start and its goal."""
     if len(points) == 0:
         return
     axes.plot(points[:, 0], points[:, 1], color="#d62728", linewidth=1.8)
     axes.plot(*points[0], "o", color="#2ca02c", label="start")
-    axes.plot(*points[-1], "s", color="#1f77b4", label="goal")
+    axes.plot(*points[-1], "s", color="#1f77b4", label=goal)
     axes.legend(loc="upper right", fontsize="small")
+
+
+def points_of(result: Result) -> Any:
+    """The path; of a disc's curve the arcs as many short chords."""
+    if not result.curve:
+        return result.path
+    points: List[Any] = []
+    for piece in result.curve:
+        if piece.centre is None:
+            points += [piece.start, piece.end]
+            continue
+        centre = np.array(piece.centre)
+        x, y = np.subtract(piece.start, centre)
+        angles = np.arctan2(y, x) + piece.turn * np.linspace(0, piece.angle, 2 + int(64 * piece.angle))
+        points += list(centre + piece.radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+    return np.array(points)
+
+
+def draw_swept(points: Any, radius: float, axes: Any) -> None:
+    """What a disc of that radius, in the axes' unit, sweeps on a path."""
+    from matplotlib.lines import Line2D
+
+    def draw(line: Any, renderer: Any) -> None:
+        (left, _), (right, _) = axes.transData.transform([(0, 0), (2 * radius, 0)])
+        line.set_linewidth(abs(right - left) / renderer.points_to_pixels(1))
+        Line2D.draw(line, renderer)
+
+    swept = type("Swept", (Line2D,), {"draw": draw})  # as wide as the axes show it
+    axes.add_line(swept(points[:, 0], points[:, 1], color="#d62728", alpha=0.16, solid_capstyle="round",
+                        solid_joinstyle="round", zorder=1.5, label="swept by the robot"))
 
 
 def draw_curves(result: Any, axes: Any) -> None:
@@ -107,10 +137,23 @@ def title(result: Any, frame: Optional[WorldFrame] = None) -> str:
 
 
 def draw_result(result: Result, upper: Any, lower: Any, map: Optional[Map] = None) -> None:
-    path, frame = result.path, map.frame if map is not None else None
-    if map is not None and frame is not None and len(path) > 0:
-        path = frame.to_world(path, map.grid.height)
-    draw_line(path, draw_map(result.grid, upper, map))
+    frame = map.frame if map is not None else None
+
+    def placed(points: Any) -> Any:
+        return frame.to_world(points, map.grid.height) if frame is not None and map is not None else np.asarray(points)
+
+    path, goal = points_of(result), np.add(result.goal, 0.5)
+    short = len(path) > 0 and not np.array_equal(path[-1], goal)
+    draw_map(result.grid, upper, map)
+    if len(path) > 0:
+        draw_line(placed(path), upper, "goal reached" if short else "goal")
+        if short:
+            upper.plot(*placed([goal])[0], "D", color="#1f77b4", fillstyle="none", label="goal asked")
+        if result.way_out is not None:
+            upper.plot(*placed([result.way_out])[0], ".", color="#2ca02c", label="way out")
+        if result.radius > 0:
+            draw_swept(placed(path), result.radius * (frame.resolution if frame is not None else 1), upper)
+        upper.legend(loc="upper right", fontsize="small")
     upper.set_title(title(result, frame))
     if lower is not None:
         draw_curves(result, lower)

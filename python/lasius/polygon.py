@@ -138,7 +138,7 @@ class World:
         obstacles: areas and lines, which may overlap, or one geometry with several. A line is a wall of no
             width: paths may touch it, but not cross it. Empty ones are passed over.
         start: point (x, y), shapely's too, of requests that name none; likewise goal.
-        margin: of the robot: obstacles grow by it.
+        margin: of the robot, a disc: its centre keeps that distance from obstacles and from the boundary.
     Raises:
         InvalidParameter: for rings that cross themselves or have no area, and geometries that cannot be what
             they are given as.

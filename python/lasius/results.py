@@ -112,7 +112,12 @@ class Result(SearchResult):
     """One answer on a bitmap; lengths in cells."""
 
     path: FloatArray  #: (n, 2), x and y in continuous cell coordinates: (0.5, 0.5) is cell (0, 0)'s centre
-    goal_reached: Optional[Cell]  #: with a goal tolerance: where the path ends, or is to end
+    #: of a disc that stands nearer than its radius to what is blocked: where a straight leg leads it first; path,
+    #: curve and lengths begin with that, and nothing is certified of the whole (None: no leg is needed)
+    way_out: Optional[Tuple[float, float]]
+    #: with a goal tolerance: the cell where the path ends, or is to end: at its centre or, for a disc by `exact`, at
+    #: the point nearest to the goal, `path[-1]`
+    goal_reached: Optional[Cell]
     nearest_free: Optional[Cell]  #: to a start or goal that is blocked or outside
     #: the same, joined to the other end; with a goal tolerance also of a goal in another region
     nearest_reachable: Optional[Cell]
@@ -123,13 +128,14 @@ class Result(SearchResult):
     start: Cell  #: as asked
     goal: Cell  #: as asked
     params: ParameterSet  #: as asked
+    radius: float  #: of the robot, a disc, in cells; 0: a point
     grid: Grid  #: the map; None where it was left out by dataclasses.replace
 
     def __post_init__(self) -> None:
         self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
 
     def plot(self, axes: Any = None, *, map: Optional[Map] = None) -> Any:
-        """Draws map, path and, of a colony, its curves. Needs matplotlib.
+        """Draws map, path, what the robot's disc sweeps on it and, of a colony, its curves. Needs matplotlib.
 
         Args:
             axes: matplotlib's, to draw map and path in; None: a new figure.
@@ -164,7 +170,6 @@ class Way(Result):
 
     replanned: bool  #: planned in this step; else `path` is what is left of an earlier one that still holds
     walk: IntArray  #: (n, 2), the next cells, the robot's own first; empty without a path
-    way_out: Optional[Cell]  #: the robot is where its centre may not be: first it goes to this cell
     doubted: int  #: walls taken for free in this step, see `doubt_after`
 
 

@@ -39,7 +39,7 @@ def test_a_robot_with_a_radius_and_a_colony():
 def test_ways_where_none_is_known():
     navigator = lasius.Navigator(open_grid(), (25, 10), radius=2, goal_tolerance=9, doubt_after=3)
     first = navigator.step((0, 10))
-    assert first.way_out == (2, 10) and first.status == "solved" and first.walk[:3].tolist() == [[0, 10], [1, 10], [2, 10]]
+    assert first.way_out == (2.5, 10.5) and first.status == "solved" and first.walk[:3].tolist() == [[0, 10], [1, 10], [2, 10]]
     navigator.observe_rectangle(24, 9, 3, 3, blocked=True)
     assert navigator.step((5, 10)).goal_reached == (25, 6)
     navigator.observe_rectangle(10, 0, 1, 20, blocked=True)

@@ -54,6 +54,23 @@ def test_a_plot_in_metres_with_unknown_cells(pyplot):
     assert without.get_xlabel() == "x, cells" and len(without.images) == 2
 
 
+def test_a_plot_of_a_disc(pyplot):
+    cells = np.zeros((18, 30), np.uint8)
+    cells[8:14, 9:11] = 1
+    grid = lasius.Grid(cells, free=0)
+    result = lasius.Planner(grid, radius=2.3).plan((8, 10), (12, 9), goal_tolerance=2)
+    for read, size in ((None, 1), (lasius.Map(grid, lasius.WorldFrame(0.5, 1, 2, 0), "", None), 0.5)):
+        axes = result.plot(map=read)
+        told = [text.get_text() for text in axes.get_legend().get_texts()]
+        assert told == ["start", "goal reached", "goal asked", "way out", "swept by the robot"]
+        drawn = np.column_stack(axes.lines[0].get_data())
+        chords = np.hypot(*np.diff(drawn, axis=0).T)
+        assert abs(chords.sum() - size * result.length) < 1e-3 and len(drawn) > len(result.path), "arcs"
+        axes.figure.savefig(io.BytesIO(), dpi=100)
+        ends = axes.transData.transform([(0, 0), (2 * 2.3 * size, 0)])
+        assert np.isclose(axes.lines[-1].get_linewidth(), (ends[1] - ends[0])[0] * 72 / 100)
+
+
 def test_answers_in_a_notebook(planner, pyplot):
     result = planner.plan(START, GOAL)
     assert result._repr_png_().startswith(PNG) and planner.grid._repr_png_().startswith(PNG)

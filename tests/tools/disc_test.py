@@ -2,6 +2,7 @@
 import json
 import math
 import random
+import re
 import unittest
 
 from program import ProgramTest
@@ -97,9 +98,20 @@ class Discs(ProgramTest):
         for a, b in zip(answer["path"], answer["path"][1:]):
             self.assertGreaterEqual(judge.segment(a, b), radius - ROOM)
 
+    def from_way_out(self, answer, judge):
+        """Without the leg that leads out, if there is one."""
+        out, start = answer["way_out"], [v + 0.5 for v in answer["start"]]
+        if out is None:
+            return answer
+        self.assertEqual((answer["path"][:2], answer["curve"][:2]), ([start, out], [start, out]))
+        self.assertEqual((answer["lower_bound"], answer["gap"], answer["optimal"]), (None, None, False))
+        self.assertGreaterEqual(judge.segment(start, out), judge.point(*start) - ROOM)
+        return {**answer, "curve": answer["curve"][1:], "path": answer["path"][1:],
+                "length": answer["length"] - math.dist(start, out), "optimal": True}
+
     def test_curves_and_paths_keep_the_radius(self):
         draw = random.Random(5)
-        bent = 0
+        bent = led = 0
         for radius in (0.3, 0.5, 1, 1.7, 2.3):
             rows = ["".join("@" if draw.random() < 0.12 / (1 + radius) else "." for _ in range(30)) for _ in range(24)]
             self.map(rows)
@@ -111,12 +123,14 @@ class Discs(ProgramTest):
                 for i, answer in enumerate(run.lines):
                     x, y = answer["start"]
                     clear = rows[y][x] == "." and judge.point(x + 0.5, y + 0.5) >= radius - ROOM
-                    if not clear:
+                    if not clear and answer["way_out"] is None:
                         self.assertEqual(answer["status"], "invalid")
                     if answer["status"] != "solved" or answer["length"] == 0:
                         continue
-                    self.assertTrue(answer["optimal"])
-                    self.judged(answer, radius, judge)
+                    rest = self.from_way_out(answer, judge)
+                    led += rest is not answer
+                    self.assertTrue(rest["optimal"])
+                    self.judged(rest, radius, judge)
                     bent += len(answer["curve"]) > 2
                     if i < 2 and not more:
                         alone = self.plan("--json", "--radius", str(radius), map_file="m.map", goal="%d,%d" % tuple(answer["goal"]),
@@ -125,6 +139,64 @@ class Discs(ProgramTest):
                 self.write("lines.json", run.out)
                 self.ended(self.run_program("verify", "lines.json"), 0)
         self.assertGreater(bent, 20)
+        self.assertGreater(led, 3)
+
+    def test_the_way_out(self):
+        rows = ["." * 30] * 8 + ["." * 9 + "@" * 2 + "." * 19] * 6 + ["." * 30] * 4
+        self.map(rows)
+        judge = Judge(rows)
+        for algorithm in ("exact", "acs", "grid-ga"):
+            self.algorithm = algorithm
+            ask = dict(map_file="m.map", start="8,10", goal="20,12")
+            few = [] if algorithm == "exact" else ["--iterations", "3"]
+            run = self.ended(self.plan("--json", "--radius", "2.3", *few, **ask), 0)
+            answer, start = run.json, [8.5, 10.5]
+            out = answer["way_out"]
+            self.assertEqual((answer["status"], answer["path"][:2]), ("solved", [start, out]))
+            for a, b in zip(answer["path"][1:], answer["path"][2:]):
+                self.assertGreaterEqual(judge.segment(a, b), 2.3 - ROOM)
+            if algorithm == "exact":
+                self.assertAlmostEqual(out[0], 9 - 2.3, delta=ROOM)
+                self.judged(self.from_way_out(answer, judge), 2.3, judge)
+            else:
+                self.assertEqual(answer["best"][-1], answer["length"])
+            self.ended(self.replay_of(answer), 0)
+            self.ended(self.plan("--radius", "2.3", *few, **ask), 0, "start (8, 10) is too near to an obstacle, 0.5 cells away: "
+                       "the radius is 2.3 cells; the path first leads straight out to " +
+                       ("the point (6.7, 10.5), 1.8 cells away" if algorithm == "exact" else "(5, 10), 3 cells away"))
+            self.write("q.tsv", "sx sy gx gy\n8 10 20 12\n9 10 20 12\n4 4 20 12\n")
+            lines = self.ended(self.run_program("batch", "m.map", "q.tsv", "--algorithm", algorithm, "--radius", "2.3", *few), 0).lines
+            self.assertEqual((lines[0]["path"], lines[0]["length"]), (answer["path"], answer["length"]))
+            self.assertEqual([line["status"] for line in lines], ["solved", "invalid", "solved"])
+            self.assertEqual([line["way_out"] for line in lines], [out, None, None])
+
+    def test_a_goal_that_is_too_near(self):
+        rows = ["." * 30] * 8 + ["." * 9 + "@" * 2 + "." * 19] * 6 + ["." * 30] * 4
+        self.map(rows)
+        ask = dict(map_file="m.map", start="2,3", goal="8,10")
+        self.ended(self.plan("--radius", "2.3", **ask), 4, "goal (8, 10) is too near to an obstacle, 0.5 cells away")
+        short = self.plan("--radius", "2.3", "--goal-tolerance", "1.7", **ask)
+        self.ended(short, 4, "the nearest cell that can be reached, (6, 10), is 2 cells from the goal, the tolerance is 1.7 cells")
+        run = self.ended(self.plan("--json", "--radius", "2.3", "--goal-tolerance", "1.9", "-o", "r.svg", **ask), 0)
+        answer = run.json
+        self.assertEqual((answer["goal"], answer["goal_reached"]), ([8, 10], answer["path"][-1]))
+        self.assertAlmostEqual(answer["path"][-1][0], 6.7, delta=ROOM)
+        self.assertTrue(answer["optimal"])
+        self.judged(answer, 2.3, Judge(rows))
+        self.ended(self.replay_of(answer), 0)
+        self.ended(self.plan("--radius", "2.3", "--goal-tolerance", "1.9", **ask), 0,
+                   "the path ends at the point (6.7, 10.5), 1.8 cells from the goal, which cannot be reached")
+        self.holds(self.words("r.svg"), "goal asked: (8, 10), reached: the point (6.7, 10.5), 1.80", "goal reached",
+                   "swept by the robot, a disc of radius 2.30")
+
+    def test_pictures_have_arcs(self):
+        self.map(["." * 20] * 8 + ["." * 6 + "@" * 8 + "." * 6] * 8)
+        for algorithm, arcs in (("exact", True), ("as", False)):
+            self.algorithm = algorithm
+            self.ended(self.plan("--radius", "2", "-o", "r.svg", map_file="m.map", start="3,13", goal="16,13"), 0)
+            lines = re.findall(r'<path[^>]*stroke-width[:=]"?3[;"][^>]* d="([^"]*)"', self.read("r.svg").decode())
+            self.assertEqual(any(" C " in line for line in lines), arcs)
+            self.assertGreater(len(lines), 1)  # the legend's among them
 
     def test_a_corridor_as_wide_as_the_disc(self):
         self.map(["." * 30] * 3 + ["." * 8 + "@" * 12 + "." * 10] * 4 + ["." * 30] * 3 +
@@ -158,6 +230,12 @@ class Discs(ProgramTest):
             length += math.dist(a, b) if arc is None else 0.75 * swept(a, arc, b)
         self.assertAlmostEqual(length, answer["length_m"], delta=1e-9)
         self.assertAlmostEqual(answer["length_m"], 0.5 * answer["length"], delta=1e-12)
+        self.ended(self.plan("--radius", "30", "--frame", "world", map_file="m.yaml", start="0.25,4.25", goal="11.25,4.25"), 2,
+                   "--radius is 30 m; for exact a disc's radius is between 0.025 and 27 m (0.05 and 54 cells)")
+        led = self.ended(self.plan("--json", "--radius", "0.75", "--frame", "world", map_file="m.yaml", start="5.25,4.25",
+                                   goal="0.25,4.25"), 0).json
+        self.assertEqual(led["way_out"], led["path"][1])
+        self.assertEqual(led["way_out_world"], led["path_world"][1])
         arc = next(e for e in answer["curve_world"] if isinstance(e, dict))
         self.assertEqual((arc["radius"], arc["turn"], arc["centre"]), (0.75, -1, [5.5, 9.0]))
         self.write("r.json", json.dumps(answer))

@@ -39,7 +39,8 @@ class GoalTolerance(ProgramTest):
             run = self.shelf("--goal-tolerance", "2.5", "--json", goal=goal)
             self.assertEqual((run.code, run.json["status"]), (code, status))
             self.assertIsNone(run.json["goal_reached"])
-        self.assertIn("the nearest cell that can be reached, (13, 4), is 4 from the goal", run.json["error"])
+        self.assertIn("the nearest cell that can be reached, (13, 4), is 4 cells from the goal, the tolerance is 2.5 cells",
+                      run.json["error"])
 
     def test_without_one_nothing_is_added(self):
         result = self.shelf("--json", goal="3,3").json

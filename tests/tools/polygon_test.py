@@ -290,7 +290,7 @@ class PolygonTest(WorldTest):
             head = self.read("o.csv").decode().splitlines()[0]
             self.assertEqual(head, "x,y" if algorithm == "exact" else "iteration,best,mean,arrived")
             text = self.words("o.svg")
-            self.holds(text, "start", "goal", "obstacle", "margin, or outside", "path, length",
+            self.holds(text, "start", "goal", "obstacle", "outside", "path, length",
                        "x, the world's units", "y, the world's units")
             for words in ("MAKLINK line", "its midpoint", "Dijkstra's path over midpoints",
                           "best path so far", "mean tour of the ants", "optimum of its own crossings"):

@@ -46,11 +46,14 @@ class Reasons(ProgramTest):
                  "is too near to an obstacle, 0.5 cells away: the radius is 2.2 cells"),
                 (["--radius", "1.2"], "4,0", "radius", "is too near to the edge of the map, 0.5 cells"),
                 (["--radius", "0.12", "--frame", "world"], "0.55,2.45", "radius",
-                 "start 0.55,2.45 m, in cell (15, 4), is too near to an unknown cell, 0.05 m away: "
+                 "goal 0.55,2.45 m, in cell (15, 4), is too near to an unknown cell, 0.05 m away: "
                  "the radius is 0.12 m; the nearest")):
             with self.subTest(start=start, arguments=arguments):
                 goal = "-0.65,2.45" if "world" in arguments else "3,4"
-                run = self.asked("--json", *arguments, start=start, goal=goal)
+                ends = {"start": start, "goal": goal}
+                if by == "radius":  # a start would be led out
+                    ends = {"start": goal, "goal": start}
+                run = self.asked("--json", *arguments, **ends)
                 self.ended(run, 4, text)
                 self.assertEqual(run.json["blocked_by"], by)
                 self.assertEqual("clearance" in run.json, by == "radius")
@@ -61,7 +64,7 @@ class Reasons(ProgramTest):
     def test_a_cell_that_is_free_in_part(self):
         self.ended(self.asked("--radius", "1.5", start="1,4"), 0)
         self.algorithm = "as"
-        run = self.asked("--json", "--radius", "1.5", start="1,4", goal="5,4")
+        run = self.asked("--json", "--radius", "1.5", start="5,4", goal="1,4")
         self.ended(run, 4, "is in part too near to the edge of the map, 1 cell away: the radius is 1.5 cells; its "
                    "centre is not, from which exact plans; the nearest free cell is (2, 4)")
         self.assertEqual((run.json["blocked_by"], run.json["clearance"]), ("radius", 1))

@@ -7,6 +7,7 @@
 #include "lasius/shortest_walk.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
+#include "tools/console/values.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
@@ -27,6 +28,23 @@ void add_optima(const LoadedMap& map, const RunOptions& run, const StopCondition
 }
 
 }  // namespace
+
+void check_radius(const LoadedMap& map, const RunOptions& run) {
+  constexpr double kLeast = 0.05, kMost = 54;  // cells, see Planner
+  if (run.frame == Frame::cell || !route_of(map, run).curved) return;
+  if (map.radius >= kLeast && map.radius <= kMost) return;
+  const auto text = [&](double cells) { return rounded_text(map.metres(cells), 6); };
+  throw UsageError("--radius is " + text(map.radius) + " m; for exact a disc's radius is between " +
+                   text(kLeast) + " and " + text(kMost) +
+                   " m (0.05 and 54 cells): coarsen the map or ask a colony for a larger one, plan "
+                   "for a point with --radius 0");
+}
+
+std::optional<Point> short_end(const Answer& answer) {
+  const auto& path = answer.result.path;
+  if (path.empty() || path.back() == centre(answer.goal.cell)) return std::nullopt;
+  return path.back();
+}
 
 Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal) {
   return {.start = start,

@@ -23,6 +23,13 @@ struct Answer {
   std::optional<Remedy> remedy{};  ///< where the ends are not joined
 };
 
+/// @throws UsageError for a radius in metres that the algorithm does not serve, which tells them.
+/// What was given in cells the library refuses.
+void check_radius(const LoadedMap& map, const RunOptions& run);
+
+/// Where a path ends that does not reach the goal asked for.
+std::optional<Point> short_end(const Answer& answer);
+
 /// How the algorithm goes about on a map with a planner.
 Route route_of(const LoadedMap& map, const RunOptions& run);
 /// Looks for what would join ends that are not.

@@ -85,6 +85,7 @@ int run_command(const BatchCommand& command) {
       load_map(run.map, run.frame, run.params.corners, signals.token()));
   const LoadedMap& map = *shared;
   check_outputs(run.outputs, {map.image});
+  check_radius(map, run);
   const QueryFile file = queries_of(command, map);
   BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);
   const std::vector<Request> queries = requests_of(file, map, run);

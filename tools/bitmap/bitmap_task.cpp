@@ -19,8 +19,10 @@ namespace {
 bool is_search(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal,
                const std::stop_token& token) {
   const Route route = route_of(map, run);
-  return map.planner && start != goal && map.planner->label(route.corners, {.token = token}) &&
-         (run.goal_tolerance > 0 || route.joined(*map.planner, start, goal));
+  if (!map.planner || start == goal || !map.planner->label(route.corners, {.token = token}))
+    return false;
+  const bool led_out = map.grown() && map.as_read().free(start) && !map.planner->clear(start);
+  return run.goal_tolerance > 0 || led_out || route.joined(*map.planner, start, goal);
 }
 
 }  // namespace
@@ -35,6 +37,7 @@ void BitmapTask::load(const std::stop_token& token) {
   first.prepare = false;
   if (!given)
     map_ = std::make_shared<LoadedMap>(load_map(first, run.frame, run.params.corners, token));
+  check_radius(*map_, run);
   answer_.start = to_place(*map_, command_.start, run.frame);
   answer_.goal = to_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
@@ -140,6 +143,10 @@ Json BitmapTask::curve_json(const LoadedMap* frame) const {
 
 void BitmapTask::add_path(Json& json) const {
   add_goal_reached(json);
+  const auto& out = way_out();
+  if (map().radius > 0) json["way_out"] = out ? point(*out) : Json(nullptr);
+  if (map().radius > 0 && in_metres())
+    json["way_out_world"] = out ? point(map().to_world(*out)) : Json(nullptr);
   json["path"] = points(result().path);
   const bool has_curve = curved() && has_path();
   if (curved()) json["curve"] = has_curve ? curve_json(nullptr) : Json(nullptr);

@@ -56,6 +56,10 @@ class BitmapTask : public MapTask {
     return result().nearest_reachable;
   }
   const std::optional<Cell>& goal_reached() const override { return result().goal_reached; }
+  std::optional<Point> way_out() const override { return result().way_out; }
+  Point path_end() const override {
+    return has_path() ? result().path.back() : MapTask::path_end();
+  }
 
   PlanCommand command_;
   SharedMap map_;

@@ -19,16 +19,17 @@ std::string MapTask::parameter(std::string_view name) const {
 std::string MapTask::error() const {
   const Frame frame = options().frame;
   if (result().status == Status::invalid)
-    return invalid_text() + metres_hint(map(), frame, at_start() ? start() : goal());
+    return invalid_text() + tolerance_text() +
+           metres_hint(map(), frame, at_start() ? start() : goal());
   std::string text = result().error;
   if (result().status != Status::unreachable) return text;
-  if (remedy() && in_metres())
+  if (remedy())
     text = "start " + place_text(start(), frame) + " and goal " + place_text(goal(), frame) +
            " lie in different regions of free cells";
   if (map().radius > 0)  // why cells that look free are not
     text += (curved() ? " (for a disc of radius " : " (obstacles grown by ") +
             length_text(map(), frame, map().radius, 6) + ")";
-  return remedy() ? text + remedy_text(map(), frame, *remedy()) : text;
+  return remedy() ? text + remedy_text(map(), frame, *remedy()) + tolerance_text() : text;
 }
 
 bool MapTask::curved() const { return route_of(map(), options()).curved; }
@@ -54,12 +55,25 @@ std::string MapTask::invalid_text() const {
          (bad_start ? "does not lead there" : "cannot be reached");
 }
 
+/// Of a goal that is out of reach and what is out of its tolerance.
+std::string MapTask::tolerance_text() const {
+  if (!(options().goal_tolerance > 0) || !nearest_reachable() || at_start()) return {};
+  return "; the nearest cell that can be reached, " + name_of(*nearest_reachable()) + ", is " +
+         length_text(map(), options().frame, from_goal(centre(*nearest_reachable()))) +
+         " from the goal, the tolerance is " +
+         length_text(map(), options().frame, goal_tolerance());
+}
+
 std::string MapTask::name_of(Cell cell) const {
-  const std::string name = printed("(%d, %d)", cell.x, cell.y);
-  if (!in_metres()) return name;
-  const Point metres = map().to_world(centre(cell));
-  return name + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
-         " m";
+  return spot_text(map(), options().frame, centre(cell));
+}
+
+double MapTask::from_goal(Point at) const {
+  return std::hypot(at.x - goal().number.x - 0.5, at.y - goal().number.y - 0.5);
+}
+
+double MapTask::goal_tolerance() const {
+  return request_of(map(), options(), start().cell, goal().cell).goal_tolerance;
 }
 
 void MapTask::add_findings(Json& json) const {
@@ -73,19 +87,27 @@ void MapTask::add_findings(Json& json) const {
 }
 
 void MapTask::remark() const {
-  if (options().json || !has_path() || !goal_reached() || *goal_reached() == goal().cell) return;
-  const Point end = centre(*goal_reached()), asked{goal().number.x + 0.5, goal().number.y + 0.5};
-  message("the path ends at " + name_of(*goal_reached()) + ", " +
-          to_text(std::round(1e3 * shown(std::hypot(end.x - asked.x, end.y - asked.y))) / 1e3) +
-          (in_metres() ? " m" : " cells") + " from the goal, which cannot be reached");
+  if (options().json || !has_path()) return;
+  const Frame frame = options().frame;
+  if (const auto out = way_out()) {
+    const Point from = centre(start().cell);
+    message("start " + place_text(start(), frame) +
+            obstruction_text(map(), frame, obstruction_of(map(), start().cell, curved())) +
+            "; the path first leads straight out to " + spot_text(map(), frame, *out) + ", " +
+            length_text(map(), frame, std::hypot(out->x - from.x, out->y - from.y)) + " away");
+  }
+  if (!goal_reached() || path_end() == centre(goal().cell)) return;
+  message("the path ends at " + spot_text(map(), frame, path_end()) + ", " +
+          length_text(map(), frame, from_goal(path_end())) +
+          " from the goal, which cannot be reached");
 }
 
 void MapTask::add_goal_reached(Json& json) const {
   if (!(options().goal_tolerance > 0)) return;
-  json["goal_reached"] = goal_reached() ? Json{goal_reached()->x, goal_reached()->y} : Json();
-  if (in_metres())
-    json["goal_reached_world"] =
-        goal_reached() ? point(map().to_world(centre(*goal_reached()))) : Json();
+  const auto& cell = goal_reached();
+  const bool middle = cell && path_end() == centre(*cell);
+  json["goal_reached"] = middle ? Json{cell->x, cell->y} : cell ? point(path_end()) : Json();
+  if (in_metres()) json["goal_reached_world"] = cell ? point(map().to_world(path_end())) : Json();
 }
 
 std::pair<Json, Json> MapTask::ends() const { return {cell_json(start()), cell_json(goal())}; }
@@ -93,9 +115,7 @@ std::pair<Json, Json> MapTask::ends() const { return {cell_json(start()), cell_j
 void MapTask::add_settings(Json& json) const {
   add_limits(json);
   add_map_settings(json, map(), options().frame);
-  if (options().goal_tolerance > 0)
-    json["goal_tolerance"] =
-        number(request_of(map(), options(), start().cell, goal().cell).goal_tolerance);
+  if (options().goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance());
 }
 
 }  // namespace lasius::tool

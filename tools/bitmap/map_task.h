@@ -21,7 +21,7 @@ class MapTask : public Task {
   double shown(double length) const override { return map().length_in(options().frame, length); }
   std::string unit() const override { return in_metres() ? "m" : ""; }
 
-  /// Of a path that ends short of its goal, where.
+  /// Of a path that begins with a way out or ends short of its goal, where.
   void remark() const override;
 
   std::pair<Json, Json> ends() const override;
@@ -36,6 +36,9 @@ class MapTask : public Task {
   virtual const std::optional<Cell>& nearest_free() const = 0;  ///< to an invalid start or goal
   virtual const std::optional<Cell>& nearest_reachable() const = 0;  ///< likewise
   virtual const std::optional<Cell>& goal_reached() const = 0;
+  virtual std::optional<Point> way_out() const { return std::nullopt; }
+  /// Of a path with a goal tolerance: where it ends.
+  virtual Point path_end() const { return centre(*goal_reached()); }
   /// Where the path ends, where a goal tolerance was given.
   void add_goal_reached(Json& json) const;
 
@@ -47,6 +50,9 @@ class MapTask : public Task {
  private:
   bool at_start() const;  ///< an invalid end is the start
   std::string invalid_text() const;
+  std::string tolerance_text() const;
+  double from_goal(Point at) const;      ///< cells
+  double goal_tolerance() const;         ///< likewise
   std::string name_of(Cell cell) const;  ///< with its metres, where those are in use
 };
 

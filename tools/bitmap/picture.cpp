@@ -1,7 +1,9 @@
 #include "tools/bitmap/picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "tools/bitmap/sheet.h"
 #include "tools/console/parameters.h"
@@ -54,6 +56,15 @@ std::string path_caption(const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return no_path_text(result.status);
   std::string text = "path, length " + sheet.length(result.length);
+  const auto place = [&](Point p) { return spot_text(sheet.map, sheet.run.frame, p); };
+  const auto apart = [&](Point p, Cell c) {
+    return sheet.length(std::hypot(p.x - c.x - 0.5, p.y - c.y - 0.5));
+  };
+  if (const auto& out = result.way_out)
+    text += ", first " + apart(*out, answer.start.cell) + " out to " + place(*out);
+  if (const auto end = short_end(answer))
+    text += "; goal asked: " + place(centre(answer.goal.cell)) + ", reached: " + place(*end) +
+            ", " + apart(*end, answer.goal.cell) + " from it";
   if (result.optimal) return text + ", proven shortest";
   const auto compare = [&](double length, const char* name, const std::optional<double>& optimum) {
     if (optimum) text += against(length, *optimum, name, sheet.length(*optimum));
@@ -159,7 +170,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
   Page page = sheet.page(map_title(map, run));
-  if (!answer.result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
+  std::ranges::copy(keys_of_plan(sheet, answer), std::back_inserter(page.legend));
   std::uint32_t most = 0;
   for (const auto& kept : tracks) most = std::max(most, *std::ranges::max_element(kept.now.values));
   const ColourScale now = track_scale(most);
@@ -175,8 +186,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
     panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, free_ground);
-                      draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
-                      draw_path(canvas, box, sheet, answer.result.path, 3, 1);
+                      draw_plan(canvas, box, sheet, answer);
                     }});
   if (!answer.result.best.empty())
     panels.push_back({"convergence: best path so far; tours by iteration",

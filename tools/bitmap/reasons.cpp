@@ -40,6 +40,20 @@ std::string place_text(const Place& place, Frame frame) {
   return to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + cell + ",";
 }
 
+std::string spot_text(const LoadedMap& map, Frame frame, Point at) {
+  const Cell cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+  const bool middle = at == centre(cell);
+  std::string metres;
+  if (frame == Frame::world) {
+    const Point world = map.to_world(at);
+    metres = decimal_text(world.x, 3) + "," + decimal_text(world.y, 3) + " m";
+    if (!middle) return metres;
+    metres = ", its centre at " + metres;
+  }
+  if (middle) return printed("(%d, %d)", cell.x, cell.y) + metres;
+  return "the point (" + rounded_text(at.x, 3) + ", " + rounded_text(at.y, 3) + ")";
+}
+
 bool Route::joined(const Planner& planner, Cell start, Cell goal) const {
   if (curved) return planner.joined(start, goal);
   const Grid& grid = planner.passable();

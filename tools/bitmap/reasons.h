@@ -19,6 +19,10 @@ std::string length_text(const LoadedMap& map, Frame frame, double cells, int dec
 /// A start or goal as it was given, as in "(3, 4)" or "1.2,0.5 m, in cell (3, 4),".
 std::string place_text(const Place& place, Frame frame);
 
+/// A place of a map, in metres too where those are in use: as in "(3, 4)" of a cell's centre, else
+/// "the point (3.25, 4.5)".
+std::string spot_text(const LoadedMap& map, Frame frame, Point at);
+
 /// How an algorithm goes about: `exact` along a disc's curves from centre to centre, the others on
 /// cells of the grown map, under a rule of corners.
 struct Route {

@@ -9,6 +9,11 @@
 #include "tools/draw/text.h"
 
 namespace lasius::tool {
+namespace {
+
+constexpr double kSweptOpacity = 0.16;
+
+}  // namespace
 
 Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends) {
   const Grid& grid = map.grid();
@@ -138,6 +143,50 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell from, C
   const Point start = centre(from), goal = centre(to);
   if (sheet.grid.contains(to)) canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
   if (sheet.grid.contains(from)) canvas.ring(axes.at(start.x, start.y), radius, kStart);
+}
+
+std::vector<CurvePiece> Sheet::on_page(const Box& box, const Result& result) const {
+  std::vector<CurvePiece> curve = result.curve;
+  for (std::size_t i = 1; result.curve.empty() && i < result.path.size(); ++i)
+    curve.push_back({.from = result.path[i - 1], .to = result.path[i]});
+  const Axes axes = this->axes(box);
+  for (CurvePiece& piece : curve) {
+    for (Point* p : {&piece.from, &piece.to, &piece.centre}) *p = axes.at(p->x, p->y);
+    piece.radius *= box.width / window.width();
+  }
+  return curve;
+}
+
+void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer) {
+  const Result& result = answer.result;
+  const auto curve = sheet.on_page(box, result);
+  if (sheet.map.grown()) {
+    canvas.clip(box);
+    const double diameter = 2 * sheet.map.radius * box.width / sheet.window.width();
+    canvas.curve(curve, kPath, diameter, kSweptOpacity);
+    canvas.unclip();
+  }
+  draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
+  canvas.curve(curve, {1, 1, 1}, 5, 1);
+  canvas.curve(curve, kPath, 3, 1);
+  const Axes axes = sheet.axes(box);
+  const auto dot = [&](const std::optional<Point>& at, Colour colour) {
+    if (at) canvas.disc(axes.at(at->x, at->y), 6, colour);
+  };
+  dot(result.way_out, kStart);
+  dot(short_end(answer), kGoal);
+}
+
+std::vector<Key> keys_of_plan(const Sheet& sheet, const Answer& answer) {
+  if (answer.result.path.empty()) return {};
+  std::vector<Key> keys{line_key("path", kPath, 3)};
+  if (sheet.map.grown())
+    keys.push_back(
+        area_key("swept by the robot, a disc of radius " + sheet.length(sheet.map.radius),
+                 blend(kFree, kPath, kSweptOpacity)));
+  if (answer.result.way_out) keys.push_back(disc_key("way out", kStart));
+  if (short_end(answer)) keys.push_back(disc_key("goal reached", kGoal));
+  return keys;
 }
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bitmap/answer.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/colours.h"
@@ -31,6 +32,8 @@ struct Sheet {
   std::string length(double cells, int decimals = 2) const;
   /// In cells; in metres of the world where the map is not turned in it.
   void frame(Canvas& canvas, const Box& box) const;
+  /// A path on the page: its curve, or its polyline as straight pieces.
+  std::vector<CurvePiece> on_page(const Box& box, const Result& result) const;
   std::string note() const;            ///< what the window leaves out
   Page page(std::string title) const;  ///< its legend has start, goal, blocked cells
 };
@@ -49,6 +52,10 @@ inline Colour free_ground(Span, Span) { return kFree; }
 
 void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell start, Cell goal,
                 bool small);
+/// A plan's path with its marks, and under it what the robot's disc sweeps.
+void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer);
+/// What draw_plan draws beside start and goal.
+std::vector<Key> keys_of_plan(const Sheet& sheet, const Answer& answer);
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
                double width, double rim);
 

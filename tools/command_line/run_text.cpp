@@ -324,7 +324,8 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
 }
 
 void refuse_radius(std::string_view radius) {
-  if (!radius.empty()) throw UsageError("--radius: obstacles of a polygon world grow by --margin");
+  if (!radius.empty())
+    throw UsageError("--radius is for bitmaps; the robot's radius is --margin on polygon worlds");
 }
 
 void refuse_world_options(const WorldText& text) {
@@ -334,9 +335,10 @@ void refuse_world_options(const WorldText& text) {
                        : text.repair            ? "--repair"
                                                 : nullptr;
   if (option != nullptr)
-    throw UsageError(std::string(option) +
-                     " is for polygon worlds (.geojson, .json, .wkt); obstacles of a bitmap grow "
-                     "by --radius");
+    throw UsageError(
+        std::string(option) +
+        " is for polygon worlds (.geojson, .json, .wkt); the robot's radius is --radius "
+        "on bitmaps");
 }
 
 }  // namespace lasius::tool

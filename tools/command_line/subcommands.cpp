@@ -74,12 +74,14 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
       "--radius", text.radius,
       "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
       "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
-      "cells; other algorithms plan on cells all of whose points keep R",
+      "cells; other algorithms plan on cells all of whose points keep R. A start that is free, "
+      "but nearer than that, is led straight out first",
       "R");
   option(
       "--goal-tolerance", text.goal_tolerance,
-      "Where the goal cannot be reached, end at the free cell nearest to it that can be, at most "
-      "R away from centre to centre; R in cells (metres with --frame world)",
+      "Where the goal cannot be reached, end at the free cell nearest to it that can be (with "
+      "--radius exact ends at the nearest point), at most R away from centre to centre; R in cells "
+      "(metres with --frame world)",
       "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
@@ -95,16 +97,19 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
 
 void add_world_options(CLI::App& app, WorldText& text) {
   const AddOption option = option_adder(app);
-  option("--margin", text.margin,
-         "Polygon worlds: obstacles grow by this in place of theirs, and the boundary shrinks",
-         "R");
+  option(
+      "--margin", text.margin,
+      "Polygon worlds: the robot is a disc: its centre keeps R (the world's unit) from obstacles "
+      "and from the boundary, in place of the file's margin",
+      "R");
   option("--join", text.join,
          "Polygon worlds: corners of grown obstacles (default round, the margin and at most 0.5% "
          "more; mitre reaches farther and may close passages, bevel keeps less, chords 99.5%)",
          "round|mitre|bevel|chords");
-  option("--boundary", text.boundary,
-         "Polygon worlds: whether the margin holds at the boundary, too (default shrink)",
-         "shrink|keep");
+  option(
+      "--boundary", text.boundary,
+      "Polygon worlds: whether the robot keeps the margin from the boundary, too (default shrink)",
+      "shrink|keep");
   add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
 }
 

@@ -101,9 +101,29 @@ void Canvas::stroke(std::span<const Point> points, Colour colour, double width, 
   cairo_t* const c = context_.get();
   cairo_new_path(c);
   for (const Point p : points) cairo_line_to(c, p.x, p.y);
-  cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
-  cairo_set_line_width(c, width);
-  cairo_stroke(c);
+  stroke_path(colour, width, opacity);
+}
+
+void Canvas::curve(std::span<const CurvePiece> pieces, Colour colour, double width,
+                   double opacity) {
+  cairo_t* const c = context_.get();
+  cairo_new_path(c);
+  for (const CurvePiece& piece : pieces) {
+    cairo_line_to(c, piece.from.x, piece.from.y);
+    const Point middle = piece.centre;
+    const auto angle = [&](Point p) { return std::atan2(p.y - middle.y, p.x - middle.x); };
+    const double from = angle(piece.from), to = angle(piece.to);
+    if (piece.turn > 0) cairo_arc(c, middle.x, middle.y, piece.radius, from, to);
+    if (piece.turn < 0) cairo_arc_negative(c, middle.x, middle.y, piece.radius, from, to);
+    cairo_line_to(c, piece.to.x, piece.to.y);
+  }
+  stroke_path(colour, width, opacity);
+}
+
+void Canvas::stroke_path(Colour colour, double width, double opacity) {
+  cairo_set_source_rgba(context_.get(), colour.red, colour.green, colour.blue, opacity);
+  cairo_set_line_width(context_.get(), width);
+  cairo_stroke(context_.get());
 }
 
 void Canvas::clip(const Box& box) {

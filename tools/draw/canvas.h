@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lasius/geometry.h"
+#include "lasius/path.h"
 #include "tools/draw/raster.h"
 
 namespace lasius::tool {
@@ -36,6 +37,8 @@ class Canvas {
   void area(std::span<const Point> points, Colour colour, double opacity, bool rim = true);
   /// The same, `opacity` 0 .. 1. All lines have round ends and corners.
   void stroke(std::span<const Point> points, Colour colour, double width, double opacity);
+  /// Straight pieces and arcs, each beginning where the one before ends, likewise.
+  void curve(std::span<const CurvePiece> pieces, Colour colour, double width, double opacity);
   /// Until `unclip`, what is drawn outside of the box is left out.
   void clip(const Box& box);
   void unclip();
@@ -65,6 +68,7 @@ class Canvas {
   using Surface = std::unique_ptr<cairo_surface_t, Release>;
 
   void ink(Colour colour);
+  void stroke_path(Colour colour, double width, double opacity);
   void rimmed(Colour colour);
   void outlined(Colour colour);
   std::string description() const;

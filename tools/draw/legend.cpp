@@ -97,6 +97,10 @@ Key area_key(const std::string& label, Colour colour) {
   return {label, symbol, 20};
 }
 
+Key disc_key(const std::string& label, Colour colour) {
+  return {label, [=](Canvas& canvas, Point p) { canvas.disc({p.x + 9, p.y}, 6, colour); }, 18};
+}
+
 Key start_key(const std::string& label) {
   return {label, [](Canvas& canvas, Point p) { canvas.ring({p.x + 9, p.y}, 7, kStart); }, 18};
 }

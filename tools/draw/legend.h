@@ -38,6 +38,7 @@ struct Key {
 Key line_key(const std::string& label, Colour colour, double width);
 Key dashed_key(const std::string& label, Colour colour);
 Key area_key(const std::string& label, Colour colour);
+Key disc_key(const std::string& label, Colour colour);
 Key start_key(const std::string& label = "start");
 Key goal_key(const std::string& label = "goal");
 /// The scale between its ends, told as whole numbers.

@@ -77,9 +77,11 @@ void draw_ends(Canvas& canvas, const Axes& axes, Point start, Point goal) {
 
 Page page_of(const LoadedWorld& world, std::string title) {
   const Point low = world.low(), high = world.high();
+  const double margin = world.planner.margin();
+  const std::string near = "nearer than " + fixed(margin, 2) + " to that, or outside";
   return {.title = std::move(title),
           .legend = {start_key(), goal_key(), area_key("obstacle", kSolid),
-                     area_key("margin, or outside", kPaleWall)},
+                     area_key(margin > 0 ? near : "outside", kPaleWall)},
           .wide = high.x - low.x,
           .high = high.y - low.y,
           .cells = false};

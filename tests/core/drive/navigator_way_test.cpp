@@ -99,7 +99,7 @@ TEST(NavigatorWay, LeadsOutOfWhereTheRobotMayNotBe) {
     Cell robot{18, 10};  // too near to the wall
     ASSERT_TRUE(navigator.passable().blocked(robot));
     const Way& first = navigator.step(robot);
-    ASSERT_EQ(first.way_out, (Cell{16, 10})) << first.error;
+    ASSERT_EQ(first.way_out, (Point{16.5, 10.5})) << first.error;
     EXPECT_EQ(first.status, Status::solved);
     EXPECT_EQ(first.path.front(), centre(robot));
     EXPECT_FALSE(first.optimal);
@@ -120,7 +120,7 @@ TEST(NavigatorWay, LeadsOutOfWhereTheRobotMayNotBe) {
 
 TEST(NavigatorWay, AWayOutThatIsShutIsFoundAnew) {
   Navigator navigator(Grid(30, 30), {25, 25}, {.radius = 4});
-  EXPECT_EQ(navigator.step({15, 1}).way_out, (Cell{15, 4}));
+  EXPECT_EQ(navigator.step({15, 1}).way_out, (Point{15.5, 4.5}));
   navigator.observe(std::vector<Cell>{{15, 2}}, true);
   const Way& way = navigator.step({15, 1});
   EXPECT_TRUE(way.replanned);

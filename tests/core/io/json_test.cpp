@@ -76,6 +76,7 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.arrived = {0, 7};
   result.lower_bound = 0.3;
   result.own_rules = true;
+  result.way_out = Point{1.0 / 3, 4};
   result.error = "a \"quote\", \\ and \n";
   result.fault = Fault::trapped;  // the last of them
   const std::string text = result_to_json(result);
@@ -90,7 +91,8 @@ TEST(Json, ReadsWhatTheProgramPrints) {
   const std::string saved =
       R"({"format": "lasius-plan/1", "algorithm": "fan2004", "seed": 7, "threads": 2,
           "parameters": {"ants": 5, "polish": "taut", "target_gap": 0.5, "radius": 2,
-                         "time_limit": null, "unknown": "free", "frame": "cell"},
+                         "time_limit": null, "unknown": "free", "goal_tolerance": 2, "frame": "cell"},
+          "goal_reached": [2.0, 0.5], "way_out": [0.75, 0.5],
           "status": "solved", "error": null, "length": 1.5, "path": [[0.5, 0.5], [2, 0.5]],
           "iterations": 0, "best": [], "mean": [], "arrived": [], "lower_bound": null,
           "gap": null, "optimal": false, "elapsed_ms": 1})";
@@ -99,7 +101,10 @@ TEST(Json, ReadsWhatTheProgramPrints) {
   EXPECT_EQ(params.ants, 5);
   EXPECT_EQ(params.polish, Polish::taut);
   EXPECT_EQ(params.iterations, Params("fan2004").iterations);
-  EXPECT_EQ(result_from_json(saved).path.size(), 2);
+  const Result result = result_from_json(saved);
+  EXPECT_EQ(result.path.size(), 2);
+  EXPECT_EQ(result.goal_reached, (Cell{2, 0})) << "where a disc ends at a point";
+  EXPECT_EQ(result.way_out, (Point{0.75, 0.5}));
 }
 
 // Numbers that a type does not hold are named, not cut.
@@ -123,6 +128,7 @@ TEST(Json, RefusesNumbersThatDoNotFit) {
                                  {"\"iterations\": 1", "\"iterations\": 4294967297"},
                                  {"\"nearest_free\": [1, 2]", "\"nearest_free\": [1.5, 2]"},
                                  {"\"nearest_free\": [1, 2]", "\"nearest_free\": [1, 2, 3]"},
+                                 {"\"nearest_free\": [1, 2]", "\"way_out\": [1, 1e300]"},
                                  {"\"path\": [[1, 2]]", "\"path\": [[1, 2, 3]]"}}) {
     std::string text = whole;
     text.replace(text.find(from), std::string_view(from).size(), to);

@@ -33,6 +33,7 @@ inline void expect_same(const Result& a, const Result& b) {
   EXPECT_EQ(a.error, b.error);
   EXPECT_EQ(a.nearest_free, b.nearest_free);
   EXPECT_EQ(a.nearest_reachable, b.nearest_reachable);
+  EXPECT_EQ(a.way_out, b.way_out);
   EXPECT_EQ(a.goal_reached, b.goal_reached);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.arrived, b.arrived);

@@ -91,7 +91,16 @@ TEST(Margin, HoldsAtTheBoundaryUnlessThatIsKept) {
   EXPECT_NEAR(kept.plan().length, 2 * std::hypot(11, 1), 1e-9);
   const Result none = Planner(world, {.margin = 6}).plan();
   EXPECT_EQ(none.fault, Fault::start_blocked) << "nothing is left";
-  expect_says(none.error, "start (1, 7) is blocked; no space is free with a margin of 6");
+  expect_says(none.error,
+              "start (1, 7) is nearer to what is blocked than the margin of 6; no space is free");
+  World block = world;
+  block.obstacles = {{{{3, 3}, {5, 3}, {5, 5}, {3, 5}}, {}}};
+  const auto refusal = [&](Point start) {
+    return Planner(block, {.margin = 0.5}).plan({.start = start, .goal = {}}).error;
+  };
+  expect_says(refusal({4, 4}), "start (4, 4) is blocked; the nearest");
+  expect_says(refusal({2.75, 4}),
+              "start (2.75, 4) is nearer to what is blocked than the margin of 0.5; the nearest");
 }
 
 TEST(Margin, AMitreThatClosesAPassageSaysSo) {

@@ -9,7 +9,7 @@ import { framesOf, unpacked } from "./packed.js";
 import { Player } from "./player.js";
 import { PathHover } from "./path_hover.js";
 import { Sheet, checkBox, choices, percentText, swatches } from "./sheet.js";
-import { cumulated } from "./walk.js";
+import { cumulated, pointsOf } from "./walk.js";
 
 /** Walls as an image: a colour of the theme, as strong as the share of blocked cells. */
 export async function wallImage({ width, height, shares: packed }, variable = "--wall") {
@@ -108,8 +108,11 @@ class BitmapStage {
     const { content } = sheet, { clearance } = content;
     Object.assign(this, { sheet, content, layers, frame: 0, hovered: null, showPath: true });
     this.shown = layers.trail ? "trail" : layers.tracks ? "tracks" : "none";
-    this.hover = new PathHover(content.result.path ?? [], { name: "path", place: (at) => placeText(content.map, at),
+    const { path, curve } = content.result;
+    this.hover = new PathHover(curve ? pointsOf(curve) : path ?? [], { name: "path", place: (at) => placeText(content.map, at),
                                                            length: (value) => sheet.length(value), clearance: clearance && (({ length }) => clearanceText(clearance, length, sheet)) });
+    const end = path?.at(-1), [x, y] = content.result.goal;
+    this.end = end && (end[0] !== x + 0.5 || end[1] !== y + 0.5) ? end : null;  // short of the goal
     this.card = sheet.card("left");
     this.tools = element("div", { class: "row" });
     this.legend = element("div");
@@ -170,11 +173,19 @@ class BitmapStage {
   }
 
   addKeys() {
-    const { radius, map } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
+    const { radius, map, result } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
     const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
-                               ...(map.obstacles ? [[`in part or wholly nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"]]));
+                               ...(map.obstacles ? [[`in part or wholly nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
+                               ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
+                               ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
+    const note = (text) => this.card.append(element("p", { class: "note" }, text));
+    const leg = (a, [x, y]) => this.sheet.length(Math.hypot(a[0] - x - 0.5, a[1] - y - 0.5));
+    if (result.way_out)
+      note(`The robot stands too near to what is blocked: the path first leads ${leg(result.way_out, result.start)} out to ${placeText(map, result.way_out)}; the rest is planned from there.`);
+    if (this.end)
+      note(`The goal asked for, ${placeText(map, result.goal.map((v) => v + 0.5))}, cannot be reached: the path ends ${leg(this.end, result.goal)} from it, at ${placeText(map, this.end)}.`);
     if (radius > 0)
       this.card.append(element("p", { class: "note" }, `The robot is a disc with a radius of ${cells}; clearance is measured from its centre to what is blocked.`));
     if (this.content.thinned)
@@ -225,13 +236,22 @@ class BitmapStage {
   }
 
   drawPath(context, view) {
+    const { radius, result } = this.content, { start, goal, curve } = result;
+    const path = curve && this.path() === this.hover.path ? curve : this.path();
+    if (this.showPath && radius > 0) {
+      context.globalAlpha = 0.16;
+      view.line(context, path, themeColour("--path"), 2 * radius * view.scale);
+      context.globalAlpha = 1;
+    }
     if (this.showPath) {
-      const path = this.path();
       view.line(context, path, themeColour("--path-rim"), 6);
       view.line(context, path, themeColour("--path"), 3);
     }
     const middle = (cell) => (cell ? cell.map((v) => v + 0.5) : null);
-    view.ends(context, middle(this.content.result.start), middle(this.content.result.goal));
+    view.ends(context, middle(start), middle(goal));
+    const rim = themeColour("--mark-rim");
+    if (result.way_out) view.disc(context, result.way_out, 5, themeColour("--start"), rim);
+    if (this.end) view.disc(context, this.end, 5, themeColour("--goal"), rim);
     if (this.hovered) view.disc(context, this.hovered.at, 5, themeColour("--path"), themeColour("--mark-rim"));
   }
 
@@ -244,7 +264,7 @@ class BitmapStage {
   }
 
   savePath() {
-    const { path, sums } = this.hover, world = this.content.result.path_world;
+    const { path, path_world: world } = this.content.result, sums = cumulated(path);
     const columns = ["x", "y", "length", ...(world ? ["x_m", "y_m"] : [])];
     const rows = path.map(([x, y], i) => [x, y, sums[i], ...(world ? world[i] : [])]);
     saveCsv("path.csv", columns, rows);

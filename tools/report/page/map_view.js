@@ -13,6 +13,7 @@
 
 import { CanvasView } from "./canvas_view.js";
 import { themeColour } from "./dom.js";
+import { arcAngles } from "./walk.js";
 
 export class MapView extends CanvasView {
   constructor(host, { low, high, up = false, label, tools, onHover = () => {} }) {
@@ -83,9 +84,14 @@ export class MapView extends CanvasView {
     context.drawImage(image, left, top, width * this.scale, height * this.scale);
   }
 
+  /** Points and, between two of them, perhaps an arc, as a result's curve has it. */
   trace(context, points) {
     context.beginPath();
-    for (const [x, y] of points) context.lineTo(...this.at(x, y));
+    points.forEach((point, i) => {
+      if (Array.isArray(point)) return context.lineTo(...this.at(...point));
+      const { centre, radius, turn } = point, [from, to] = arcAngles(points, i);
+      context.arc(...this.at(...centre), radius * this.scale, from, to, turn < 0);
+    });
   }
 
   line(context, points, colour, width, dashes = []) {

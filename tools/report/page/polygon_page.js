@@ -99,7 +99,7 @@ export async function showPolygon(content) {
     if (chart) chart.onPick = (x) => player.chosen(Math.max(0, indexAt(frames.iterations, x + 0.5)));
   }
   const marks = [["start", "--start"], ["goal", "--goal"], ["obstacle", "--wall"], ["path", "--path", "line"]];
-  if (world.margin > 0) marks.push(["within the margin", "--outside"]);
+  if (world.margin > 0) marks.push([`nearer than ${numberText(world.margin)} to that, or outside`, "--outside"]);
   if (world.lines.length) marks.push(["free line", "--graph", "line"]);
   if (content.dijkstra) marks.push(["Dijkstra's path through midpoints", "--other", "line"]);
   card.append(swatches(marks));

@@ -1,8 +1,27 @@
-// Points along a polyline.
+// Points along a polyline, and along a disc's curve.
 //
+//   arcAngles(curve, i)           -> [from, to] of the arc that is entry i, between two points
+//   pointsOf(curve)               -> the points of a curve, its arcs as many short chords
 //   cumulated(points)             -> Float64Array: length up to each point, in the plane or in space
 //   nearestOn(points, sums, x, y) -> {distance, at: [x, y], length, segment, part} of the nearest point,
 //                                    `part` of the way along its segment
+
+export function arcAngles(curve, i) {
+  const [x, y] = curve[i].centre;
+  return [curve[i - 1], curve[i + 1]].map((end) => Math.atan2(end[1] - y, end[0] - x));
+}
+
+export function pointsOf(curve) {
+  return curve.flatMap((entry, i) => {
+    if (Array.isArray(entry)) return [entry];
+    const { centre, radius, turn } = entry, [from, to] = arcAngles(curve, i), round = 2 * Math.PI;
+    const angle = turn * (((turn * (to - from)) % round + round) % round), count = Math.ceil(64 * Math.abs(angle));
+    return Array.from({ length: Math.max(0, count - 1) }, (_, k) => {
+      const at = from + (angle * (k + 1)) / count;
+      return [centre[0] + radius * Math.cos(at), centre[1] + radius * Math.sin(at)];
+    });
+  });
+}
 
 export function cumulated(points) {
   const sums = new Float64Array(points.length);
