@@ -9,16 +9,13 @@
 #include "core/base/poller.h"
 #include "core/disc/arc.h"
 #include "core/disc/bit_rows.h"
+#include "core/disc/disc_cells.h"
 #include "core/grid/components.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
 
 namespace lasius::disc {
-
-/// The radii that a DiscSpace can be made for, in cells.
-constexpr double kLeastRadius = 0.05;
-constexpr double kLargestRadius = 54;
 
 /// @throws Error(invalid_parameter) unless kLeastRadius <= radius <= kLargestRadius
 void check_disc_radius(double radius);
