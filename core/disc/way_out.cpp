@@ -26,7 +26,7 @@ void DiscSpace::nearest_in(Cell cell, Nearest& nearest) const {
   };
   const bool band = in_band(cell);
   const Box whole{1.0 * cell.x, 1.0 * cell.y, cell.x + 1.0, cell.y + 1.0};
-  Box box = band ? box_of(band_cell(cell.x, cell.y), cell.x, cell.y) : whole;
+  Box box = band ? box_of(walls(cell.x, cell.y), cell.x, cell.y) : whole;
   // Points are the radius away from walls where that is possible.
   const Point middle{0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)};
   if (box.left > whole.left) box.left = std::min(box.left + kMadeSlack, middle.x);
