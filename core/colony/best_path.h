@@ -23,6 +23,8 @@ class BestPath {
   const std::vector<Point>& points() const noexcept { return points_; }
   /// Leaves none.
   std::vector<Point> give() noexcept { return std::move(points_); }
+  /// PolishedPath::of_point; of no meaning for a tour, or without a disc.
+  double of_point() const noexcept { return of_point_; }
   /// NaN without one.
   double length() const noexcept { return length_ < kInfinity ? length_ : kNaN; }
   /// The ant of the last offer that it is of, by index; -1 where it is an older one.
@@ -35,7 +37,7 @@ class BestPath {
   void begin_iteration() noexcept { iteration_best_ = kNaN; }
   void drop() noexcept {
     points_.clear();
-    length_ = kInfinity;
+    length_ = of_point_ = kInfinity;
   }
   /// Offers every path as the best one, ties to the lower index. Of tours that are not polished, by
   /// choice or for lack of time, the shortest is offered. `paths` may be of more ants than `tours`.
@@ -47,6 +49,7 @@ class BestPath {
     for (int a = 0; a < static_cast<int>(tours.size()); ++a) {
       const bool polished = !std::isnan(paths[a].length);
       iteration_best_ = std::fmin(iteration_best_, polished ? paths[a].length : tours[a].length);
+      if (polished && paths[a].points.empty()) continue;
       if (paths[a].length < length_) {
         finder_ = a;
         length_ = paths[a].length;
@@ -55,7 +58,10 @@ class BestPath {
         shortest = tours[a].length;
       }
     }
-    if (finder_ >= 0) points_ = paths[finder_].points;
+    if (finder_ >= 0) {
+      points_ = paths[finder_].points;
+      of_point_ = paths[finder_].of_point;
+    }
     if (!(shortest < length_)) return;
     std::vector<Point> path;
     path.reserve(tours[left].moves.size() + 1);
@@ -63,13 +69,14 @@ class BestPath {
     const double length = path_length(path);
     if (!(length < length_)) return;  // by rounding it was
     finder_ = left;
-    length_ = length;
+    length_ = of_point_ = length;
     points_ = std::move(path);
   }
 
  private:
   std::vector<Point> points_;
   double length_ = kInfinity;
+  double of_point_ = kInfinity;
   int finder_ = -1;
   double iteration_best_ = kNaN;
 };

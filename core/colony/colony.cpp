@@ -5,17 +5,18 @@
 namespace lasius {
 
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
-                  ColonyMemory& memory, const Observer& observer, const OwnRules& own) {
-  GridColony colony(grid, params, memory, own, GridColony::After::nothing);
+                  ColonyMemory& memory, const Observer& observer, const OwnRules& own,
+                  const disc::DiscSpace* disc) {
+  GridColony colony(grid, params, memory, own, GridColony::After::nothing, disc);
   colony.begin(request);
   return colony.run(request, params.iterations, observer);
 }
 
 struct SurvivingColony::Impl {
-  Impl(const Grid& on, Cell to, const Params& p)
+  Impl(const Grid& on, Cell to, const Params& p, const disc::DiscSpace* disc)
       : goal(to),
         params(p),
-        colony(on, params, memory, no_own_rules(), GridColony::After::more_runs) {}
+        colony(on, params, memory, no_own_rules(), GridColony::After::more_runs, disc) {}
 
   Cell goal;
   Params params;
@@ -24,8 +25,9 @@ struct SurvivingColony::Impl {
   bool blank = true;
 };
 
-SurvivingColony::SurvivingColony(const Grid& grid, Cell goal, const Params& params)
-    : impl_(std::make_unique<Impl>(grid, goal, params)) {}
+SurvivingColony::SurvivingColony(const Grid& grid, Cell goal, const Params& params,
+                                 const disc::DiscSpace* disc)
+    : impl_(std::make_unique<Impl>(grid, goal, params, disc)) {}
 SurvivingColony::~SurvivingColony() = default;
 
 Result SurvivingColony::run(Cell start, int iterations, const StopCondition& stop,

@@ -14,9 +14,12 @@
 namespace lasius {
 
 /// Runs the colony that `params` composes from `request.start` to `request.goal`, which are free,
-/// joined and not equal. `own`, checked, may take the place of some of its rules.
+/// joined and not equal. `own`, checked, may take the place of some of its rules. For a disc `grid`
+/// has the cells whose centres are clear, and `params` its rule of corners
+/// (core/disc/disc_cells.h).
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
-                  ColonyMemory& memory, const Observer& observer, const OwnRules& own);
+                  ColonyMemory& memory, const Observer& observer, const OwnRules& own,
+                  const disc::DiscSpace* disc = nullptr);
 
 /// A colony that keeps its trail while its map changes and its start moves. One thread at a time
 /// uses an object; a colony itself walks on Params::threads, which change nothing.
@@ -26,9 +29,10 @@ Result run_colony(const Grid& grid, const Request& request, const Params& params
 /// sequence of calls alone. The first run gives what run_colony() gives.
 class SurvivingColony {
  public:
-  /// `grid`, edited by its owner between calls, must outlive the object and keep its size; `params`
-  /// are a colony's, valid.
-  SurvivingColony(const Grid& grid, Cell goal, const Params& params);
+  /// `grid`, edited by its owner between calls, must outlive the object and keep its size; so must
+  /// `disc`, see run_colony(). `params` are a colony's, valid.
+  SurvivingColony(const Grid& grid, Cell goal, const Params& params,
+                  const disc::DiscSpace* disc = nullptr);
   ~SurvivingColony();
   SurvivingColony(const SurvivingColony&) = delete;
   SurvivingColony& operator=(const SurvivingColony&) = delete;

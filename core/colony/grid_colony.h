@@ -38,16 +38,18 @@ class GridColony final : public ColonyWorld {
   /// What comes after a run: another one goes on with the trail, or nothing reads it again.
   enum class After { nothing, more_runs };
 
-  /// `own`, checked, may take the place of some rules. All outlive the object.
+  /// `own`, checked, may take the place of some rules; with a disc as run_colony(). All outlive the
+  /// object.
   GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own,
-             After after)
+             After after, const disc::DiscSpace* disc)
       : grid_(grid),
         params_(params),
         own_(own),
         memory_(memory),
         after_(after),
+        disc_(disc),
         threads_(thread_count(params.threads)),
-        moves_(moves_of(params.neighbours)) {
+        moves_(moves_of(params.neighbours, disc != nullptr)) {
     const auto ants = static_cast<std::size_t>(params.ants);
     if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
     ants_ = std::span(memory_.ants).first(ants);
@@ -98,7 +100,7 @@ class GridColony final : public ColonyWorld {
     BestTour& best = memory_.best;
     if (!best.walkable(grid_, params_.corners, moves_, request_.start)) best.drop();
     for (BestPath* path : {&best_path_, &cut_path_}) {
-      if (path_fault(grid_, path->points(), params_.corners)) path->drop();
+      if (!holds(path->points())) path->drop();
     }
   }
 
@@ -112,6 +114,9 @@ class GridColony final : public ColonyWorld {
     iteration_ = q;
     best_path_.begin_iteration();
     learned_ = false;
+    // A path that is a little longer for a point may be the shorter one for a disc.
+    constexpr double kRoom = 1.002;
+    memory_.polisher.want_below(best_path_.of_point() * kRoom);
     memory_.earlier.clear();
     auto cause = walk(q);
     // Where time ran out as the last ant was measured, its tour may not be cut.
@@ -188,12 +193,20 @@ class GridColony final : public ColonyWorld {
                           params_.polish == Polish::straight || params_.polish == Polish::taut ||
                               params_.walk_cut == WalkCut::entered_cells,
                           request_.stop);
-    memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
+    memory_.polisher.reset(grid_, request_, moves_, params_, threads_, disc_);
     if (!best_path_.none() || memory_.best.none()) return;
     const Ant& rest = as_ant(memory_.best.moves());
     memory_.polisher.polish({&rest, 1}, request.stop, {});
     const bool whole = request.stop.poll() == StopCondition::Cause::none;
     offer_answer(whole ? best_path_ : cut_path_);
+  }
+
+  bool holds(std::span<const Point> path) const {
+    if (disc_ == nullptr) return !path_fault(grid_, path, params_.corners);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (!disc_->clear(path[i]) || (i > 0 && !disc_->sees(path[i - 1], path[i]))) return false;
+    }
+    return !path.empty();
   }
 
   /// Could a way through free cells of `part` be shorter than the best tour?
@@ -351,6 +364,7 @@ class GridColony final : public ColonyWorld {
   const OwnRules& own_;
   ColonyMemory& memory_;
   After after_;
+  const disc::DiscSpace* disc_;
   std::span<Ant> ants_;
   const Observer* observer_ = nullptr;
   int threads_;

@@ -33,14 +33,17 @@ std::span<const Cell> Polisher::swept_cells(std::span<const std::uint8_t> tour,
 }
 
 void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
-                     const Params& params, int threads) {
+                     const Params& params, int threads, const disc::DiscSpace* disc) {
   grid_ = &grid;
   moves_ = &moves;
   stop_ = &request.stop;
   start_ = request.start;
   params_ = &params;
+  disc_ = disc;
+  limit_ = kInfinity;
   threads_ = threads;
   if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
+  for (Scratch& scratch : scratch_) scratch.maker.forget();
   const auto ants = static_cast<std::size_t>(params.ants);
   if (paths_.size() < ants) paths_.resize(ants);  // to free some may take long
   for (PolishedPath& path : paths_) path.made = false;
@@ -80,10 +83,14 @@ void Polisher::make(const Ant& ant, const StopCondition& stop, Scratch& scratch,
     way =
         scratch.maker.cut(*grid_, way, moves_->count > 4, params_->corners, stop, ant.dead_ends());
   if (way.empty()) return;
-  scratch.maker.polish(*grid_, way, *params_, stop, path.points);
+  if (disc_ != nullptr) {
+    path.of_point = scratch.maker.polish(*grid_, *disc_, limit_, way, *params_, stop, path.points);
+  } else {
+    scratch.maker.polish(*grid_, way, *params_, stop, path.points);
+  }
   const auto cells = scratch.maker.raster();
   path.raster.assign(cells.begin(), cells.end());
-  path.length = path_length(path.points);
+  path.length = path.points.empty() ? path.of_point : path_length(path.points);
 }
 
 std::int64_t Polisher::bytes() const noexcept {

@@ -7,6 +7,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/large_array.h"
+#include "core/base/special_values.h"
 #include "core/colony/walkers.h"
 #include "core/smooth/path_maker.h"
 #include "kernels/walk/walk.h"
@@ -21,7 +22,8 @@ namespace lasius {
 /// One ant's path after polishing. A cache line of its own: threads polish neighbours.
 struct alignas(64) PolishedPath {
   double length = 0;          // NaN where there is none: never less than any other
-  std::vector<Point> points;  // the polyline
+  double of_point = 0;        // length of what it was before it kept a disc's radius
+  std::vector<Point> points;  // the polyline; none where a disc's was not wanted
   std::vector<Cell> raster;   // the cells under it
   bool made = false;          // ahead of the others
 
@@ -31,9 +33,13 @@ struct alignas(64) PolishedPath {
 /// Polishes the tours of one iteration, over threads.
 class Polisher {
  public:
-  /// Gets ready for a run. All but the number of threads must outlive it.
+  /// Gets ready for a run. All but the number of threads must outlive it. `disc`: whose paths, null
+  /// for a point's; as run_colony().
   void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
-             const Params& params, int threads);
+             const Params& params, int threads, const disc::DiscSpace* disc = nullptr);
+
+  /// Of a disc's paths, those are wanted from now on whose `of_point` is less than this.
+  void want_below(double limit) noexcept { limit_ = limit; }
 
   /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped by
   /// `stop`, those whose loops are cut get rougher but valid paths, the others none. One of the
@@ -66,6 +72,8 @@ class Polisher {
   const StopCondition* stop_ = nullptr;
   Cell start_;
   const Params* params_ = nullptr;
+  const disc::DiscSpace* disc_ = nullptr;
+  double limit_ = kInfinity;
   int threads_ = 1;
   std::vector<Scratch> scratch_;
   std::vector<PolishedPath> paths_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 #include "kernels/base/arctangent.h"
 #include "lasius/geometry.h"
@@ -44,10 +45,20 @@ struct Arc {
   std::uint32_t type = 0;      ///< 0 to 3
   double low = 0, high = 1;    ///< fractions at the ends
 
+  friend bool operator==(const Arc&, const Arc&) = default;
+
   int right() const noexcept { return (type & 1) != 0 ? -1 : 1; }  ///< sign of normals' x
   int down() const noexcept { return (type & 2) != 0 ? -1 : 1; }   ///< sign of normals' y
 };
 static_assert(sizeof(Arc) == 24);
+
+/// An order of the arcs of a space that does not depend on how they are numbered.
+inline bool comes_before(const Arc& a, const Arc& b) noexcept {
+  const auto place = [](const Arc& arc) {
+    return std::tuple(arc.y >> 3, arc.x >> 3, arc.y, arc.x, arc.low);
+  };
+  return place(a) < place(b);
+}
 
 /// How far a normal has turned past an end of an arc: the sine of the angle, times a number of
 /// [0.7, 1].

@@ -98,9 +98,10 @@ class DiscGraph::Builder {
     const Root root = Root::on(space_, arc, rising, normal_at(rising ? from.low : from.high));
     view.look(root);
     view.look_along_wall(root);
-    std::ranges::sort(worker.edges, [rising](const GraphEdge& a, const GraphEdge& b) {
+    std::ranges::sort(worker.edges, [&](const GraphEdge& a, const GraphEdge& b) {
       if (a.angle != b.angle) return rising ? a.angle > b.angle : a.angle < b.angle;
-      return a.to_and_flags < b.to_and_flags;
+      if (a.flags() != b.flags()) return a.flags() < b.flags();
+      return comes_before(space_.arcs()[a.to()], space_.arcs()[b.to()]);
     });
     const auto last = std::unique(worker.edges.begin(), worker.edges.end());
     chunk.edges.insert(chunk.edges.end(), worker.edges.begin(), last);

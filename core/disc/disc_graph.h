@@ -18,7 +18,8 @@ struct GraphEdge {
   std::uint32_t to_and_flags;
   std::int16_t dx, dy;  ///< from the one corner to the other
 
-  std::uint32_t to() const noexcept { return to_and_flags & ~(kRising | kAcross); }  ///< arc
+  std::uint32_t to() const noexcept { return to_and_flags & ~flags(); }  ///< arc
+  std::uint32_t flags() const noexcept { return to_and_flags & (kRising | kAcross); }
   bool rising() const noexcept { return (to_and_flags & kRising) != 0; }
   /// Does the line cross from one side of its circles to the other?
   bool across() const noexcept { return (to_and_flags & kAcross) != 0; }

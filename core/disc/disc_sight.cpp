@@ -22,11 +22,8 @@ struct DiscSpace::Segment {
 // cell's row reaches from column `left` to `right`.
 bool DiscSpace::keeps_cell(const Segment& segment, int x, int y, double left,
                            double right) const noexcept {
-  const BandCell& cell = band_cell(x, y);
-  const std::uint32_t count = cell.box_and_count >> 24;
-  const std::uint32_t* arcs = count == 1 ? &cell.first : passing_.data() + cell.first;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Arc& arc = arcs_[arcs[i]];
+  for (const std::uint32_t number : arcs_at(x, y)) {
+    const Arc& arc = arcs_[number];
     const double to_x = arc.x - segment.from.x, to_y = arc.y - segment.from.y;
     const double beside = to_x * segment.y - to_y * segment.x;
     if (beside * beside >= segment.least) continue;
@@ -34,9 +31,9 @@ bool DiscSpace::keeps_cell(const Segment& segment, int x, int y, double left,
     if (along > 0 && along < segment.x * segment.x + segment.y * segment.y)
       return false;  // its ends are clear
   }
-  constexpr std::uint32_t kNoWalls = (1u << 24) - 1;
-  if ((cell.box_and_count & kNoWalls) == kNoWalls) return true;
-  const Box box = box_of(cell, x, y);
+  const unsigned around = walls(x, y);
+  if (around == 0) return true;
+  const Box box = box_of(around, x, y);
   const double low = std::max<double>(left, x), high = std::min<double>(right, x + 1);
   if (low < box.left || high > box.right) return false;
   double top = std::max<double>(y, segment.from.y), bottom = std::min<double>(y + 1, segment.to.y);

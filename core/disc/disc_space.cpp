@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/base/held_bytes.h"
 #include "core/base/invalid_parameter.h"
@@ -31,27 +32,115 @@ void check_disc_radius(double radius) {
       "a colony for a larger one, plan for a point with radius 0");
 }
 
-std::optional<DiscSpace> DiscSpace::make(const Grid& grid, double radius,
-                                         const StopCondition& stop) {
+DiscSpace::DiscSpace(Grid&& grid, double radius)
+    : asked_radius_(radius),
+      radius_(radius - kRadiusMargin),
+      map_(std::move(grid)),
+      blocked_(map_.width(), map_.height()),
+      band_(map_.width(), map_.height()),
+      arc_cells_even_(map_.width(), map_.height()),
+      arc_cells_odd_(map_.width(), map_.height()),
+      crowded_((map_.width() + 7) / 8, (map_.height() + 7) / 8),
+      wall_(static_cast<int>(Reach(radius_).covered.size())),
+      starts_(block(0, map_.height())) {}
+
+std::optional<DiscSpace> DiscSpace::make(Grid&& grid, double radius, const StopCondition& stop) {
   check_disc_radius(radius);
   Poller poller(stop);
-  DiscSpace space(grid, radius);
-  if (!SpaceBuilder(space, poller).build()) return std::nullopt;
-  space.components_ = Components::make(space.blocked_, Components::Connectivity::four, stop);
-  if (!space.components_) return std::nullopt;
-  return space;
+  std::optional<DiscSpace> space(DiscSpace(std::move(grid), radius));
+  if (SpaceBuilder(*space).run(poller)) {
+    space->cells_.shrink_to_fit();
+    space->passing_.shrink_to_fit();
+    space->arcs_.shrink_to_fit();
+    space->components_ = Components::make(space->blocked_, Components::Connectivity::four, stop);
+    if (space->components_) return space;
+  }
+  grid = std::move(space->map_);
+  return std::nullopt;
 }
 
-DiscSpace::Box DiscSpace::box_of(const BandCell& cell, int x, int y) const noexcept {
+DiscSpace::Box DiscSpace::box_of(unsigned walls, int x, int y) const noexcept {
   Box box{static_cast<double>(x), static_cast<double>(y), x + 1.0, y + 1.0};
   // From the blocked cell's near side, its steps less one away.
   const double beside = radius_ - kMadeSlack;
-  const auto steps = [&](int side) { return cell.box_and_count >> 6 * side & kFar; };
-  if (steps(0) != kFar) box.left = std::max(box.left, x + 1.0 - steps(0) + beside);
-  if (steps(1) != kFar) box.top = std::max(box.top, y + 1.0 - steps(1) + beside);
-  if (steps(2) != kFar) box.right = std::min(box.right, x + 0.0 + steps(2) - beside);
-  if (steps(3) != kFar) box.bottom = std::min(box.bottom, y + 0.0 + steps(3) - beside);
+  if ((walls & 1) != 0) box.left = std::max(box.left, x + 1.0 - wall_ + beside);
+  if ((walls & 2) != 0) box.top = std::max(box.top, y + 1.0 - wall_ + beside);
+  if ((walls & 4) != 0) box.right = std::min(box.right, x + 0.0 + wall_ - beside);
+  if ((walls & 8) != 0) box.bottom = std::min(box.bottom, y + 0.0 + wall_ - beside);
   return box;
+}
+
+bool DiscSpace::flip(std::span<const Cell> cells, const StopCondition& stop) {
+  // Of cells named one after the other, as long as one rectangle costs less than two.
+  struct Part {
+    Rectangle cells;
+    std::size_t end;
+  };
+  const auto cost = [this](const Rectangle& part) {
+    const Rectangle window = SpaceBuilder::window(*this, part);
+    return std::int64_t{window.width} * window.height;
+  };
+  std::vector<Part> parts;
+  std::int64_t all = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Rectangle one{cells[i].x, cells[i].y, 1, 1};
+    const Rectangle& last = parts.empty() ? one : parts.back().cells;
+    const int left = std::min(last.x, one.x), top = std::min(last.y, one.y);
+    const Rectangle both{left, top, std::max(last.x + last.width, one.x + 1) - left,
+                         std::max(last.y + last.height, one.y + 1) - top};
+    if (parts.empty() || cost(both) > cost(last) + cost(one)) {
+      parts.push_back({one, i + 1});
+      all += cost(one);
+    } else {
+      all += cost(both) - cost(last);
+      parts.back() = {both, i + 1};
+    }
+  }
+  const auto flip = [&](std::size_t i) { map_.set_blocked(cells[i], map_.free(cells[i])); };
+  std::size_t next = 0;
+  if (2 * all > std::int64_t{map_.width()} * map_.height()) {
+    for (; next < cells.size(); ++next) flip(next);
+    auto made = make(std::move(map_), asked_radius_, stop);
+    if (made) *this = *std::move(made);
+    return made.has_value();
+  }
+  Poller poller(stop);
+  std::vector<Rectangle> blocked;
+  for (const Part& part : parts) {
+    for (; next < part.end; ++next) flip(next);
+    SpaceBuilder builder(*this, part.cells);
+    if (!builder.run(poller)) return false;
+    blocked.push_back(builder.changed_blocked());
+  }
+  if (2 * waste_ > cells_.size() + passing_.size()) compact();
+  return components_->update(blocked_, blocked, stop);
+}
+
+// Takes the waste out of the lists.
+void DiscSpace::compact() {
+  std::vector<std::uint32_t> cells, passing{0};
+  cells.reserve(cells_.size());
+  passing.reserve(passing_.size());
+  for (int y0 = 0; y0 < map_.height(); y0 += 8) {
+    for (int word = 0; word < map_.words(); ++word) {
+      for (int y = y0; y < std::min(y0 + 8, map_.height()); ++y) {
+        std::uint32_t& start = starts_[block(word, y)];
+        const auto from = cells_.begin() + start;
+        start = static_cast<std::uint32_t>(cells.size());
+        std::for_each_n(from, count_bits(band_in(word, y)), [&](std::uint32_t cell) {
+          if (cell > kSeveral) {
+            const auto list = passing_.begin() + (cell - kSeveral);
+            cell = kSeveral + static_cast<std::uint32_t>(passing.size());
+            passing.insert(passing.end(), list, list + 1 + *list);
+          }
+          cells.push_back(cell);
+        });
+      }
+    }
+  }
+  cells_ = std::move(cells);
+  passing_ = std::move(passing);
+  waste_ = 0;
 }
 
 double DiscSpace::clearance(Point p, double most) const noexcept {
@@ -81,7 +170,7 @@ bool DiscSpace::joined(Point a, Point b) const noexcept {
 std::int64_t DiscSpace::bytes() const noexcept {
   return bitmap_bytes(map_) + bitmap_bytes(blocked_) + bitmap_bytes(band_) +
          bitmap_bytes(arc_cells_even_) + bitmap_bytes(arc_cells_odd_) + bitmap_bytes(crowded_) +
-         held_bytes(tiles_, cells_, passing_, arcs_) + components_->bytes();
+         held_bytes(starts_, cells_, passing_, arcs_) + components_->bytes();
 }
 
 }  // namespace lasius::disc

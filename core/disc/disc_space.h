@@ -10,16 +10,13 @@
 #include "core/base/poller.h"
 #include "core/disc/arc.h"
 #include "core/disc/bit_rows.h"
+#include "core/disc/disc_cells.h"
 #include "core/grid/components.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
 
 namespace lasius::disc {
-
-/// The radii that a DiscSpace can be made for, in cells.
-constexpr double kLeastRadius = 0.05;
-constexpr double kLargestRadius = 54;
 
 /// @throws Error(invalid_parameter) unless kLeastRadius <= radius <= kLargestRadius
 void check_disc_radius(double radius);
@@ -35,15 +32,23 @@ void check_disc_radius(double radius);
 /// begins in free space and leaves it does so through a side of a box or through an arc, in the
 /// cell that knows it.
 ///
-/// A map of w x h cells takes 0.88 w h bytes, 8 for each cell of the band, 24 for each arc and 4
-/// for each cell with several of them. Nothing is random, nothing depends on threads. Const members
-/// may be called by several threads at once.
+/// A map of w x h cells takes 0.7 w h bytes, 4 for each cell of the band, 24 for each arc and 4 for
+/// each that passes a cell where several do. Nothing is random, nothing depends on threads. Const
+/// members may be called by several threads at once.
 class DiscSpace {
  public:
-  /// Copies the map. Empty if stopped.
+  /// Takes the map. Empty if stopped; the map is as it was then.
   /// @throws Error(invalid_parameter) unless kLeastRadius <= radius <= kLargestRadius
+  static std::optional<DiscSpace> make(Grid&& grid, double radius, const StopCondition& stop = {});
   static std::optional<DiscSpace> make(const Grid& grid, double radius,
-                                       const StopCondition& stop = {});
+                                       const StopCondition& stop = {}) {
+    return make(Grid(grid), radius, stop);
+  }
+
+  /// Blocks free cells of the map and frees blocked ones, each named once, and makes anew what is
+  /// within about twice the radius of them. All answers become those of a DiscSpace made for the
+  /// edited map; arcs are numbered in another order. False when stopped: then nothing may be asked.
+  bool flip(std::span<const Cell> cells, const StopCondition& stop = {});
 
   /// That the disc is planned with: kRadiusMargin less than was asked for.
   double radius() const noexcept { return radius_; }
@@ -76,9 +81,10 @@ class DiscSpace {
   std::span<const Arc> arcs() const noexcept { return arcs_; }
   /// Numbers of the arcs that pass a cell of the band.
   std::span<const std::uint32_t> arcs_at(int x, int y) const noexcept {
-    const BandCell& cell = band_cell(x, y);
-    const std::uint32_t count = cell.box_and_count >> 24;
-    return {count == 1 ? &cell.first : passing_.data() + cell.first, count};
+    const std::uint32_t& cell = cells_[band_number(x, y)];
+    if (cell < kSeveral) return {&cell, 1};
+    const std::uint32_t* list = passing_.data() + (cell - kSeveral);
+    return {list + 1, *list};
   }
   /// A bit for each 8 x 8 cells: set where one of them is not free.
   const Grid& crowded() const noexcept { return crowded_; }
@@ -89,46 +95,45 @@ class DiscSpace {
   }
 
  private:
+  friend class BandCells;
   friend class SpaceBuilder;
 
-  // How far the nearest blocked cells of row and column are, by side (6 bits each: the steps to
-  // them, kFar for none within reach), and the number of arcs (8 bits); the one arc, or where
-  // several stand in passing_.
-  struct BandCell {
-    std::uint32_t box_and_count;
-    std::uint32_t first;
-  };
-  static constexpr std::uint32_t kFar = 63;
-  // 8 x 8 cells: those of the band, row by row, stand together. So do arcs, by their corners.
-  struct Tile {
-    std::uint64_t band = 0;
-    std::uint32_t first = 0;
-  };
+  // A cell of the band is the number of the arc that passes it, or kSeveral and where the list of
+  // its arcs is in passing_: their number, then theirs. The first list is the empty one.
+  static constexpr std::uint32_t kSeveral = std::uint32_t{1} << 31;
   struct Box {
     double left, top, right, bottom;
   };
 
-  DiscSpace(const Grid& grid, double radius)
-      : asked_radius_(radius),
-        radius_(radius - kRadiusMargin),
-        map_(grid),
-        blocked_(grid.width(), grid.height()),
-        band_(grid.width(), grid.height()),
-        arc_cells_even_(grid.width(), grid.height()),
-        arc_cells_odd_(grid.width(), grid.height()),
-        crowded_((grid.width() + 7) / 8, (grid.height() + 7) / 8),
-        tiles_across_((static_cast<std::size_t>(grid.width()) + 7) / 8),
-        tiles_(tiles_across_ * ((static_cast<std::size_t>(grid.height()) + 7) / 8)) {}
+  DiscSpace(Grid&& grid, double radius);
 
   static bool bit(const Grid& plane, int x, int y) noexcept {
     return (plane.row(y)[x >> 6] >> (x & 63) & 1) != 0;
   }
-  const BandCell& band_cell(int x, int y) const noexcept {
-    const Tile& tile = tiles_[static_cast<std::size_t>(y >> 3) * tiles_across_ + (x >> 3)];
-    const std::uint64_t below = (std::uint64_t{1} << ((y & 7) << 3 | (x & 7))) - 1;
-    return cells_[tile.first + count_bits(tile.band & below)];
+  std::size_t block(int word, int y) const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.words()) +
+           static_cast<std::size_t>(word);
   }
-  Box box_of(const BandCell& cell, int x, int y) const noexcept;
+  std::uint64_t band_in(int word, int y) const noexcept {  // without the bits past the width
+    const int columns = map_.width() - 64 * word;
+    return band_.row(y)[word] &
+           (columns < 64 ? (std::uint64_t{1} << columns) - 1 : ~std::uint64_t{0});
+  }
+  std::size_t band_number(int x, int y) const noexcept {
+    const std::uint64_t before = band_.row(y)[x >> 6] & ((std::uint64_t{1} << (x & 63)) - 1);
+    return starts_[block(x >> 6, y)] + count_bits(before);
+  }
+  std::uint32_t* mutable_arcs_at(int x, int y) noexcept {
+    return const_cast<std::uint32_t*>(arcs_at(x, y).data());
+  }
+  // Blocked cells `wall_` steps left, above, right and below, by bit: of what is not blocked, none
+  // is nearer.
+  unsigned walls(int x, int y) const noexcept {
+    return (bit(map_, x - wall_, y) ? 1u : 0u) | (bit(map_, x, y - wall_) ? 2u : 0u) |
+           (bit(map_, x + wall_, y) ? 4u : 0u) | (bit(map_, x, y + wall_) ? 8u : 0u);
+  }
+  Box box_of(unsigned walls, int x, int y) const noexcept;
+  void compact();
   struct Segment;
   bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
   bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
@@ -146,11 +151,12 @@ class DiscSpace {
   Grid band_;
   Grid arc_cells_even_, arc_cells_odd_;
   Grid crowded_;
-  std::size_t tiles_across_;
-  std::vector<Tile> tiles_;
-  std::vector<BandCell> cells_;
-  std::vector<std::uint32_t> passing_;  // arcs, cell by cell
+  int wall_;  // the least steps to a blocked cell straight away that leave a cell some points
+  std::vector<std::uint32_t> starts_;      // of each word of a row: where its band stands in cells_
+  std::vector<std::uint32_t> cells_;       // of the band, those of eight rows of a word in a row
+  std::vector<std::uint32_t> passing_{0};  // lists of arcs, as many as the first number says
   std::vector<Arc> arcs_;
+  std::size_t waste_ = 0;                 // of cells_ and passing_, by edits
   std::optional<Components> components_;  // of the cells that are not blocked
 };
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/disc/arc.h"
 
 namespace lasius::disc {
 
 namespace {
-
-constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 // The most columns with columns^2 + rows^2 < limit^2; -1 for none.
 int columns_within(double limit, int rows) {
@@ -33,46 +32,50 @@ Reach::Reach(double radius) {
   for (const int columns : covered) touched.push_back(columns + 1);
 }
 
-GrownRows::GrownRows(const Grid& grid, const Reach& reach)
+GrownRows::GrownRows(const Grid& grid, Reach reach, const Words& part)
     : grid_(grid),
-      reach_(reach),
-      touched_(static_cast<std::size_t>(grid.words()) * grid.height()),
+      reach_(std::move(reach)),
+      part_(part),
+      words_(part.last - part.first),
+      touched_(static_cast<std::size_t>(words_) * (part.bottom - part.top)),
       covered_(touched_.size()),
-      row_(static_cast<std::size_t>(grid.words()) + 2),
-      wider_(row_.size(), kAll) {}
+      row_(static_cast<std::size_t>(words_) + 2),
+      wider_(row_.size()) {}
 
 bool GrownRows::grow(Poller& poller) {
-  for (int y = -1; y <= grid_.height(); ++y) {
+  const int reach = static_cast<int>(reach_.touched.size()) - 1;
+  const int last = std::min(grid_.height(), part_.bottom - 1 + reach);
+  for (int y = std::max(-1, part_.top - reach); y <= last; ++y) {
     spread(y);
-    if (poller.stop_after(std::int64_t{4} * grid_.words() * (reach_.touched[0] + 1))) return false;
+    if (poller.stop_after(std::int64_t{4} * words_ * (reach_.touched[0] + 1))) return false;
   }
   return true;
 }
 
-// What one row of the map, or the outside above or below it, touches and covers.
+// What one row of the map, or the outside above or below it, touches and covers. Cells reach less
+// than a word: those beyond the words on each side do not matter.
 void GrownRows::spread(int y) {
-  const int words = grid_.words();
-  std::copy_n(grid_.row(y) - 1, words + 2, row_.data());
+  std::copy_n(grid_.row(y) + part_.first - 1, words_ + 2, row_.data());
   for (int width = 0;; ++width) {
     add(reach_.touched, width, y, touched_);
     add(reach_.covered, width, y, covered_);
     if (width == reach_.touched[0]) return;
-    for (int i = 1; i <= words; ++i) {
-      wider_[i] = row_[i] | row_[i] << 1 | row_[i] >> 1 | row_[i - 1] >> 63 | row_[i + 1] << 63;
-    }
-    wider_[0] = wider_[words + 1] = kAll;
+    const auto beside = [](std::uint64_t bits) { return bits | bits << 1 | bits >> 1; };
+    for (int i = 1; i <= words_; ++i)
+      wider_[i] = beside(row_[i]) | row_[i - 1] >> 63 | row_[i + 1] << 63;
+    wider_[0] = beside(row_[0]) | row_[1] << 63;
+    wider_[words_ + 1] = beside(row_[words_ + 1]) | row_[words_] >> 63;
     row_.swap(wider_);
   }
 }
 
-void GrownRows::add(const std::vector<int>& columns, int width, int y, Words& rows) const {
+void GrownRows::add(const std::vector<int>& columns, int width, int y, Rows& rows) const {
   const int reach = static_cast<int>(columns.size()) - 1;
-  const int words = grid_.words();
-  const int last = std::min(grid_.height() - 1, y + reach);
-  for (int other = std::max(0, y - reach); other <= last; ++other) {
+  const int last = std::min(part_.bottom - 1, y + reach);
+  for (int other = std::max(part_.top, y - reach); other <= last; ++other) {
     if (columns[std::abs(other - y)] != width) continue;
-    std::uint64_t* target = rows.data() + at(other);
-    for (int i = 0; i < words; ++i) target[i] |= row_[i + 1];
+    std::uint64_t* target = rows.data() + at(part_.first, other);
+    for (int i = 0; i < words_; ++i) target[i] |= row_[i + 1];
   }
 }
 

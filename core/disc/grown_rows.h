@@ -18,29 +18,41 @@ struct Reach {
   std::vector<int> covered;  ///< all points are
 };
 
-/// For each row of a map the cells that blocked cells and the outside touch, and those that one of
-/// them covers alone. Rows have `words()` words of a grid's layout, without words around them; bits
-/// past the width are set.
+/// A part of a map: rows, and in them words of 64 cells, up to before the last ones.
+struct Words {
+  int top, bottom;
+  int first, last;
+
+  static Words all(const Grid& grid) noexcept { return {0, grid.height(), 0, grid.words()}; }
+};
+
+/// For each row of a part of a map the cells that blocked cells and the outside touch, and those
+/// that one of them covers alone. Bits past the map's width are set.
 class GrownRows {
  public:
-  GrownRows(const Grid& grid, const Reach& reach);
+  GrownRows(const Grid& grid, Reach reach, const Words& part);
   /// False if stopped.
   bool grow(Poller& poller);
 
-  const std::uint64_t* touched(int y) const noexcept { return touched_.data() + at(y); }
-  const std::uint64_t* covered(int y) const noexcept { return covered_.data() + at(y); }
+  std::uint64_t touched(int word, int y) const noexcept { return touched_[at(word, y)]; }
+  std::uint64_t covered(int word, int y) const noexcept { return covered_[at(word, y)]; }
 
  private:
-  using Words = std::vector<std::uint64_t>;
+  using Rows = std::vector<std::uint64_t>;
 
-  std::int64_t at(int y) const noexcept { return static_cast<std::int64_t>(y) * grid_.words(); }
+  std::size_t at(int word, int y) const noexcept {
+    return static_cast<std::size_t>(y - part_.top) * static_cast<std::size_t>(words_) +
+           static_cast<std::size_t>(word - part_.first);
+  }
   void spread(int y);
-  void add(const std::vector<int>& columns, int width, int y, Words& rows) const;
+  void add(const std::vector<int>& columns, int width, int y, Rows& rows) const;
 
   const Grid& grid_;
-  const Reach& reach_;
-  Words touched_, covered_;
-  Words row_, wider_;  // one row, with a word on each side
+  const Reach reach_;
+  const Words part_;
+  const int words_;  // of a row
+  Rows touched_, covered_;
+  Rows row_, wider_;  // one row, with a word on each side
 };
 
 }  // namespace lasius::disc

@@ -2,276 +2,252 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <numeric>
+#include <functional>
 
-#include "core/disc/bit_rows.h"
+#include "core/disc/grown_rows.h"
 
 namespace lasius::disc {
 
 namespace {
 
-// Ends of pieces in neighbouring cells are the same numbers but for rounding.
-constexpr double kRounding = 1e-12;
-
-// 64 x 64 bits with rows and columns swapped (Warren: Hacker's Delight, 7-3).
-void transpose(std::array<std::uint64_t, 64>& bits) noexcept {
-  std::uint64_t mask = 0xffffffff;
-  for (unsigned j = 32; j != 0; j >>= 1, mask ^= mask << j) {
-    for (unsigned k = 0; k < 64; k = (k + j + 1) & ~j) {
-      const std::uint64_t t = (bits[k] >> j ^ bits[k + j]) & mask;
-      bits[k] ^= t << j;
-      bits[k + j] ^= t;
-    }
-  }
+Rectangle around(const Grid& grid, const Rectangle& part, int margin) noexcept {
+  const int left = std::max(0, part.x - margin), top = std::max(0, part.y - margin);
+  const int right = std::min(grid.width(), part.x + part.width + margin);
+  const int bottom = std::min(grid.height(), part.y + part.height + margin);
+  return {left, top, right - left, bottom - top};
 }
 
-Grid transposed(const Grid& grid) {
-  Grid out(grid.height(), grid.width());
-  std::vector<std::uint64_t> rows(static_cast<std::size_t>(out.words()) * 64);
-  for (int i = 0; i < grid.words(); ++i) {
-    for (int j = 0; j < out.words(); ++j) {
-      std::array<std::uint64_t, 64> block;
-      for (int k = 0; k < 64; ++k) {
-        block[k] = grid.row(std::min(64 * j + k, grid.height()))[i];
-      }
-      transpose(block);
-      for (int k = 0; k < 64; ++k) rows[static_cast<std::size_t>(k) * out.words() + j] = block[k];
-    }
-    for (int k = 0; k < 64 && 64 * i + k < grid.width(); ++k) {
-      out.set_row(64 * i + k, rows.data() + static_cast<std::size_t>(k) * out.words());
-    }
-  }
-  return out;
+Words words_of(const Rectangle& cells) noexcept {
+  return {cells.y, cells.y + cells.height, cells.x >> 6, ((cells.x + cells.width - 1) >> 6) + 1};
 }
 
-// Grows with the angle of a vector in (-pi, pi]: y / (|x| + |y|) and its like, from -2 to 2.
-double fraction_of(double x, double y) noexcept {
-  if (x >= 0) return y / (x + std::abs(y));
-  return y >= 0 ? 1 + x / (x - y) : -1 - x / (x + y);
+// The columns of a rectangle in a word.
+std::uint64_t columns_in(const Rectangle& cells, int word) noexcept {
+  const int from = std::max(cells.x - 64 * word, 0);
+  const int to = std::min(cells.x + cells.width - 64 * word, 64);
+  if (from >= to) return 0;
+  return ~std::uint64_t{0} << from & ~std::uint64_t{0} >> (64 - to);
 }
 
 }  // namespace
 
-SpaceBuilder::SpaceBuilder(DiscSpace& space, Poller& poller)
+SpaceBuilder::SpaceBuilder(DiscSpace& space)
+    : SpaceBuilder(space, around(space.map_, {}, Grid::kMaxSide), {},
+                   around(space.map_, {}, Grid::kMaxSide)) {}
+
+SpaceBuilder::SpaceBuilder(DiscSpace& space, const Rectangle& changed)
+    : SpaceBuilder(space, around(space.map_, changed, space.wall_), window(space, changed),
+                   around(space.map_, changed, 3 * space.wall_)) {
+  joined_anew_.resize(cells_.corners().corners().size());
+}
+
+SpaceBuilder::SpaceBuilder(DiscSpace& space, const Rectangle& core, const Rectangle& window,
+                           const Rectangle& corners)
     : space_(space),
-      poller_(poller),
-      radius_(space.radius()),
-      least_square_((radius_ - kMadeSlack) * (radius_ - kMadeSlack)),
-      reach_(radius_),
-      corners_(space.map()),
-      columns_(transposed(space.map())) {}
+      core_(core),
+      window_(window),
+      words_(words_of(core)),
+      cells_(space, words_of(corners)),
+      bits_(static_cast<std::size_t>(core.height) *
+            static_cast<std::size_t>(words_.last - words_.first)) {}
 
-bool SpaceBuilder::build() {
-  GrownRows grown(space_.map(), reach_);
-  if (!grown.grow(poller_)) return false;
-  for (int y = 0; y < space_.map().height(); y += 8) {
-    build_tiles(y, grown);
-    if (poller_.stopped()) return false;
-  }
-  join_pieces();
-  return !poller_.stop_after(static_cast<std::int64_t>(pieces_.size()));
+Rectangle SpaceBuilder::window(const DiscSpace& space, const Rectangle& changed) noexcept {
+  return around(space.map_, changed, 2 * space.wall_);
 }
 
-// A row of tiles, from cells' row y0 on.
-void SpaceBuilder::build_tiles(int y0, const GrownRows& grown) {
-  const int words = space_.map().words();
-  const int rows = std::min(8, space_.map().height() - y0);
-  DiscSpace::Tile* tile = &space_.tiles_[static_cast<std::size_t>(y0 >> 3) * space_.tiles_across_];
-  for (RowBits& bits : rows_) bits.assign(static_cast<std::size_t>(words) * 8, 0);
-  auto& [blocked, band, even, odd] = rows_;
-  for (int k = 0; k < rows; ++k) {
-    std::copy_n(grown.covered(y0 + k), words, blocked.data() + std::ptrdiff_t{k} * words);
-  }
-  for (int x0 = 0; x0 < space_.map().width(); x0 += 8, ++tile) {
-    tile->first = static_cast<std::uint32_t>(space_.cells_.size());
-    bool crowded = false;
-    for (int k = 0; k < rows; ++k) {
-      const int word = k * words + (x0 >> 6), shift = x0 & 63;
-      crowded |= (grown.touched(y0 + k)[x0 >> 6] >> shift & 0xff) != 0;
-      const std::uint64_t doubtful = grown.touched(y0 + k)[x0 >> 6] & ~blocked[word];
-      for (std::uint64_t left = doubtful >> shift & 0xff; left != 0; left &= left - 1) {
-        const int x = x0 + std::countr_zero(left);
-        const std::uint64_t here = std::uint64_t{1} << (x & 63);
-        if (!build_cell(x, y0 + k)) {
-          blocked[word] |= here;
-          continue;
-        }
-        band[word] |= here;
-        tile->band |= std::uint64_t{1} << (8 * k + (x & 7));
-        for (std::size_t i = space_.cells_.back().first; i < pieces_.size(); ++i) {
-          const std::uint32_t type = corners_.corners()[pieces_[i].corner].type;
-          (type == 0 || type == 3 ? even : odd)[word] |= here;
-        }
-      }
+bool SpaceBuilder::run(Poller& poller) {
+  if (!look_at_core(poller)) return false;
+  if (window_.width > 0) look_around();
+  std::ranges::sort(spare_, std::greater());
+  spare_.erase(std::ranges::unique(spare_).begin(), spare_.end());
+  cells_.join(joined_anew_, spare_);
+  write_core();
+  write_planes();
+  write_around();
+  close_gaps();
+  return !poller.stop_after(static_cast<std::int64_t>(cells_.pieces().size()));
+}
+
+// Visits the core's words, those of eight rows one below the other.
+template <class Visit>
+void SpaceBuilder::for_each_word(const Visit& visit) const {
+  for (int y0 = words_.top & ~7; y0 < words_.bottom; y0 += 8) {
+    for (int word = words_.first; word < words_.last; ++word) {
+      for (int y = std::max(y0, words_.top); y < std::min(y0 + 8, words_.bottom); ++y)
+        visit(word, y);
     }
-    if (crowded) space_.crowded_.set_blocked({x0 >> 3, y0 >> 3});
-    poller_.stop_after(std::int64_t{4} * (1 + count_bits(tile->band)));
-  }
-  for (std::ptrdiff_t k = 0; k < rows; ++k) {
-    space_.blocked_.set_row(y0 + static_cast<int>(k), blocked.data() + k * words);
-    space_.band_.set_row(y0 + static_cast<int>(k), band.data() + k * words);
-    space_.arc_cells_even_.set_row(y0 + static_cast<int>(k), even.data() + k * words);
-    space_.arc_cells_odd_.set_row(y0 + static_cast<int>(k), odd.data() + k * words);
   }
 }
 
-// Steps to the blocked cells left, above, right and below, 6 bits each.
-std::uint32_t SpaceBuilder::steps_to_blocked(int x, int y) const noexcept {
-  const auto cut = [&](int steps) {
-    return steps < radius_ + 1 ? static_cast<std::uint32_t>(steps) : DiscSpace::kFar;
-  };
-  const std::uint64_t* row = space_.map().row(y);
-  const std::uint64_t* column = columns_.row(x);
-  return cut(x - blocked_before(row, x - 1)) | cut(y - blocked_before(column, y - 1)) << 6 |
-         cut(blocked_after(row, x + 1) - x) << 12 | cut(blocked_after(column, y + 1) - y) << 18;
+BandCells::Bits& SpaceBuilder::bits_at(int word, int y) noexcept {
+  return bits_[static_cast<std::size_t>(y - words_.top) *
+                   static_cast<std::size_t>(words_.last - words_.first) +
+               static_cast<std::size_t>(word - words_.first)];
 }
 
-// Adds a cell and its pieces of arcs; false if no point of it is free.
-bool SpaceBuilder::build_cell(int x, int y) {
-  const std::size_t before = pieces_.size();
-  DiscSpace::BandCell cell{steps_to_blocked(x, y), static_cast<std::uint32_t>(before)};
-  const DiscSpace::Box box = space_.box_of(cell, x, y);
-  if (box.left > box.right || box.top > box.bottom) return false;
-  find_circles(x, y);
-  bool free = outside_circles({box.left, box.top}) || outside_circles({box.right, box.top}) ||
-              outside_circles({box.left, box.bottom}) || outside_circles({box.right, box.bottom});
-  for (const Circle& circle : circles_) free |= add_pieces(circle, box);
-  if (!free) return false;
-  cell.box_and_count |= static_cast<std::uint32_t>(pieces_.size() - before) << 24;
-  space_.cells_.push_back(cell);
-  return true;
+bool SpaceBuilder::look_at_core(Poller& poller) {
+  GrownRows grown(space_.map_, Reach(space_.radius_), words_);
+  if (!grown.grow(poller)) return false;
+  for_each_word([&](int word, int y) {
+    if (poller.stopped()) return;
+    const std::uint64_t cells = columns_in(core_, word);
+    for (std::uint64_t left = space_.band_.row(y)[word] & cells; left != 0; left &= left - 1)
+      note_old_arcs(64 * word + std::countr_zero(left), y, true);
+    BandCells::Bits& bits = bits_at(word, y) = cells_.add_word(grown, word, y, cells);
+    poller.stop_after(std::int64_t{4} * (1 + count_bits(bits.band)));
+  });
+  if (!joined_anew_.empty()) {
+    for (const BandCells::Piece& piece : cells_.pieces()) joined_anew_[piece.corner] = 1;
+  }
+  return !poller.stopped();
 }
 
-void SpaceBuilder::find_circles(int x, int y) {
-  circles_.clear();
-  for (std::uint32_t type = 0; type < 4; ++type) {
-    const bool left = (type & 1) != 0, up = (type & 2) != 0;
-    for (int rows = 0; rows < static_cast<int>(reach_.covered.size()); ++rows) {
-      const int columns = reach_.covered[rows];
-      const int corner_y = up ? y + 1 + rows : y - rows;
-      const int first = left ? x + 1 : x - columns;
-      std::uint64_t found =
-          corners_.window(type, first, corner_y) & (~std::uint64_t{0} >> (63 - columns));
-      for (; found != 0; found &= found - 1) {
-        circles_.push_back({first + std::countr_zero(found), corner_y, type});
+// The arcs that pass a cell, all or those that are joined anew, are no more; false if there are
+// none.
+bool SpaceBuilder::note_old_arcs(int x, int y, bool all) {
+  bool any = false;
+  for (const std::uint32_t number : space_.arcs_at(x, y)) {
+    const Arc& arc = space_.arcs_[number];
+    if (cells_.corners().corner(arc.x, arc.y)) {
+      char& anew = joined_anew_[cells_.corners().number(arc.x, arc.y)];
+      if (all) anew = 1;
+      if (anew == 0) continue;
+    }
+    spare_.push_back(number);
+    any = true;
+  }
+  return any;
+}
+
+// Cells there stay as they are, but for the numbers of such arcs.
+void SpaceBuilder::look_around() {
+  const Words words = words_of(window_);
+  for (int y = words.top; y < words.bottom; ++y) {
+    const bool beside = y >= core_.y && y < core_.y + core_.height;
+    for (int word = words.first; word < words.last; ++word) {
+      std::uint64_t left =
+          columns_in(window_, word) & ~(beside ? columns_in(core_, word) : 0) &
+          (space_.arc_cells_even_.row(y)[word] | space_.arc_cells_odd_.row(y)[word]);
+      for (; left != 0; left &= left - 1) {
+        const int x = 64 * word + std::countr_zero(left);
+        if (!note_old_arcs(x, y, false)) continue;
+        cells_.add(x, y);
+        around_.push_back({x, y});
       }
     }
   }
 }
 
-bool SpaceBuilder::outside_circles(Point p) const noexcept {
-  return std::ranges::all_of(circles_, [&](const Circle& circle) {
-    const double x = p.x - circle.x, y = p.y - circle.y;
-    return x * x + y * y >= least_square_;
+void SpaceBuilder::write_core() {
+  std::vector<std::uint32_t> block;
+  std::size_t next = 0;  // of the cells looked at
+  for_each_word([&](int word, int y) {
+    const std::uint64_t core = columns_in(core_, word);
+    const std::uint64_t was = space_.band_in(word, y);
+    const std::uint64_t is = (was & ~core) | bits_at(word, y).band;
+    std::uint32_t& start = space_.starts_[space_.block(word, y)];
+    block.clear();
+    std::uint32_t old = start;
+    for (std::uint64_t left = was | is; left != 0; left &= left - 1) {
+      const std::uint64_t here = left & (0 - left);
+      if ((here & core & is) != 0) block.push_back(cells_.kept(next++));
+      if ((here & was) == 0) continue;
+      const std::uint32_t cell = space_.cells_[old++];
+      if ((here & core) == 0)
+        block.push_back(cell);
+      else if (cell > DiscSpace::kSeveral)
+        space_.waste_ += 1 + space_.passing_[cell - DiscSpace::kSeveral];
+    }
+    const std::size_t held = old - start;
+    if (block.size() > held) {
+      start = static_cast<std::uint32_t>(space_.cells_.size());
+      space_.cells_.resize(space_.cells_.size() + block.size());
+      space_.waste_ += held;
+    } else {
+      space_.waste_ += held - block.size();
+    }
+    std::ranges::copy(block, space_.cells_.begin() + start);
   });
 }
 
-// Where a circle runs in a box of its quadrant, as fractions; low > high: nowhere.
-SpaceBuilder::Span SpaceBuilder::span_in(const Circle& circle,
-                                         const DiscSpace::Box& box) const noexcept {
-  const bool left = (circle.type & 1) != 0, up = (circle.type & 2) != 0;
-  const double x0 = left ? circle.x - box.right : box.left - circle.x;
-  const double x1 = left ? circle.x - box.left : box.right - circle.x;
-  const double y0 = up ? circle.y - box.bottom : box.top - circle.y;
-  const double y1 = up ? circle.y - box.top : box.bottom - circle.y;
-  const double square = radius_ * radius_;
-  if (x0 * x0 + y0 * y0 > square * (1 + kRounding) || x1 * x1 + y1 * y1 < square * (1 - kRounding))
-    return {1, 0};
-  const auto other = [&](double one) { return std::sqrt(std::max(0.0, square - one * one)); };
-  const double low_x = std::min(other(y0), x1);
-  const double low_y = low_x < x1 ? y0 : std::max(y0, other(x1));
-  const double high_y = std::min(other(x0), y1);
-  const double high_x = high_y < y1 ? x0 : std::max(x0, other(y1));
-  return {fraction_of(low_x, low_y), fraction_of(high_x, high_y)};
-}
-
-// Takes off what another circle covers.
-void SpaceBuilder::cut(const Circle& circle, const Circle& other) {
-  const double x = (circle.type & 1) != 0 ? circle.x - other.x : other.x - circle.x;
-  const double y = (circle.type & 2) != 0 ? circle.y - other.y : other.y - circle.y;
-  const double square = x * x + y * y;
-  if (square == 0 || (x < 0 && y < 0)) return;
-  // The normals at which the circle is radius_ - kMadeSlack away from the other one's centre.
-  const double share = (square + 2 * radius_ * kMadeSlack) / (2 * radius_ * square);
-  const double cosine_square = share * share * square;
-  if (cosine_square >= 1) return;
-  const double across = std::sqrt((1 - cosine_square) / square);
-  double low = fraction_of(share * x + across * y, share * y - across * x);
-  double high = fraction_of(share * x - across * y, share * y + across * x);
-  if (high < low) (x < 0 ? high += 4 : low -= 4);
-  cut_spans_.clear();
-  for (const Span& span : spans_) {
-    if (span.low <= std::min(span.high, low))
-      cut_spans_.push_back({span.low, std::min(span.high, low)});
-    if (std::max(span.low, high) <= span.high && high > low)
-      cut_spans_.push_back({std::max(span.low, high), span.high});
+void SpaceBuilder::write_planes() {
+  int left = Grid::kMaxSide, right = -1, top = 0, bottom = -1;  // of what became blocked or free
+  std::vector<std::uint64_t> row(static_cast<std::size_t>(space_.map_.words()));
+  const auto write = [&](Grid& plane, int y, std::uint64_t BandCells::Bits::*bits) {
+    std::copy_n(plane.row(y), row.size(), row.begin());
+    for (int word = words_.first; word < words_.last; ++word) {
+      const std::uint64_t core = columns_in(core_, word);
+      row[word] = (row[word] & ~core) | bits_at(word, y).*bits;
+    }
+    plane.set_row(y, row.data());
+  };
+  for (int y = words_.top; y < words_.bottom; ++y) {
+    for (int word = words_.first; word < words_.last; ++word) {
+      const std::uint64_t other =
+          (space_.blocked_.row(y)[word] ^ bits_at(word, y).blocked) & columns_in(core_, word);
+      if (other == 0) continue;
+      left = std::min(left, 64 * word + std::countr_zero(other));
+      right = std::max(right, 64 * word + 63 - std::countl_zero(other));
+      if (bottom < 0) top = y;
+      bottom = y;
+    }
+    write(space_.blocked_, y, &BandCells::Bits::blocked);
+    write(space_.band_, y, &BandCells::Bits::band);
+    write(space_.arc_cells_even_, y, &BandCells::Bits::even);
+    write(space_.arc_cells_odd_, y, &BandCells::Bits::odd);
   }
-  if (std::max(low, 0.0) <= std::min(high, 1.0)) spans_.swap(cut_spans_);
+  if (bottom >= 0) changed_ = {left, top, right - left + 1, bottom - top + 1};
+  // Of tiles, whose words are as wide as eight of theirs.
+  row.resize(static_cast<std::size_t>(space_.crowded_.words()));
+  for (int strip = words_.top >> 3; strip <= (words_.bottom - 1) >> 3; ++strip) {
+    std::copy_n(space_.crowded_.row(strip), row.size(), row.begin());
+    for (int word = words_.first; word < words_.last; ++word) {
+      std::uint64_t any = 0;
+      for (int y = 8 * strip; y < std::min(8 * strip + 8, space_.map_.height()); ++y)
+        any |= space_.blocked_.row(y)[word] | space_.band_.row(y)[word];
+      for (unsigned k = 4; k != 0; k >>= 1) any |= any >> k;  // of each byte its lowest bit
+      any = (any & 0x0101010101010101) * 0x0102040810204080 >> 56;
+      const int shift = (word & 7) * 8;
+      row[word >> 3] = (row[word >> 3] & ~(std::uint64_t{0xff} << shift)) | any << shift;
+    }
+    space_.crowded_.set_row(strip, row.data());
+  }
 }
 
-bool SpaceBuilder::add_pieces(const Circle& circle, const DiscSpace::Box& box) {
-  const Span whole = span_in(circle, box);
-  if (whole.low > whole.high + kRounding) return false;
-  spans_.assign(1, {whole.low, std::max(whole.low, whole.high)});
-  for (const Circle& other : circles_) cut(circle, other);
-  if (spans_.empty()) return false;
-  const std::uint32_t number = corners_.number(circle.x, circle.y);
-  for (const Span& span : spans_) pieces_.push_back({number, span.low, span.high});
-  return true;
-}
-
-// Pieces of one circle that meet are an arc. Numbers them by tiles of their corners, each circle's
-// by the angle.
-void SpaceBuilder::join_pieces() {
-  const auto& corners = corners_.corners();
-  std::vector<std::uint32_t> first(corners.size() + 1);
-  for (const Piece& piece : pieces_) ++first[piece.corner + 1];
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<std::uint32_t> order(pieces_.size());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) order[next[pieces_[i].corner]++] = i;
-  std::vector<std::uint32_t> arcs(pieces_.size());
-  for (const std::uint32_t corner : by_tiles()) {
-    const auto begin = order.begin() + first[corner], end = order.begin() + first[corner + 1];
-    std::stable_sort(begin, end, [this](std::uint32_t i, std::uint32_t j) {
-      return pieces_[i].low < pieces_[j].low;
-    });
-    for (auto i = begin; i != end; ++i) {
-      const Piece& piece = pieces_[*i];
-      const bool joins = i != begin && piece.low <= space_.arcs_.back().high + kRounding;
-      if (joins) {
-        space_.arcs_.back().high = std::max(space_.arcs_.back().high, piece.high);
-      } else {
-        const CornerRows::Corner& c = corners[corner];
-        space_.arcs_.push_back({c.x, c.y, c.type, piece.low, piece.high});
-      }
-      arcs[*i] = static_cast<std::uint32_t>(space_.arcs_.size() - 1);
+void SpaceBuilder::write_around() {
+  std::size_t next = cells_.size() - around_.size();
+  for (const Cell c : around_) {
+    std::uint32_t* arcs = space_.mutable_arcs_at(c.x, c.y);
+    for (const BandCells::Piece& piece : cells_.pieces(next++)) {
+      if (joined_anew_[piece.corner] != 0) *arcs = piece.arc;
+      ++arcs;
     }
   }
-  for (DiscSpace::BandCell& cell : space_.cells_) {
-    const std::uint32_t count = cell.box_and_count >> 24;
-    const auto* here = arcs.data() + cell.first;
-    cell.first = count == 1 ? *here : static_cast<std::uint32_t>(space_.passing_.size());
-    if (count > 1) space_.passing_.insert(space_.passing_.end(), here, here + count);
+}
+
+// The last arcs take the numbers that are left.
+void SpaceBuilder::close_gaps() {
+  for (const std::uint32_t gap : spare_) {
+    const auto last = static_cast<std::uint32_t>(space_.arcs_.size() - 1);
+    if (gap != last) move_arc(last, gap);
+    space_.arcs_.pop_back();
   }
 }
 
-// The corners, which stand row by row, by tiles of 8 x 8 lattice points.
-std::vector<std::uint32_t> SpaceBuilder::by_tiles() const {
-  const auto& corners = corners_.corners();
-  std::vector<std::uint32_t> order(corners.size());
-  std::iota(order.begin(), order.end(), 0);
-  for (auto begin = order.begin(); begin != order.end();) {
-    const int row = corners[*begin].y >> 3;
-    const auto end =
-        std::find_if(begin, order.end(), [&](std::uint32_t i) { return corners[i].y >> 3 != row; });
-    std::stable_sort(begin, end, [&](std::uint32_t i, std::uint32_t j) {
-      return corners[i].x >> 3 < corners[j].x >> 3;
-    });
-    begin = end;
+void SpaceBuilder::move_arc(std::uint32_t from, std::uint32_t to) {
+  const Arc& arc = space_.arcs_[to] = space_.arcs_[from];
+  const Rectangle cells = around(space_.map_, {arc.x, arc.y, 0, 0}, space_.wall_);
+  const Grid& passed = space_.arc_cells(arc.type);
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    for (int word = cells.x >> 6; word <= (cells.x + cells.width - 1) >> 6; ++word) {
+      for (std::uint64_t left = passed.row(y)[word] & columns_in(cells, word); left != 0;
+           left &= left - 1) {
+        const int x = 64 * word + std::countr_zero(left);
+        std::uint32_t* arcs = space_.mutable_arcs_at(x, y);
+        std::replace(arcs, arcs + space_.arcs_at(x, y).size(), from, to);
+      }
+    }
   }
-  return order;
 }
 
 }  // namespace lasius::disc

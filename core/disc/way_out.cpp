@@ -38,7 +38,7 @@ struct DiscSpace::Nearest {
 DiscSpace::Box DiscSpace::inner_box(Cell cell) const noexcept {
   const Box whole{1.0 * cell.x, 1.0 * cell.y, cell.x + 1.0, cell.y + 1.0};
   if (!in_band(cell)) return whole;
-  Box box = box_of(band_cell(cell.x, cell.y), cell.x, cell.y);
+  Box box = box_of(walls(cell.x, cell.y), cell.x, cell.y);
   const Point middle{0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)};
   if (box.left > whole.left) box.left = std::min(box.left + kMadeSlack, middle.x);
   if (box.top > whole.top) box.top = std::min(box.top + kMadeSlack, middle.y);

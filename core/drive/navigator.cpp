@@ -48,7 +48,7 @@ class Navigator::Impl {
     if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
     if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
     if (algorithm.kind == Algorithm::Kind::colony) send_colony(goal);
-    corners = corners_of_paths(options.params);
+    corners = corners_of_paths(options.params, {given.radius});
     taut = algorithm.kind == Algorithm::Kind::exact || options.params.polish == Polish::taut;
     if (corners == Corners::allow) eight.emplace(map.passable(), Connectivity::eight);
     if (options.prepare) prepare(*options.prepare);

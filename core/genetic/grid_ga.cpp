@@ -33,18 +33,22 @@ std::uint32_t pack(Cell c) { return kernels::pack(c.x, c.y); }
 class GridGa final : public ColonyWorld {
  public:
   GridGa(const Grid& grid, const Request& request, const Params& params,
-         const std::function<bool(Cell)>& joined, GridGaMemory& memory, const Observer& observer)
+         const std::function<bool(Cell)>& joined, GridGaMemory& memory, const Observer& observer,
+         const disc::DiscSpace* disc)
       : grid_(grid),
         request_(request),
         params_(params),
         joined_(joined),
         memory_(memory),
         observer_(observer),
+        disc_(disc),
         threads_(std::clamp(thread_count(params.threads), 1, params.population)) {
     const auto threads = static_cast<std::size_t>(threads_);
     if (memory.scratch.size() < threads) memory.scratch.resize(threads);
-    for (int t = 0; t < threads_; ++t)
+    for (int t = 0; t < threads_; ++t) {
       memory.scratch[t].routes.reset(grid, params.neighbours, params.corners, request.stop);
+      memory.scratch[t].maker.forget();
+    }
     resize(memory.population);
     resize(memory.children);
   }
@@ -150,7 +154,11 @@ class GridGa final : public ColonyWorld {
     for (const Cell c : way) made.points.push_back(centre(c));
     made.tour = path_length(made.points);
     if (params_.polish != Polish::none && !stopped) {
-      scratch.maker.polish(grid_, way, params_, request_.stop, made.points);
+      if (disc_ != nullptr) {
+        scratch.maker.polish(grid_, *disc_, kInfinity, way, params_, request_.stop, made.points);
+      } else {
+        scratch.maker.polish(grid_, way, params_, request_.stop, made.points);
+      }
     }
     made.length = path_length(made.points);
   }
@@ -252,6 +260,7 @@ class GridGa final : public ColonyWorld {
   const std::function<bool(Cell)>& joined_;
   GridGaMemory& memory_;
   const Observer& observer_;
+  const disc::DiscSpace* disc_;
   int threads_;
 
   double best_length_ = kInfinity;
@@ -262,8 +271,8 @@ class GridGa final : public ColonyWorld {
 
 Result run_grid_ga(const Grid& grid, const Request& request, const Params& params,
                    const std::function<bool(Cell)>& joined, GridGaMemory& memory,
-                   const Observer& observer) {
-  return GridGa(grid, request, params, joined, memory, observer).run();
+                   const Observer& observer, const disc::DiscSpace* disc) {
+  return GridGa(grid, request, params, joined, memory, observer, disc).run();
 }
 
 }  // namespace lasius

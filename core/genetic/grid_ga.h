@@ -11,7 +11,8 @@
 
 namespace lasius {
 
-/// Plans from `request.start` to `request.goal`, which are free, joined and not equal.
+/// Plans from `request.start` to `request.goal`, which are free, joined and not equal. With a disc
+/// as run_colony().
 ///
 /// Ahn and Ramakrishna: A genetic algorithm for shortest path routing problem and the sizing of
 /// populations. IEEE Trans. Evolutionary Computation 6 (6), 2002. A chromosome is a path, cell by
@@ -30,6 +31,6 @@ namespace lasius {
 /// One generation is one entry of the result's curves; `mean` is over the unpolished paths.
 Result run_grid_ga(const Grid& grid, const Request& request, const Params& params,
                    const std::function<bool(Cell)>& joined, GridGaMemory& memory,
-                   const Observer& observer);
+                   const Observer& observer, const disc::DiscSpace* disc = nullptr);
 
 }  // namespace lasius

@@ -84,8 +84,9 @@ std::int64_t largest_below_square(double radius) noexcept {
 }
 
 // Two cells that are so many columns and rows apart are max(0, columns - 1) and max(0, rows - 1)
-// from each other: less than the radius where the sum of the squares is at most `limit`.
-Growth::Growth(const Grid& grid, double radius) {
+// from each other, the centre of one max(0, columns - 1/2) and max(0, rows - 1/2) from the other:
+// less than the radius where the sum of the squares, of centres in half cells, is at most `limit`.
+Growth::Growth(const Grid& grid, double radius, ClearanceOf of) {
   require_parameter(radius >= 0 && std::isfinite(radius), "radius", radius,
                     "it must be 0 or more cells");
   if (radius == 0) {
@@ -94,13 +95,14 @@ Growth::Growth(const Grid& grid, double radius) {
   }
   // Past the longest side everything is blocked, and nothing overflows.
   const double reach = std::min(radius, static_cast<double>(2 * Grid::kMaxSide));
-  const auto limit = std::max<std::int64_t>(0, largest_below_square(reach));
+  const int parts = of == ClearanceOf::centres ? 2 : 1;  // of a cell
+  const auto limit = std::max<std::int64_t>(0, largest_below_square(parts * reach));
   for (std::int64_t rows = 0; rows <= grid.height(); ++rows) {
-    const std::int64_t up = std::max<std::int64_t>(0, rows - 1);
+    const std::int64_t up = std::max<std::int64_t>(0, parts * rows - 1);
     if (up * up > limit) break;
     // The root is right to the last bit for numbers below 2^52.
     const auto across = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit - up * up)));
-    columns_.push_back(static_cast<int>(across + 1));
+    columns_.push_back(static_cast<int>((across + 1) / parts));
   }
 }
 
@@ -118,7 +120,11 @@ bool Growth::blocked(const Grid& map, Cell cell) const noexcept {
 Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(grid, radius, {}); }
 
 std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
-  const Growth growth(grid, radius);
+  return grow_obstacles(grid, Growth(grid, radius), stop);
+}
+
+std::optional<Grid> grow_obstacles(const Grid& grid, const Growth& growth,
+                                   const StopCondition& stop) {
   const std::vector<int>& spans = growth.columns_by_row();
   const int reach = growth.reach();
   const int width = grid.width();

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
+#include "core/grid/clearance.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -14,12 +16,12 @@ namespace lasius {
 /// The largest whole number that is less than the square of a number of [0, 2^26], exactly.
 std::int64_t largest_below_square(double radius) noexcept;
 
-/// Which cells a blocked one blocks, as grow_obstacles() has it: those that have a point nearer to
-/// it than the radius.
+/// Which cells a blocked one blocks: as grow_obstacles() has it those that have a point nearer to
+/// it than the radius, or those whose centre is.
 class Growth {
  public:
   /// @throws Error(invalid_parameter) for a negative or not finite radius.
-  Growth(const Grid& grid, double radius);
+  Growth(const Grid& grid, double radius, ClearanceOf of = ClearanceOf::cells);
 
   /// How many columns to each side a blocked cell k rows away blocks, by k.
   const std::vector<int>& columns_by_row() const noexcept { return columns_; }
@@ -36,5 +38,9 @@ class Growth {
  private:
   std::vector<int> columns_;
 };
+
+/// All cells that are blocked then. Empty if stopped.
+std::optional<Grid> grow_obstacles(const Grid& grid, const Growth& growth,
+                                   const StopCondition& stop);
 
 }  // namespace lasius

@@ -12,8 +12,9 @@ namespace lasius {
 
 inline Cell operator+(Cell c, kernels::Offset o) noexcept { return {c.x + o.dx, c.y + o.dy}; }
 
-/// All moves of a neighbourhood in scan order: row by row, left to right.
-inline kernels::Moves moves_of(Neighbours neighbours) noexcept {
+/// All moves of a neighbourhood in scan order: row by row, left to right. Of a disc's those by a
+/// knight's move need the whole 2 x 3 cells, as diagonal ones do the 2 x 2.
+inline kernels::Moves moves_of(Neighbours neighbours, bool of_disc = false) noexcept {
   const auto has = [neighbours](int dx, int dy) {
     const int ax = std::abs(dx), ay = std::abs(dy), reach = std::max(ax, ay);
     const bool straight = ax == 0 || ay == 0 || ax == ay;  // one of the 8 directions
@@ -36,7 +37,11 @@ inline kernels::Moves moves_of(Neighbours neighbours) noexcept {
   kernels::Moves moves;
   for (int dy = -kernels::kMaxReach; dy <= kernels::kMaxReach; ++dy) {
     for (int dx = -kernels::kMaxReach; dx <= kernels::kMaxReach; ++dx) {
-      if (has(dx, dy)) moves.move[moves.count++] = kernels::make_move(dx, dy);
+      if (!has(dx, dy)) continue;
+      kernels::Move& move = moves.move[moves.count++] = kernels::make_move(dx, dy);
+      if (!of_disc || std::abs(dx * dy) != 2) continue;
+      move.corners[move.corner_count++] = {
+          {{static_cast<std::int8_t>(dx), 0}, {0, static_cast<std::int8_t>(dy)}}};
     }
   }
   return moves;

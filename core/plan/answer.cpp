@@ -8,6 +8,7 @@
 #include "core/base/special_values.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
+#include "core/disc/disc_cells.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
@@ -166,10 +167,6 @@ class Ends {
     text.replace(
         text.find(" is blocked"), std::string::npos,
         " is nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
-    if (space_ == nullptr && map_.disc->space && map_.disc->space->clear(centre(c)))
-      text +=
-          ", though its centre is not: exact plans from there, other algorithms on cells that "
-          "keep the radius all over";
     return {fault, text};
   }
 
@@ -291,23 +288,32 @@ void check_serves(const Algorithm& algorithm, Disc robot) {
     disc::check_disc_radius(robot.radius);
 }
 
-Corners corners_of_paths(const Params& params) {
-  const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;
-  return exact ? Corners::forbid : params.corners;
+Corners corners_of(Corners asked, Disc robot) noexcept {
+  return disc::has_space(robot.radius) ? disc::corners(robot.radius) : asked;
 }
 
-Result answer(const PlanningMap& map, const Request& asked, const Params& params,
+Corners corners_of_paths(const Params& params, Disc robot) {
+  const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;
+  return corners_of(exact ? Corners::forbid : params.corners, robot);
+}
+
+Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
-  validate(params, own);
-  const Algorithm& algorithm = find_algorithm(params.algorithm());
+  validate(given, own);
+  const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
-  check_serves(algorithm, {map.disc != nullptr ? map.disc->radius : 0});
+  const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
+  check_serves(algorithm, robot);
   const Grid& grid = map.grid;
-  check_own_rules(own, grid, params);
-  const Corners corners = corners_of_paths(params);
-  const bool curved = map.disc != nullptr && algorithm.kind == Algorithm::Kind::exact;
-  const Ends ends(map, curved ? &*map.disc->space : nullptr, corners);
+  check_own_rules(own, grid, given);
+  Params params = given;
+  params.corners = corners_of(params.corners, robot);
+  const Corners corners = corners_of_paths(params, robot);
+  const disc::DiscSpace* const space =
+      map.disc != nullptr && map.disc->space ? &*map.disc->space : nullptr;
+  const bool curved = space != nullptr && algorithm.kind == Algorithm::Kind::exact;
+  const Ends ends(map, curved ? space : nullptr, corners);
   Places places;
   if (auto refusal = refused(ends, asked, places)) return std::move(*refusal);
   Request request = asked;
@@ -332,18 +338,18 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
     const auto joined = [&](Cell c) {
       return map.connected(request.start, c, corners).value_or(false);
     };
-    result = run_grid_ga(grid, request, params, joined, memory.genetic, observer);
+    result = run_grid_ga(grid, request, params, joined, memory.genetic, observer, space);
   } else {
     result = map.colony ? map.colony(request, observer)
-                        : run_colony(grid, request, params, memory.colony, observer, own);
+                        : run_colony(grid, request, params, memory.colony, observer, own, space);
     result.own_rules = !own.none();
   }
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   // Not to be cut short: a glance at the words along the path.
   if (result.path.size() > 1) {
-    const auto fault =
-        curved ? disc_path_fault(map.disc->map, map.disc->radius, result.path, result.curve)
-               : path_fault(grid, result.path, corners);
+    const auto fault = space != nullptr ? disc_path_fault(map.disc->map, map.disc->radius,
+                                                          result.path, result.curve)
+                                        : path_fault(grid, result.path, corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
   }
   if (places.way_out) lead_out(result, centre(asked.start), *places.way_out, curved);

@@ -25,13 +25,13 @@ struct DiscMap {
 
 /// A map, and what its owner knows about it.
 struct PlanningMap {
-  const Grid& grid;                           ///< grown where `disc` is given
+  const Grid& grid;  ///< where `disc` is given, the cells that its centre may walk on
   const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
   /// Runs the colony in the owner's way; empty: a new one a question, run_colony().
   std::function<Result(const Request&, const Observer&)> colony = {};
-  const DiscMap* disc = nullptr;  ///< what `exact` plans on for a disc; null: it plans on `grid`
+  const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
 };
 
@@ -59,8 +59,10 @@ bool find_nearest(SomeResult& result, const Grid& grid, Cell cell, const std::st
 void check_serves(const Algorithm& algorithm, Disc robot);
 
 /// The rule of corners that paths obey: any-angle paths never squeeze, and with 4 neighbours no
-/// corner is ever passed.
-Corners corners_of_paths(const Params& params);
+/// corner is ever passed. A disc's radius decides for it.
+Corners corners_of_paths(const Params& params, Disc robot);
+/// That of moves from cell to cell, `asked` for a point.
+Corners corners_of(Corners asked, Disc robot) noexcept;
 
 /// A cell in messages.
 inline std::string cell_name(Cell c) { return pair_text(c.x, c.y); }

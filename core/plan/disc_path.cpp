@@ -167,13 +167,14 @@ bool keeps_clearance(const Grid& map, Point a, Point b, double clearance) noexce
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,
                                            std::span<const Point> path,
                                            std::span<const CurvePiece> curve) {
-  if (path.empty() || curve.empty()) return "the path is empty";
+  if (path.empty()) return "the path is empty";
   const Judge judge(map, radius);
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (auto fault = judge.straight(path[i - 1], path[i])) return fault;
     length += distance(path[i - 1], path[i]);
   }
+  if (curve.empty()) return std::nullopt;
   double curve_length = 0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const CurvePiece& piece = curve[i];

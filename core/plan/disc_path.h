@@ -22,8 +22,8 @@ double segment_clearance(const Grid& map, Point a, Point b, double most) noexcep
 /// Is no point of a segment nearer than that to a blocked cell or the outside, up to disc::kSlack?
 bool keeps_clearance(const Grid& map, Point a, Point b, double clearance) noexcept;
 
-/// Why a disc's path or curve is none, or comes nearer than the radius (up to twice disc::kSlack),
-/// or nothing. Shares nothing with the search but what bits of a row say.
+/// Why a disc's path, or its curve if there is one, is none, or comes nearer than the radius (up to
+/// twice disc::kSlack), or nothing. Shares nothing with the search but what bits of a row say.
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,
                                            std::span<const Point> path,
                                            std::span<const CurvePiece> curve);

@@ -1,12 +1,12 @@
 #include "lasius/planner.h"
 
 #include "core/base/poller.h"
+#include "core/disc/disc_cells.h"
 #include "core/grid/grid_view.h"
 #include "core/grid/nearest_free.h"
 #include "core/plan/answer.h"
 #include "core/plan/planner_impl.h"
 #include "core/plan/workspace.h"
-#include "lasius/clearance.h"
 
 namespace lasius {
 namespace {
@@ -31,10 +31,10 @@ std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
   std::optional<Grid> grown;
   std::shared_ptr<DiscMap> disc;
   if (robot.radius != 0) {
-    grown = grow_obstacles(map, robot.radius, stop);
+    grown = grow_obstacles(map, disc::growth(map, robot.radius), stop);
     if (!grown) return nullptr;
     disc = std::make_shared<DiscMap>(DiscMap{Grid(1, 1), robot.radius, {}});
-    if (robot.radius >= disc::kLeastRadius && robot.radius <= disc::kLargestRadius) {
+    if (disc::has_space(robot.radius)) {
       disc->space = disc::DiscSpace::make(map, robot.radius, stop);
       if (!disc->space) return nullptr;
     }

@@ -59,11 +59,14 @@ class Planner::Impl {
   std::shared_ptr<const Impl> next(std::span<const Edit> edits, std::vector<Direction> directions,
                                    const StopCondition& stop) const;
 
+  /// The rule of corners, of a disc its own.
+  Corners rule(Corners asked) const noexcept { return corners_of(asked, robot()); }
+
   /// The components under a rule; null if stopped. Those of 8 neighbours are made when first
   /// asked for. Two threads may both make them, and find the same: none has to wait for another,
   /// whose stop condition is not its own.
   const Components* components(Corners corners, const StopCondition& stop) const {
-    if (corners != Corners::allow) return &four;
+    if (rule(corners) != Corners::allow) return &four;
     if (const Components* ready = eight_.load(std::memory_order_acquire)) return ready;
     auto made = Components::make(grid, Components::Connectivity::eight, stop);
     if (!made) return nullptr;
@@ -78,7 +81,7 @@ class Planner::Impl {
   /// only for cells that 4 neighbours do not join.
   std::optional<bool> connected(Cell a, Cell b, Corners corners, const StopCondition& stop) const {
     if (four.connected(grid, a, b)) return true;
-    if (corners != Corners::allow) return false;
+    if (rule(corners) != Corners::allow) return false;
     const Components* const eight = components(corners, stop);
     if (eight == nullptr) return std::nullopt;
     return eight->connected(grid, a, b);

@@ -1,6 +1,7 @@
 // From the cells of a walk to a path: loops cut, pulled straight or taut, shortcuts taken.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,12 +32,31 @@ class PathMaker {
   void polish(const Grid& grid, std::span<const Cell> way, const Params& params,
               const StopCondition& stop, std::vector<Point>& path);
 
+  /// The same for a disc, see Straightener::keep_radius: first for a point, over centres of cells.
+  /// Returns that path's length. Unless it is less than `limit`, `path` is empty then; else the
+  /// path is made to keep the radius, and for Polish::taut tightened.
+  double polish(const Grid& grid, const disc::DiscSpace& disc, double limit,
+                std::span<const Cell> way, const Params& params, const StopCondition& stop,
+                std::vector<Point>& path);
+  /// To be called where the disc or the parameters may be others: forgets paths of discs.
+  void forget() noexcept {
+    for (Known& one : known_) one.vertices.clear();
+  }
+
   /// Cells under the last path, or under one of its class.
   std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
+  /// A point's path over cells, and what a disc's path became of it: ants often find the same.
+  struct Known {
+    std::vector<Cell> vertices;
+    std::vector<Point> path;
+  };
+
+  void make(const Grid& grid, std::span<const Cell> way, const Params& params, bool on_cells,
+            const StopCondition& stop, std::vector<Point>& path);
   bool find_shortcut(const Grid& grid, std::span<const Cell> way, double length,
                      const StopCondition& stop);
 
@@ -45,6 +65,8 @@ class PathMaker {
   TautString taut_string_;
   ExactSearch search_;
   std::vector<Point> shortcut_;
+  std::array<Known, 16> known_;
+  std::size_t oldest_ = 0;  // of them
 };
 
 }  // namespace lasius

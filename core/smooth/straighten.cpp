@@ -48,11 +48,26 @@ void append_segment(const kernels::BitmapView& map, Cell a, Cell b, std::vector<
   }
 }
 
-void rasterise(const kernels::BitmapView& map, std::span<const Cell> polyline,
-               std::vector<Cell>& cells) {
+// Of the cells from number `first` on, a segment's, leaves those that a disc's centre can go over
+// straight from one to the next.
+void keep_walkable(const CellSight& sight, std::size_t first, std::vector<Cell>& cells) {
+  const Cell end = cells.back();
+  std::size_t kept = first;
+  for (std::size_t i = first; i + 1 < cells.size(); ++i) {
+    const Cell c = cells[i];
+    if (!sight.map.blocked(c.x, c.y) && sight(cells[kept - 1], c)) cells[kept++] = c;
+  }
+  while (kept > first && !sight(cells[kept - 1], end)) --kept;
+  cells.resize(kept);
+  cells.push_back(end);
+}
+
+void rasterise(const CellSight& sight, std::span<const Cell> polyline, std::vector<Cell>& cells) {
   cells.assign(1, polyline[0]);
   for (std::size_t i = 1; i < polyline.size(); ++i) {
-    append_segment(map, polyline[i - 1], polyline[i], cells);
+    const std::size_t first = cells.size();
+    append_segment(sight.map, polyline[i - 1], polyline[i], cells);
+    if (sight.disc != nullptr && cells.size() > first) keep_walkable(sight, first, cells);
   }
 }
 
@@ -92,9 +107,31 @@ class Sleeve {
   double right_x_ = 0, right_y_ = 0, left_x_ = 0, left_y_ = 0;
 };
 
+// The last cell of a walk that a disc sees from the one at `anchor`, sought by steps of doubled,
+// then of halved length, no farther than before the first whose segment would stray from the walk.
+std::size_t last_seen(const CellSight& sight, std::span<const Cell> walk, std::size_t anchor,
+                      double window, Poller& poller) {
+  Sleeve sleeve(walk[anchor], window);
+  std::size_t taken = anchor + 1;  // cells, none of which strays
+  std::size_t last = anchor;
+  const auto go_on = [&](std::size_t step) {
+    const std::size_t to = last + step;
+    if (to >= walk.size()) return false;
+    while (taken <= to && (window == kInfinity || sleeve.takes_next(walk[taken]))) ++taken;
+    poller.stop_after(std::abs(walk[to].y - walk[anchor].y) / 8 + 16);
+    if (taken <= to || !sight(walk[anchor], walk[to])) return false;
+    last = to;
+    return true;
+  };
+  std::size_t step = 1;
+  while (go_on(step)) step *= 2;
+  while ((step /= 2) > 0) go_on(step);
+  return last;
+}
+
 // Greedy line of sight: each piece ends at the last cell before the first hidden one, or before the
 // first whose segment would stray from the walk. False when told to stop before the walk's end.
-bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, double window,
+bool pull(const CellSight& sight, std::span<const Cell> walk, double window,
           kernels::SightCone& cone, Poller& poller, std::vector<Cell>& polyline) {
   int lo = walk[0].x;
   int hi = lo;
@@ -106,12 +143,17 @@ bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, double win
   std::size_t next = 1;
   while (next < walk.size()) {
     const std::size_t anchor = next - 1;
-    cone.start(map, walk[anchor].x, walk[anchor].y, lo, hi);
-    Sleeve sleeve(walk[anchor], window);
-    while (next < walk.size() && (window == kInfinity || sleeve.takes_next(walk[next])) &&
-           cone.sees_next(walk[next].x, walk[next].y)) {
-      ++next;
-      if (poller.stop_after(cone.take_work())) return false;
+    if (sight.disc != nullptr) {
+      next = last_seen(sight, walk, anchor, window, poller) + 1;
+      if (poller.stopped()) return false;
+    } else {
+      cone.start(sight.map, walk[anchor].x, walk[anchor].y, lo, hi);
+      Sleeve sleeve(walk[anchor], window);
+      while (next < walk.size() && (window == kInfinity || sleeve.takes_next(walk[next])) &&
+             cone.sees_next(walk[next].x, walk[next].y)) {
+        ++next;
+        if (poller.stop_after(cone.take_work())) return false;
+      }
     }
     if (next == anchor + 1) ++next;  // the walk squeezes between two diagonal blocks: so be it
     if (walk[next - 1] != polyline.back()) polyline.push_back(walk[next - 1]);
@@ -125,7 +167,7 @@ bool sees(const kernels::BitmapView& map, Cell a, Cell b) noexcept {
 
 // Leaves out vertices and moves them to neighbouring cells as long as that makes the polyline
 // shorter. False when told to stop.
-bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& polyline) {
+bool settle(const CellSight& sight, Poller& poller, std::vector<Cell>& polyline) {
   for (bool changed = true; changed && polyline.size() > 2;) {
     changed = false;
     std::size_t kept = 1, i = 1;  // vertices between the two are left out
@@ -139,7 +181,7 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
         close_up();
         return false;
       }
-      if (a == b || b == c || sees(map, a, c)) {
+      if (a == b || b == c || sight(a, c)) {
         changed = true;
         continue;
       }
@@ -149,8 +191,8 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
         for (int dx = -1; dx <= 1; ++dx) {
           const Cell to{b.x + dx, b.y + dy};
           const double length = distance(a, to) + distance(to, c);
-          if (length >= least || map.blocked(to.x, to.y)) continue;
-          if (!sees(map, a, to) || !sees(map, to, c)) continue;
+          if (length >= least || sight.map.blocked(to.x, to.y)) continue;
+          if (!sight(a, to) || !sight(to, c)) continue;
           least = length;
           best = to;
           changed = true;
@@ -242,12 +284,12 @@ bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const
 }
 
 /// Greedy passes from either end until neither shortens the polyline. False when told to stop.
-bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& poller) {
+bool Straightener::pull_from_both_ends(const CellSight& sight, Poller& poller) {
   bool forth = false;
   for (int in_vain = 0; in_vain < 2; forth = !forth) {
-    rasterise(map, best_, raster_);
+    rasterise(sight, best_, raster_);
     if (!forth) std::ranges::reverse(raster_);
-    if (!pull(map, raster_, window_, cone_, poller, pulled_)) return false;
+    if (!pull(sight, raster_, window_, cone_, poller, pulled_)) return false;
     if (!forth) std::ranges::reverse(pulled_);
     in_vain = keep_if_shorter() ? 0 : in_vain + 1;
   }
@@ -265,26 +307,47 @@ bool Straightener::keep_if_shorter() {
 void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop,
                        double window) {
   window_ = window;
-  const kernels::BitmapView map = view_of(grid);
   Poller poller(stop);
   best_.assign(walk.begin(), walk.end());
+  pull_all({view_of(grid)}, poller);
+}
+
+/// From a walk to a polyline and the cells under it.
+void Straightener::pull_all(const CellSight& sight, Poller& poller) {
   // The first pass only cuts short, whatever rounding says.
-  if (pull(map, walk, window, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
+  if (pull(sight, best_, window_, cone_, poller, pulled_))
+    best_.assign(pulled_.begin(), pulled_.end());
   length_ = length_of(best_);
-  if (!poller.stopped()) pull_from_both_ends(map, poller);
-  rasterise(map, best_, raster_);
+  if (!poller.stopped()) pull_from_both_ends(sight, poller);
+  rasterise(sight, best_, raster_);
+}
+
+void Straightener::keep_radius(const Grid& grid, const disc::DiscSpace& disc, bool settled,
+                               const StopCondition& stop) {
+  const CellSight sight{view_of(grid), &disc};
+  Poller poller(stop);
+  point_raster_.assign(raster_.begin(), raster_.end());
+  best_.assign(raster_.begin(), raster_.end());
+  pull_all(sight, poller);
+  while (settled) {
+    pulled_.assign(best_.begin(), best_.end());
+    settled =
+        settle(sight, poller, pulled_) && keep_if_shorter() && pull_from_both_ends(sight, poller);
+  }
+  raster_.swap(point_raster_);
 }
 
 void Straightener::straighten(const Grid& grid, const StopCondition& stop) {
   if (best_.size() < 3 || stop.poll() != StopCondition::Cause::none) return;
   const kernels::BitmapView map = view_of(grid);
+  const CellSight sight{map};
   for (std::size_t i = 1; i < best_.size(); ++i) {
     if (sees(map, best_[i - 1], best_[i])) continue;
     taut_string_.run(grid, best_, Corners::allow, stop);  // a squeeze that is kept
     return;
   }
   Poller poller(stop);
-  const auto settle_and_keep = [&] { return settle(map, poller, pulled_) && keep_if_shorter(); };
+  const auto settle_and_keep = [&] { return settle(sight, poller, pulled_) && keep_if_shorter(); };
   // A vertex less, or pieces pulled again, may pass an obstacle on its other side: then the string
   // is another one.
   for (bool shorter = true; shorter;) {
@@ -294,16 +357,16 @@ void Straightener::straighten(const Grid& grid, const StopCondition& stop) {
       pulled_.assign(best_.begin(), best_.end());
       shorter = settle_and_keep();
     }
-    shorter = shorter && pull_from_both_ends(map, poller);
+    shorter = shorter && pull_from_both_ends(sight, poller);
   }
-  rasterise(map, best_, raster_);
+  rasterise(sight, best_, raster_);
 }
 
 void Straightener::take(const Grid& grid, std::span<const Point> string,
                         const StopCondition& stop) {
   Poller poller(stop);
   if (!string_on_cells(grid, string, poller) || !keep_if_shorter()) return;
-  rasterise(view_of(grid), best_, raster_);
+  rasterise({view_of(grid)}, best_, raster_);
   straighten(grid, stop);
 }
 

@@ -8,13 +8,26 @@
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
+#include "core/disc/disc_space.h"
 #include "core/smooth/taut_string.h"
+#include "kernels/sight/sight.h"
 #include "kernels/sight/sight_cone.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
 
 namespace lasius {
+
+/// Which centres of free cells can be gone to straight: by a point, or by a disc's centre.
+struct CellSight {
+  kernels::BitmapView map;
+  const disc::DiscSpace* disc = nullptr;  ///< null for a point
+
+  bool operator()(Cell a, Cell b) const noexcept {
+    return disc != nullptr ? disc->sees(centre(a), centre(b))
+                           : kernels::sees_cell(map, a.x, a.y, b.x, b.y);
+  }
+};
 
 /// Straightens walks as `greedy_straighten()` states, with buffers that are reused from call to
 /// call. One per thread. The spans it returns hold until the next call.
@@ -34,18 +47,27 @@ class Straightener {
   /// if it is shorter there.
   void take(const Grid& grid, std::span<const Point> string, const StopCondition& stop = {});
 
+  /// Makes the polyline one of a disc: straightens the walk over cells() anew, by the disc's sight.
+  /// `grid` has the cells whose centres are clear, and the walk's moves keep the radius
+  /// (core/disc/disc_cells.h). Where sight ends is sought by steps of doubled length.
+  ///   settled  vertices are left out or moved by a cell, too, as straighten() does
+  void keep_radius(const Grid& grid, const disc::DiscSpace& disc, bool settled,
+                   const StopCondition& stop = {});
+
   /// Cells at the vertices of the polyline, first and last cell included (one cell if equal).
   std::span<const Cell> vertices() const noexcept { return best_; }
 
   /// Cells the polyline crosses, in order, each once for every visit. All free; consecutive ones
-  /// are 4-neighbours, except across a kept squeeze between two diagonal blocks.
+  /// are 4-neighbours, except across a kept squeeze between two diagonal blocks. keep_radius()
+  /// leaves them as they were.
   std::span<const Cell> cells() const noexcept { return raster_; }
 
   /// The taut string of its class, once `straighten` was through with three vertices or more.
   std::span<const Point> string() const noexcept { return taut_string_.path(); }
 
   std::int64_t bytes() const noexcept {  ///< memory held
-    return taut_string_.bytes() + held_bytes(layers_, best_, pulled_, raster_) + cone_.bytes();
+    return taut_string_.bytes() + held_bytes(layers_, best_, pulled_, raster_, point_raster_) +
+           cone_.bytes();
   }
 
  private:
@@ -62,7 +84,8 @@ class Straightener {
     int count = 0;
   };
 
-  bool pull_from_both_ends(const kernels::BitmapView& map, Poller& poller);
+  void pull_all(const CellSight& sight, Poller& poller);
+  bool pull_from_both_ends(const CellSight& sight, Poller& poller);
   bool keep_if_shorter();
   bool string_on_cells(const Grid& grid, std::span<const Point> string, Poller& poller);
   static bool connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
@@ -70,9 +93,10 @@ class Straightener {
 
   TautString taut_string_;
   std::vector<Layer> layers_;
-  std::vector<Cell> best_;    // shortest polyline so far, from the walk's first cell
-  std::vector<Cell> pulled_;  // the polyline of one pass, in the pass's direction
-  std::vector<Cell> raster_;  // the walk that a pass pulls, at the end the result's cells
+  std::vector<Cell> best_;          // shortest polyline so far, from the walk's first cell
+  std::vector<Cell> pulled_;        // the polyline of one pass, in the pass's direction
+  std::vector<Cell> raster_;        // the walk that a pass pulls, at the end the result's cells
+  std::vector<Cell> point_raster_;  // what it was before keep_radius
   double length_ = 0;
   double window_ = 0;
   kernels::SightCone cone_;

@@ -135,6 +135,68 @@ TEST(DiscSpace, WayOutIsTheNearestClearPoint) {
   EXPECT_GT(behind, 0);
 }
 
+// All that is asked of a space but the numbers of arcs.
+void expect_same(const DiscSpace& one, const DiscSpace& other, std::mt19937& random) {
+  ASSERT_EQ(one.map(), other.map());
+  ASSERT_EQ(one.blocked_cells(), other.blocked_cells());
+  ASSERT_EQ(one.crowded(), other.crowded());
+  ASSERT_EQ(one.arc_cells(0), other.arc_cells(0));
+  ASSERT_EQ(one.arc_cells(1), other.arc_cells(1));
+  ASSERT_EQ(one.arcs().size(), other.arcs().size());
+  std::vector<std::uint32_t> met(one.arcs().size(), ~0u);  // the other's number of each arc
+  for (const Cell c : cells_of(one.map())) {
+    ASSERT_EQ(one.in_band(c), other.in_band(c));
+    if (!one.in_band(c)) continue;
+    const auto arcs = one.arcs_at(c.x, c.y), others = other.arcs_at(c.x, c.y);
+    ASSERT_EQ(arcs.size(), others.size()) << c.x << ' ' << c.y;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      ASSERT_LT(arcs[i], one.arcs().size());
+      ASSERT_EQ(one.arcs()[arcs[i]], other.arcs()[others[i]]);
+      if (met[arcs[i]] == ~0u) met[arcs[i]] = others[i];
+      ASSERT_EQ(met[arcs[i]], others[i]);
+    }
+  }
+  for (int i = 0; i < 20; ++i) {
+    const Point a = random_point(one.map(), random), b = random_point(one.map(), random);
+    ASSERT_EQ(one.joined(a, b), other.joined(a, b));
+    ASSERT_EQ(one.way_out(a), other.way_out(a));
+  }
+}
+
+TEST(DiscSpace, AFlippedOneIsAsAFreshOne) {
+  std::mt19937 random(4);
+  for (int round = 0; round < scaled(60); ++round) {
+    const double radius = random_radius(round % 6 == 0 ? 7 : 2.5, random);
+    const double size = 14 * radius + 20;
+    Grid grid = random_grid(static_cast<int>(size) + random_in(0, 90, random),
+                            static_cast<int>(size) + random_in(0, 90, random),
+                            random_in(0, 3, random) + (radius < 1 ? 15 : 0), random);
+    auto space = DiscSpace::make(grid, radius);
+    for (int edit = 0; edit < 12; ++edit) {
+      std::vector<Cell> cells;
+      for (int parts = random_in(1, 3, random); parts > 0; --parts) {
+        const Cell at = random_cell(grid, random);
+        const int side = random_in(1, 10, random), change = random_in(0, 2, random);
+        for (const Cell c : cells_of({at.x, at.y, side, random_in(1, 10, random)})) {
+          const bool blocked = change == 2 ? random_in(0, 3, random) == 0 : change == 1;
+          if (!grid.contains(c) || grid.blocked(c) == blocked) continue;
+          grid.set_blocked(c, blocked);
+          cells.push_back(c);
+        }
+      }
+      std::ranges::sort(cells, {}, [](Cell c) { return std::pair(c.y, c.x); });
+      const auto last = std::ranges::unique(cells).begin();
+      cells.erase(last, cells.end());
+      std::erase_if(cells, [&](Cell c) { return grid.blocked(c) == space->map().blocked(c); });
+      ASSERT_TRUE(space->flip(cells));
+      const auto fresh = DiscSpace::make(grid, radius);
+      expect_same(*space, *fresh, random);
+      if (HasFatalFailure()) FAIL() << "round " << round << ", edit " << edit << ", " << radius;
+      ASSERT_LT(space->bytes(), 2 * fresh->bytes() + 4096);
+    }
+  }
+}
+
 TEST(DiscSpace, RefusesRadiiOutOfRange) {
   const Grid grid(4, 4);
   for (const double radius : {0.0, 0.04, 54.1, -1.0, std::nan("")}) {
