@@ -9,6 +9,7 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
+#include "core/grid/changed_parts.h"
 #include "lasius/clearance.h"
 
 namespace lasius {
@@ -144,6 +145,29 @@ std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCo
     grown->set_row(y, words.data());
   }
   return grown;
+}
+
+bool regrow(const Grid& map, double radius, std::span<const Cell> changed, Grid& grown,
+            std::vector<Rectangle>& parts, const StopCondition& stop) {
+  const int reach = Growth(map, radius).reach();
+  const ChangedParts found = parts_of(changed, 2 * reach, map);
+  if (found.most) {
+    auto anew = grow_obstacles(map, radius, stop);
+    if (!anew) return false;
+    grown = *std::move(anew);
+    parts.push_back({0, 0, map.width(), map.height()});
+    return true;
+  }
+  for (const auto& part : found.parts) {
+    const Rectangle inner = widened(part.cells, reach, map), outer = widened(inner, reach, map);
+    const Grid around(outer.width, outer.height, map.bytes(outer, Nonzero::blocked),
+                      Nonzero::blocked);
+    const Grid anew = grow_obstacles(around, radius);
+    const Rectangle in_part{inner.x - outer.x, inner.y - outer.y, inner.width, inner.height};
+    grown.paste(inner, anew.bytes(in_part, Nonzero::blocked), Nonzero::blocked);
+    parts.push_back(inner);
+  }
+  return true;
 }
 
 }  // namespace lasius

@@ -3,13 +3,20 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
+
+/// Brings a grown map up to date where cells of the map have changed. False if stopped.
+/// @param parts  gets rectangles that hold all cells of `grown` that changed
+bool regrow(const Grid& map, double radius, std::span<const Cell> changed, Grid& grown,
+            std::vector<Rectangle>& parts, const StopCondition& stop);
 
 /// The largest whole number that is less than the square of a number of [0, 2^26], exactly.
 std::int64_t largest_below_square(double radius) noexcept;

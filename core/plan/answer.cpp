@@ -107,10 +107,7 @@ class Ends {
                               const std::optional<Cell>& other = {}) const {
     const StopCondition no_deadline{.token = token};
     Poller poller(no_deadline);
-    if (space_ != nullptr) {
-      const auto cells = clear_cells(*space_, poller, other);
-      return cells ? nearest_free(*cells, c, poller) : std::nullopt;
-    }
+    if (space_ != nullptr) return nearest_clear(*space_, c, poller, other);
     if (!other) return nearest_free(map_.grid, c, poller);
     const auto joined = [&](Cell at) {
       return map_.connected(*other, at, corners_).value_or(false);
@@ -120,8 +117,8 @@ class Ends {
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
     auto [fault, text] =
-        fault_of_end(map_.disc != nullptr ? map_.disc->map : map_.grid, at_start, c);
-    if (map_.disc == nullptr || map_.disc->map.blocked(c)) return {fault, text};
+        fault_of_end(map_.disc != nullptr ? map_.disc->map() : map_.grid, at_start, c);
+    if (map_.disc == nullptr || map_.disc->map().blocked(c)) return {fault, text};
     text.replace(
         text.find(" is blocked"), std::string::npos,
         " is nearer to what is blocked than the radius of " + number_text(map_.disc->radius));
@@ -284,7 +281,7 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
   if (result.path.empty()) return result;
   // Not to be cut short: a glance at the words along the path.
   const auto fault =
-      curved ? disc_path_fault(map.disc->map, map.disc->radius, result.path, result.curve)
+      curved ? disc_path_fault(map.disc->map(), map.disc->radius, result.path, result.curve)
              : path_fault(grid, result.path, corners);
   if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
   return result;
