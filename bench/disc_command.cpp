@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
 #include "core/exact/exact.h"
+#include "lasius/planner.h"
 
 namespace lasius::bench {
 namespace {
@@ -72,14 +74,59 @@ Times measure_queries(const QuerySet& set, const disc::DiscSpace& space,
   return times;
 }
 
-// The logarithms of a map's two ratios, where it had queries.
-struct Ratios {
+// Of 10 x 10 cells that are blocked or freed, microseconds, the median of some places: in place,
+// and as another Planner.
+struct EditTimes {
+  double space, planner;
+};
+
+EditTimes measure_edits(const Grid& map, const disc::DiscSpace& made, int rounds) {
+  constexpr int kPlaces = 15, kSide = 10;
+  std::mt19937 random(1);
+  const auto below = [&](int end) {
+    return static_cast<int>(random() % static_cast<unsigned>(end));
+  };
+  const Planner planner(map, Disc{made.asked_radius()});
+  disc::DiscSpace space = made;
+  std::vector<double> in_place, copied;
+  for (int place = 0; place < kPlaces; ++place) {
+    const int width = std::min(kSide, map.width()), height = std::min(kSide, map.height());
+    const Cell at{below(map.width() - width + 1), below(map.height() - height + 1)};
+    Grid edited = map;
+    edited.fill({at.x, at.y, width, height}, map.free(at));
+    std::vector<Cell> cells;
+    std::vector<Planner::Edit> edits;
+    for (int y = at.y; y < at.y + height; ++y) {
+      for (int x = at.x; x < at.x + width; ++x) {
+        cells.push_back({x, y});
+        edits.push_back({{x, y}, map.free(at)});
+      }
+    }
+    in_place.push_back(kInfinity);
+    for (int round = 0; round < rounds; ++round) {
+      const ThreadStopwatch watch;
+      space.update(edited, cells);
+      in_place.back() = std::min(in_place.back(), 1e6 * watch.seconds());
+      space.update(map, cells);
+    }
+    copied.push_back(least_microseconds(rounds, [&] { (void)planner.edited(edits); }));
+  }
+  std::ranges::sort(in_place);
+  std::ranges::sort(copied);
+  return {in_place[kPlaces / 2], copied[kPlaces / 2]};
+}
+
+// Sums over the maps of a radius: logarithms of the two ratios where there were queries, and what
+// their spaces cost.
+struct Sums {
   double scan = 0, graph = 0;
   int maps = 0;
+  double nanoseconds = 0, bytes = 0, edit = 0, planner = 0;  // logarithms, the first two of a cell
+  int spaces = 0;
 };
 
 void measure_map(const QuerySet& set, double radius, const DiscOptions& options, Table& table,
-                 Ratios& ratios) {
+                 Sums& sums) {
   std::optional<disc::DiscSpace> space;
   const double made =
       least_microseconds(options.rounds, [&] { space = disc::DiscSpace::make(set.grid, radius); });
@@ -94,14 +141,21 @@ void measure_map(const QuerySet& set, double radius, const DiscOptions& options,
   const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
   const double scan = times.scan / times.point;
   const double with_graph = graph != nullptr ? times.graph / times.point : kNaN;
+  const double bytes = static_cast<double>(space->bytes()) / cells;
+  const EditTimes edit = measure_edits(set.grid, *space, options.rounds);
   table.row(set.name + ' ' + number_text(radius),
             {1.0 * times.found, 1.0 * times.closed, times.point / times.found, scan, with_graph,
-             made / 1000, static_cast<double>(space->bytes()) / cells, prepared / 1000,
+             made / 1000, bytes, edit.space, edit.planner, prepared / 1000,
              graph != nullptr ? static_cast<double>(graph->edge_count()) : kNaN});
+  ++sums.spaces;
+  sums.nanoseconds += std::log(1000 * made / cells);
+  sums.bytes += std::log(bytes);
+  sums.edit += std::log(edit.space);
+  sums.planner += std::log(edit.planner);
   if (times.found == 0) return;
-  ratios.scan += std::log(scan);
-  ratios.graph += std::log(with_graph);
-  ++ratios.maps;
+  sums.scan += std::log(scan);
+  sums.graph += std::log(with_graph);
+  ++sums.maps;
 }
 
 void run_discs(const DiscOptions& options) {
@@ -109,18 +163,24 @@ void run_discs(const DiscOptions& options) {
                   " queries a map, processor time of one thread, least of " +
                   std::to_string(options.rounds) + " rounds.",
               {"map, radius", "found", "closed", "point, us", "scan / point", "graph / point",
-               "space, ms", "bytes a cell", "graph, ms", "edges"},
+               "space, ms", "bytes a cell", "edit, us", "edited, us", "graph, ms", "edges"},
               options.markdown);
   const auto sources = sources_of(options.maps, {options.markdown});
   std::string means;
   for (const double radius : options.radii) {
-    Ratios ratios;
+    Sums sums;
+    const auto mean = [](double logarithms, int count) {
+      return short_number(std::exp(logarithms / count));
+    };
     for (const QuerySource& source : sources)
-      measure_map(load(source, options.count), radius, options, table, ratios);
+      measure_map(load(source, options.count), radius, options, table, sums);
     means += "Radius " + number_text(radius) + ": geometric mean over " +
-             std::to_string(ratios.maps) + " maps " +
-             short_number(std::exp(ratios.scan / ratios.maps)) + ", with the graph " +
-             short_number(std::exp(ratios.graph / ratios.maps)) + ".\n";
+             std::to_string(sums.maps) + " maps " + mean(sums.scan, sums.maps) +
+             ", with the graph " + mean(sums.graph, sums.maps) + "; of all " +
+             std::to_string(sums.spaces) + ": a space in " + mean(sums.nanoseconds, sums.spaces) +
+             " ns and " + mean(sums.bytes, sums.spaces) +
+             " bytes a cell; an edit of 10 x 10 cells in " + mean(sums.edit, sums.spaces) +
+             " us, as another Planner in " + mean(sums.planner, sums.spaces) + " us.\n";
   }
   table.close(means);
 }

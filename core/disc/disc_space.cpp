@@ -8,6 +8,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/invalid_parameter.h"
 #include "core/disc/space_builder.h"
+#include "core/grid/changed_parts.h"
 #include "core/grid/grid_view.h"
 
 namespace lasius::disc {
@@ -70,45 +71,20 @@ DiscSpace::Box DiscSpace::box_of(unsigned walls, int x, int y) const noexcept {
   return box;
 }
 
-bool DiscSpace::flip(std::span<const Cell> cells, const StopCondition& stop) {
-  // Of cells named one after the other, as long as one rectangle costs less than two.
-  struct Part {
-    Rectangle cells;
-    std::size_t end;
-  };
-  const auto cost = [this](const Rectangle& part) {
-    const Rectangle window = SpaceBuilder::window(*this, part);
-    return std::int64_t{window.width} * window.height;
-  };
-  std::vector<Part> parts;
-  std::int64_t all = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Rectangle one{cells[i].x, cells[i].y, 1, 1};
-    const Rectangle& last = parts.empty() ? one : parts.back().cells;
-    const int left = std::min(last.x, one.x), top = std::min(last.y, one.y);
-    const Rectangle both{left, top, std::max(last.x + last.width, one.x + 1) - left,
-                         std::max(last.y + last.height, one.y + 1) - top};
-    if (parts.empty() || cost(both) > cost(last) + cost(one)) {
-      parts.push_back({one, i + 1});
-      all += cost(one);
-    } else {
-      all += cost(both) - cost(last);
-      parts.back() = {both, i + 1};
-    }
-  }
-  const auto flip = [&](std::size_t i) { map_.set_blocked(cells[i], map_.free(cells[i])); };
-  std::size_t next = 0;
-  if (2 * all > std::int64_t{map_.width()} * map_.height()) {
-    for (; next < cells.size(); ++next) flip(next);
-    auto made = make(std::move(map_), asked_radius_, stop);
+bool DiscSpace::update(const Grid& edited, std::span<const Cell> changed,
+                       const StopCondition& stop) {
+  const ChangedParts found = parts_of(changed, 2 * wall_, map_);
+  if (found.most) {
+    auto made = make(edited, asked_radius_, stop);
     if (made) *this = *std::move(made);
     return made.has_value();
   }
   Poller poller(stop);
   std::vector<Rectangle> blocked;
-  for (const Part& part : parts) {
-    for (; next < part.end; ++next) flip(next);
-    SpaceBuilder builder(*this, part.cells);
+  std::size_t next = 0;
+  for (const auto& [cells, end] : found.parts) {
+    for (; next < end; ++next) map_.set_blocked(changed[next], edited.blocked(changed[next]));
+    SpaceBuilder builder(*this, cells);
     if (!builder.run(poller)) return false;
     blocked.push_back(builder.changed_blocked());
   }

@@ -45,10 +45,11 @@ class DiscSpace {
     return make(Grid(grid), radius, stop);
   }
 
-  /// Blocks free cells of the map and frees blocked ones, each named once, and makes anew what is
-  /// within about twice the radius of them. All answers become those of a DiscSpace made for the
-  /// edited map; arcs are numbered in another order. False when stopped: then nothing may be asked.
-  bool flip(std::span<const Cell> cells, const StopCondition& stop = {});
+  /// Takes cells of the map as they are in an edited one of the same size, and makes anew what is
+  /// within about twice the radius of them; `changed` has all that differ, and may have others. All
+  /// answers become those of a DiscSpace made for the edited map; only arcs have other numbers.
+  /// False when stopped: then nothing may be asked.
+  bool update(const Grid& edited, std::span<const Cell> changed, const StopCondition& stop = {});
 
   /// That the disc is planned with: kRadiusMargin less than was asked for.
   double radius() const noexcept { return radius_; }
@@ -56,6 +57,8 @@ class DiscSpace {
   const Grid& map() const noexcept { return map_; }
   /// The cells without any free point, as a bitmap.
   const Grid& blocked_cells() const noexcept { return blocked_; }
+  /// The cells of the band, likewise.
+  const Grid& band_cells() const noexcept { return band_; }
   /// The cells of the band: some of their points are free, or all that are free lie on their edge.
   bool in_band(Cell c) const noexcept { return bit(band_, c.x, c.y); }
 

@@ -5,17 +5,11 @@
 #include <functional>
 
 #include "core/disc/grown_rows.h"
+#include "core/grid/changed_parts.h"
 
 namespace lasius::disc {
 
 namespace {
-
-Rectangle around(const Grid& grid, const Rectangle& part, int margin) noexcept {
-  const int left = std::max(0, part.x - margin), top = std::max(0, part.y - margin);
-  const int right = std::min(grid.width(), part.x + part.width + margin);
-  const int bottom = std::min(grid.height(), part.y + part.height + margin);
-  return {left, top, right - left, bottom - top};
-}
 
 Words words_of(const Rectangle& cells) noexcept {
   return {cells.y, cells.y + cells.height, cells.x >> 6, ((cells.x + cells.width - 1) >> 6) + 1};
@@ -32,12 +26,13 @@ std::uint64_t columns_in(const Rectangle& cells, int word) noexcept {
 }  // namespace
 
 SpaceBuilder::SpaceBuilder(DiscSpace& space)
-    : SpaceBuilder(space, around(space.map_, {}, Grid::kMaxSide), {},
-                   around(space.map_, {}, Grid::kMaxSide)) {}
+    : SpaceBuilder(space, {0, 0, space.map_.width(), space.map_.height()}, {},
+                   {0, 0, space.map_.width(), space.map_.height()}) {}
 
 SpaceBuilder::SpaceBuilder(DiscSpace& space, const Rectangle& changed)
-    : SpaceBuilder(space, around(space.map_, changed, space.wall_), window(space, changed),
-                   around(space.map_, changed, 3 * space.wall_)) {
+    : SpaceBuilder(space, widened(changed, space.wall_, space.map_),
+                   widened(changed, 2 * space.wall_, space.map_),
+                   widened(changed, 3 * space.wall_, space.map_)) {
   joined_anew_.resize(cells_.corners().corners().size());
 }
 
@@ -50,10 +45,6 @@ SpaceBuilder::SpaceBuilder(DiscSpace& space, const Rectangle& core, const Rectan
       cells_(space, words_of(corners)),
       bits_(static_cast<std::size_t>(core.height) *
             static_cast<std::size_t>(words_.last - words_.first)) {}
-
-Rectangle SpaceBuilder::window(const DiscSpace& space, const Rectangle& changed) noexcept {
-  return around(space.map_, changed, 2 * space.wall_);
-}
 
 bool SpaceBuilder::run(Poller& poller) {
   if (!look_at_core(poller)) return false;
@@ -236,7 +227,7 @@ void SpaceBuilder::close_gaps() {
 
 void SpaceBuilder::move_arc(std::uint32_t from, std::uint32_t to) {
   const Arc& arc = space_.arcs_[to] = space_.arcs_[from];
-  const Rectangle cells = around(space_.map_, {arc.x, arc.y, 0, 0}, space_.wall_);
+  const Rectangle cells = widened({arc.x, arc.y, 0, 0}, space_.wall_, space_.map_);
   const Grid& passed = space_.arc_cells(arc.type);
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
     for (int word = cells.x >> 6; word <= (cells.x + cells.width - 1) >> 6; ++word) {

@@ -25,9 +25,6 @@ class SpaceBuilder {
   /// Around the cells that became blocked in the space, or ceased to be; empty where none did.
   const Rectangle& changed_blocked() const noexcept { return changed_; }
 
-  /// The cells that are looked at where some change.
-  static Rectangle window(const DiscSpace& space, const Rectangle& changed) noexcept;
-
  private:
   SpaceBuilder(DiscSpace& space, const Rectangle& core, const Rectangle& window,
                const Rectangle& corners);

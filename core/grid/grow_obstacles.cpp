@@ -9,6 +9,7 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
+#include "core/grid/changed_parts.h"
 #include "lasius/clearance.h"
 
 namespace lasius {
@@ -150,6 +151,29 @@ std::optional<Grid> grow_obstacles(const Grid& grid, const Growth& growth,
     grown->set_row(y, words.data());
   }
   return grown;
+}
+
+bool regrow(const Grid& map, const Growth& growth, std::span<const Cell> changed, Grid& grown,
+            std::vector<Rectangle>& parts, const StopCondition& stop) {
+  const int reach = growth.reach();
+  const ChangedParts found = parts_of(changed, 2 * reach, map);
+  if (found.most) {
+    auto anew = grow_obstacles(map, growth, stop);
+    if (!anew) return false;
+    grown = *std::move(anew);
+    parts.push_back({0, 0, map.width(), map.height()});
+    return true;
+  }
+  for (const auto& part : found.parts) {
+    const Rectangle inner = widened(part.cells, reach, map), outer = widened(inner, reach, map);
+    const Grid around(outer.width, outer.height, map.bytes(outer, Nonzero::blocked),
+                      Nonzero::blocked);
+    const Grid anew = *grow_obstacles(around, growth, {});
+    const Rectangle in_part{inner.x - outer.x, inner.y - outer.y, inner.width, inner.height};
+    grown.paste(inner, anew.bytes(in_part, Nonzero::blocked), Nonzero::blocked);
+    parts.push_back(inner);
+  }
+  return true;
 }
 
 }  // namespace lasius

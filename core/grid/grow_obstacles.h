@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/grid/clearance.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -42,5 +44,10 @@ class Growth {
 /// All cells that are blocked then. Empty if stopped.
 std::optional<Grid> grow_obstacles(const Grid& grid, const Growth& growth,
                                    const StopCondition& stop);
+
+/// Brings a grown map up to date where cells of the map have changed. False if stopped.
+/// @param parts  gets rectangles that hold all cells of `grown` that changed
+bool regrow(const Grid& map, const Growth& growth, std::span<const Cell> changed, Grid& grown,
+            std::vector<Rectangle>& parts, const StopCondition& stop);
 
 }  // namespace lasius

@@ -35,8 +35,8 @@ using Taken = std::function<bool(Cell)>;
 
 /// The column nearest to x of a free cell of row y that is taken, the left one of two, or nothing
 /// where none is at most `most` columns away. x may lie outside.
-std::optional<int> nearest_in_row(const Grid& grid, int x, int y, double most, const Taken& taken) {
-  const std::uint64_t* row = grid.row(y);
+std::optional<int> nearest_in_row(const Grid& grid, const std::uint64_t* row, int x, int y,
+                                  double most, const Taken& taken) {
   const auto within = [&](int column) { return column >= 0 && std::abs(1.0 * column - x) <= most; };
   const auto good = [&](int column) { return !taken || taken({column, y}); };
   const int inside = std::clamp(x, 0, grid.width() - 1);
@@ -58,7 +58,8 @@ std::optional<int> nearest_in_row(const Grid& grid, int x, int y, double most, c
 
 }  // namespace
 
-std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller, const Taken& taken) {
+std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller, const Taken& taken,
+                                 const RowOfBits& row_of) {
   std::optional<Cell> best;
   std::uint64_t best_squared = std::numeric_limits<std::uint64_t>::max();
   // Rows outwards from the cell's own, the upper one first.
@@ -71,7 +72,8 @@ std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller, const
       if (y < 0 || y >= grid.height()) continue;
       // A column more: sums of large squares are rounded, and ties go to the upper row.
       const double most = best ? std::sqrt(static_cast<double>(best_squared - dy * dy)) + 1 : 1e10;
-      const auto x = nearest_in_row(grid, c.x, static_cast<int>(y), most, taken);
+      const int at = static_cast<int>(y);
+      const auto x = nearest_in_row(grid, row_of ? row_of(at) : grid.row(at), c.x, at, most, taken);
       if (poller.stop_after(grid.words())) return std::nullopt;
       if (!x) continue;
       const auto dx = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(*x) - c.x));

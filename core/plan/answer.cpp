@@ -119,10 +119,7 @@ class Ends {
                               const std::optional<Point>& other = {}) const {
     const StopCondition no_deadline{.token = token};
     Poller poller(no_deadline);
-    if (space_ != nullptr) {
-      const auto cells = clear_cells(*space_, poller, other);
-      return cells ? nearest_free(*cells, c, poller) : std::nullopt;
-    }
+    if (space_ != nullptr) return nearest_clear(*space_, c, poller, other);
     if (!other) return nearest_free(map_.grid, c, poller);
     const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
     return nearest_free(map_.grid, c, poller, leads_on);
@@ -141,8 +138,8 @@ class Ends {
   /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
   /// blocked than the start.
   std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
-    if (map_.disc == nullptr || map_.disc->map.blocked(start)) return std::nullopt;
-    const Grid& map = map_.disc->map;
+    if (map_.disc == nullptr || map_.disc->map().blocked(start)) return std::nullopt;
+    const Grid& map = map_.disc->map();
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
     const double clearance = segment_clearance(map, from, from, most);
@@ -162,8 +159,8 @@ class Ends {
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
     auto [fault, text] =
-        fault_of_end(map_.disc != nullptr ? map_.disc->map : map_.grid, at_start, c);
-    if (map_.disc == nullptr || map_.disc->map.blocked(c)) return {fault, text};
+        fault_of_end(map_.disc != nullptr ? map_.disc->map() : map_.grid, at_start, c);
+    if (map_.disc == nullptr || map_.disc->map().blocked(c)) return {fault, text};
     text.replace(
         text.find(" is blocked"), std::string::npos,
         " is nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
@@ -347,7 +344,7 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   // Not to be cut short: a glance at the words along the path.
   if (result.path.size() > 1) {
-    const auto fault = space != nullptr ? disc_path_fault(map.disc->map, map.disc->radius,
+    const auto fault = space != nullptr ? disc_path_fault(map.disc->map(), map.disc->radius,
                                                           result.path, result.curve)
                                         : path_fault(grid, result.path, corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);

@@ -18,9 +18,11 @@ namespace lasius {
 
 /// A map before it grew by a disc's radius, and where `exact` may go on it.
 struct DiscMap {
-  Grid map;
   double radius;
-  std::optional<disc::DiscSpace> space;  ///< nothing for a radius that there is none for
+  std::optional<disc::DiscSpace> space = {};  ///< nothing for a radius that there is none for
+  std::optional<Grid> alone = {};             ///< the map, where no space holds it
+
+  const Grid& map() const noexcept { return space ? space->map() : *alone; }
 };
 
 /// A map, and what its owner knows about it.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "core/disc/bit_rows.h"
@@ -101,21 +103,23 @@ class Judge {
 
 }  // namespace
 
-std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
-                                const std::optional<Point>& other) {
-  Grid cells = space.map();
-  for (int y = 0; y < cells.height(); ++y) {
-    if (poller.stop_after(cells.width())) return std::nullopt;
-    for (int x = 0; x < cells.width(); ++x) {
-      if (cells.blocked({x, y})) continue;
-      const Point at = centre({x, y});
-      const bool clear = space.blocked_cells().free({x, y}) &&
-                         (!space.in_band({x, y}) || space.clear(at)) &&
-                         (!other || space.joined(at, *other));
-      if (!clear) cells.set_blocked({x, y});
+std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& poller,
+                                  const std::optional<Point>& other) {
+  const Grid& blocked = space.blocked_cells();
+  std::vector<std::uint64_t> row(static_cast<std::size_t>(blocked.words()));
+  const auto clear_row = [&](int y) {
+    for (int i = 0; i < blocked.words(); ++i) {
+      row[i] = blocked.row(y)[i];
+      for (std::uint64_t left = space.band_cells().row(y)[i] & ~row[i]; left != 0;
+           left &= left - 1) {
+        if (!space.clear(centre({64 * i + std::countr_zero(left), y}))) row[i] |= left & (0 - left);
+      }
     }
-  }
-  return cells;
+    return row.data();
+  };
+  std::function<bool(Cell)> joined;
+  if (other) joined = [&](Cell at) { return space.joined(centre(at), centre(*other)); };
+  return nearest_free(blocked, c, poller, joined, clear_row);
 }
 
 // Row by row, run by run of blocked cells: those beside the part of the segment that is near the

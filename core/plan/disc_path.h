@@ -10,10 +10,10 @@
 
 namespace lasius {
 
-/// A map whose free cells are those whose centres are clear, of those the ones from which a disc
-/// can go to `other`, if given. Empty when stopped.
-std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
-                                const std::optional<Point>& other = {});
+/// The cell nearest to `c` whose centre is clear, of those from which a disc can go to `other`, if
+/// given; order and ends as of nearest_free().
+std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& poller,
+                                  const std::optional<Point>& other = {});
 
 /// The least distance from a segment to a blocked cell or the outside, at most `most` cells. Both
 /// ends lie on the map.

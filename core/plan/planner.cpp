@@ -12,7 +12,7 @@ namespace lasius {
 namespace {
 
 std::int64_t disc_bytes(const DiscMap& disc) noexcept {
-  return bitmap_bytes(disc.map) + (disc.space ? disc.space->bytes() : 0);
+  return disc.space ? disc.space->bytes() : bitmap_bytes(*disc.alone);
 }
 
 }  // namespace
@@ -33,15 +33,18 @@ std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
   if (robot.radius != 0) {
     grown = grow_obstacles(map, disc::growth(map, robot.radius), stop);
     if (!grown) return nullptr;
-    disc = std::make_shared<DiscMap>(DiscMap{Grid(1, 1), robot.radius, {}});
-    if (disc::has_space(robot.radius)) {
-      disc->space = disc::DiscSpace::make(map, robot.radius, stop);
-      if (!disc->space) return nullptr;
-    }
   }
   auto four = Components::make(grown ? *grown : map, Components::Connectivity::four, stop);
   if (!four) return nullptr;
-  if (disc != nullptr) disc->map = std::move(map);
+  if (grown) {
+    disc = std::make_shared<DiscMap>(DiscMap{robot.radius});
+    if (disc::has_space(robot.radius)) {
+      disc->space = disc::DiscSpace::make(std::move(map), robot.radius, stop);
+      if (!disc->space) return nullptr;
+    } else {
+      disc->alone = std::move(map);
+    }
+  }
   return std::make_shared<Impl>(grown ? std::move(*grown) : std::move(map), std::move(*four),
                                 std::move(excluded), std::move(closed), std::move(disc));
 }

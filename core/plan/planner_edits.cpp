@@ -5,6 +5,8 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
+#include "core/disc/disc_cells.h"
+#include "core/grid/grow_obstacles.h"
 #include "core/plan/planner_impl.h"
 
 namespace lasius {
@@ -41,19 +43,37 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> e
     now.set_blocked(c, true);
     shut.push_back(c);
   }
-  if (disc != nullptr)
-    return make(std::move(now), robot(), stop, std::move(directions), std::move(shut));
   std::vector<Cell> changed;
   const auto note = [&](Cell c) {
-    if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);
+    if (now.blocked(c) != map().blocked(c)) changed.push_back(c);
   };
   for (const Edit& edit : edits) note(edit.cell);
   for (const Cell c : closed) note(c);
   for (const Cell c : shut) note(c);
+  if (disc != nullptr)
+    return next_of_disc(std::move(now), changed, std::move(directions), std::move(shut), stop);
   auto components = four.updated(now, changed, stop);
   if (!components) return nullptr;
   return std::make_shared<const Impl>(std::move(now), std::move(*components), std::move(directions),
                                       std::move(shut));
+}
+
+std::shared_ptr<const Planner::Impl> Planner::Impl::next_of_disc(
+    Grid&& now, std::span<const Cell> changed, std::vector<Direction>&& directions,
+    std::vector<Cell>&& shut, const StopCondition& stop) const {
+  Grid grown = grid;
+  Components joined = four;
+  std::vector<Rectangle> parts;
+  if (!regrow(now, disc::growth(now, disc->radius), changed, grown, parts, stop)) return nullptr;
+  if (!joined.update(grown, parts, stop)) return nullptr;
+  auto next_disc = std::make_shared<DiscMap>(*disc);
+  if (next_disc->space) {
+    if (!next_disc->space->update(now, changed, stop)) return nullptr;
+  } else {
+    next_disc->alone = std::move(now);
+  }
+  return std::make_shared<const Impl>(std::move(grown), std::move(joined), std::move(directions),
+                                      std::move(shut), std::move(next_disc));
 }
 
 Planner Planner::edited(std::span<const Edit> edits) const { return *edited(edits, {}); }

@@ -52,12 +52,18 @@ class Planner::Impl {
   }
 
   /// The map as it was given, with what is excluded.
-  const Grid& map() const noexcept { return disc != nullptr ? disc->map : grid; }
+  const Grid& map() const noexcept { return disc != nullptr ? disc->map() : grid; }
   Disc robot() const noexcept { return {disc != nullptr ? disc->radius : 0}; }
 
   /// The next version: the map with some edits, and these directions excluded. Null when stopped.
   std::shared_ptr<const Impl> next(std::span<const Edit> edits, std::vector<Direction> directions,
                                    const StopCondition& stop) const;
+
+  /// The same of a disc; `changed` are the cells that differ.
+  std::shared_ptr<const Impl> next_of_disc(Grid&& now, std::span<const Cell> changed,
+                                           std::vector<Direction>&& directions,
+                                           std::vector<Cell>&& shut,
+                                           const StopCondition& stop) const;
 
   /// The rule of corners, of a disc its own.
   Corners rule(Corners asked) const noexcept { return corners_of(asked, robot()); }

@@ -226,6 +226,9 @@ class Discs(ProgramTest):
         rows = ["".join("@" if p == 0 else "." for p in pixels[30 * y:30 * y + 30]) for y in range(20)]
         self.judged(answer, 1.5, Judge(rows))
         length = 0
+        run = self.plan("--radius", "40", "--frame", "world", map_file="m.yaml", start="-1,2", goal="2,3")
+        self.assertEqual(run.code, 2)
+        self.assertIn("radius is 40 m, cells are 0.5 m; for exact a disc's radius is between 0.05 and 54 cells", run.err)
         for a, arc, b in pieces_of(answer["curve_world"]):
             length += math.dist(a, b) if arc is None else 0.75 * swept(a, arc, b)
         self.assertAlmostEqual(length, answer["length_m"], delta=1e-9)

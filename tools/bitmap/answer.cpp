@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lasius/error.h"
 #include "lasius/shortest_walk.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
@@ -64,10 +65,25 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   request.stop = stop;
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
-  answer.result = map.planner->plan(request, as_read(run.params), &workspace, observer);
+  in_metres_asked(map, run, [&] {
+    answer.result = map.planner->plan(request, as_read(run.params), &workspace, observer);
+  });
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum) add_optima(map, run, stop, answer);
   return answer;
+}
+
+void in_metres_asked(const LoadedMap& map, const RunOptions& run,
+                     const std::function<void()>& plan) {
+  try {
+    plan();
+  } catch (const Error& fault) {
+    if (!run.map.radius_metres || !fault.problem().starts_with("radius is ")) throw;
+    throw Error(fault.code(),
+                "radius is " + to_text(run.map.radius) + " m, cells are " +
+                    to_text(map.frame->resolution) + " m",
+                fault.remedy());
+  }
 }
 
 Route route_of(const LoadedMap& map, const RunOptions& run) {

@@ -1,6 +1,7 @@
 // One question answered, with all that a result records.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "lasius/batch.h"
@@ -37,6 +38,10 @@ void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& to
                 Answer& answer);
 /// The question, without what ends it.
 Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal);
+
+/// Plans; a radius that is refused is told in metres where it was given so.
+void in_metres_asked(const LoadedMap& map, const RunOptions& run,
+                     const std::function<void()>& plan);
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.

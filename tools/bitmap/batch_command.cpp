@@ -111,7 +111,8 @@ int run_command(const BatchCommand& command) {
       task.take(std::move(answer));
       take(task.end_texts(), task.result().path);
     };
-    plan_batch(*map.planner, part, as_read(run.params), how, receive);
+    in_metres_asked(map, run,
+                    [&] { plan_batch(*map.planner, part, as_read(run.params), how, receive); });
   };
   // Optima are asked beside each part, so that answers still stream.
   const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {

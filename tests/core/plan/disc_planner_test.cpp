@@ -294,6 +294,43 @@ TEST(DiscPlanner, AnEditedMapIsPlannedAnew) {
   EXPECT_EQ(shut.allow(std::span(&ahead, 1)).grid(), before.grid());
 }
 
+TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
+  std::mt19937 random(6);
+  int found = 0;
+  for (int round = 0; round < 20; ++round) {
+    const double radius = round % 10 == 9 ? 60 : disc::random_radius(4, random);
+    Grid grid = random_grid(150 + random_in(0, 60, random), 150, 1, random);
+    Planner planner(grid, Disc{radius});
+    for (int edit = 0; edit < 5; ++edit) {
+      std::vector<Planner::Edit> edits;
+      const Cell at = random_cell(grid, random);
+      for (const Cell c : cells_of({at.x, at.y, 10, 10})) {
+        if (grid.contains(c)) edits.push_back({c, random_in(0, 2, random) == edit % 2});
+      }
+      edits.push_back({random_cell(grid, random), edit % 2 == 0});
+      for (const auto& one : edits) grid.set_blocked(one.cell, one.blocked);
+      planner = planner.edited(edits);
+      const Planner fresh(grid, Disc{radius});
+      ASSERT_EQ(planner.grid(), grid);
+      ASSERT_EQ(planner.passable(), fresh.passable());
+      ASSERT_EQ(planner.components(), fresh.components());
+      if (round % 10 == 9) continue;
+      const bool graphs = edit == 4 && radius > 1;
+      const Planner prepared = graphs ? planner.prepared({}) : planner;
+      const Planner fresh_prepared = graphs ? fresh.prepared({}) : fresh;
+      ASSERT_EQ(prepared.preparation().edges, fresh_prepared.preparation().edges);
+      for (int i = 0; i < 6; ++i) {
+        const Request request{random_cell(grid, random), random_cell(grid, random)};
+        const Result result = fresh.plan(request);
+        EXPECT_TRUE(same(planner.plan(request), result));
+        EXPECT_TRUE(same(prepared.plan(request), fresh_prepared.plan(request)));
+        found += result.curve.size() > 1;
+      }
+    }
+  }
+  EXPECT_GT(found, 100);
+}
+
 TEST(DiscPlanner, IsStopped) {
   std::stop_source stop;
   stop.request_stop();
