@@ -32,36 +32,32 @@ constexpr std::int64_t kGlance = 16;
 struct DiscSearch::Sink {
   DiscSearch& search;
   const Label from;
-  Label found = {};
 
-  // Leaves the label in `found`.
-  bool wants(const Seen& seen) {
-    return wants(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length,
-                 seen.arrives);
+  // A line that is not certain is looked along when its label is the best one.
+  void take(const Seen& seen) {
+    take(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length, seen.arrives,
+         Label::Line::unknown);
   }
-  bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way,
-             Point arrives) {
+  void take(std::uint32_t arc, bool rising, Normal normal, double angle, double way, Point arrives,
+            Label::Line line) {
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
       length += search.space_->radius() * std::abs(angle - from.angle);
-    found = {.length = length,
-             .angle = angle,
-             .normal = normal,
-             .arc = arc,
-             .parent = search.in_hand_,
-             .rising = rising};
-    if (search.labels_.dominated(found)) return false;
-    found.to_goal = distance(arrives, search.goal_);
-    return length + found.to_goal < search.upper_;
-  }
-  void take() {
+    const double to_goal = distance(arrives, search.goal_);
+    if (length + to_goal >= search.upper_) return;
+    const Label found{.length = length,
+                      .to_goal = to_goal,
+                      .angle = angle,
+                      .normal = normal,
+                      .arc = arc,
+                      .parent = search.in_hand_,
+                      .rising = rising,
+                      .line = line};
+    if (search.dominated(found)) return;
     const std::uint32_t number = search.labels_.add(found);
-    const double key = found.length + found.to_goal;
-    search.frontier_.push(number, key);
-    if (search.weighted_on_)
-      search.weighted_frontier_.push(number, found.length + kWeight * found.to_goal);
+    search.frontier_.push(number, length + to_goal);
+    if (search.weighted_on_) search.weighted_frontier_.push(number, length + kWeight * to_goal);
   }
-  void take(const Seen&) { take(); }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
     return limits_around<S>(view_of(search.space_->map()), search.leaves_, search.goal_,
@@ -77,8 +73,8 @@ struct DiscSearch::Sink {
 struct DiscSearch::GoalSink {
   DiscSearch& search;
 
-  bool wants(const Seen&) const noexcept { return true; }
   void take(const Seen& seen) {
+    if (!search.space_->sees(seen.leaves, seen.arrives)) return;
     search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, seen.normal,
                                                            seen.normal.angle(), seen.length};
   }
@@ -154,7 +150,7 @@ bool DiscSearch::follow(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   const Root root = Root::on(*space_, label.arc, label.rising, label.normal);
   if (goal_looks_ == 0 ? meets_goal(number, root) : exits(number)) return false;
-  const std::uint32_t next = labels_.ahead(label);
+  const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   const double last = next != Labels::kStart ? labels_[next].angle : label.rising ? kInfinity : -1;
   Sink sink{*this, label};
   for (const GraphEdge& edge : graph_->edges(label.arc, label.rising)) {
@@ -166,7 +162,8 @@ bool DiscSearch::follow(std::uint32_t number) {
     const Point leaves = root.leaves(n);
     const Point arrives{leaves.x + root.heading.right * (n.b * line.length),
                         leaves.y + root.heading.down * (n.a * line.length)};
-    if (sink.wants(edge.to(), edge.rising(), n, edge.angle, line.length, arrives)) sink.take();
+    sink.take(edge.to(), edge.rising(), n, edge.angle, line.length, arrives,
+              Label::Line::free);
   }
   return false;
 }
@@ -175,7 +172,7 @@ bool DiscSearch::follow(std::uint32_t number) {
 bool DiscSearch::leave(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   Root root = Root::on(*space_, label.arc, label.rising, label.normal);
-  const std::uint32_t next = labels_.ahead(label);
+  const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   if (next != Labels::kStart) root.to = labels_[next].normal;
   if (meets_goal(number, root)) return false;  // every other way on from here is longer
   Sink sink{*this, label};
@@ -224,6 +221,30 @@ void DiscSearch::expand(std::uint32_t number) {
   if (weighted_on_) weighted_frontier_.push(number, horizon + (kWeight - 1) * again.to_goal);
 }
 
+// Is the line to a label free? Looks along it once.
+bool DiscSearch::reached(std::uint32_t number) {
+  Label& label = labels_[number];
+  if (label.line == Label::Line::unknown) {
+    const double radius = space_->radius();
+    const Label& parent = labels_[label.parent];
+    const Point from = label.parent == Labels::kStart
+                           ? start_
+                           : point_on(space_->arcs()[parent.arc], label.normal, radius);
+    const Point to = point_on(space_->arcs()[label.arc], label.normal, radius);
+    label.line = space_->sees(from, to) ? Label::Line::free : Label::Line::blocked;
+  }
+  return label.line == Label::Line::free;
+}
+
+bool DiscSearch::dominated(const Label& label, std::uint32_t number) {
+  return labels_.dominated(label, number, [this](std::uint32_t i) { return reached(i); });
+}
+
+// Is a label still of use, and reached?
+bool DiscSearch::matters(std::uint32_t number) {
+  return number == Labels::kStart || (!dominated(labels_[number], number) && reached(number));
+}
+
 // Takes the best label of the frontier; false when none can lead to a shorter path, or stopped.
 bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
   while (frontier_.advance(poller)) {
@@ -234,7 +255,7 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
     number = frontier_.pop();
     const Label& label = labels_[number];
     if (!label.expanded && label.length + label.to_goal < upper_ &&
-        (number == Labels::kStart || !labels_.dominated(label, number)))
+        matters(number))
       return true;
     if (poller.stop_after(1)) return false;
   }
@@ -261,6 +282,7 @@ void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
     Label& label = labels_[number];
     if (label.weighed || label.expanded) continue;
     label.weighed = true;
+    if (!matters(number)) continue;
     expand(number);
     poller.stop_after(kWordsPerExpansion);
   }

@@ -59,6 +59,9 @@ class DiscSearch {
   bool follow(std::uint32_t number);
   bool exits(std::uint32_t number);
   void look_from_goal();
+  bool reached(std::uint32_t number);
+  bool dominated(const Label& label, std::uint32_t number = ~std::uint32_t{0});
+  bool matters(std::uint32_t number);
   double ahead(int scans) const noexcept;
   bool tell_improvement(const Poller* poller);
 

@@ -46,7 +46,7 @@ struct Root {
   }
 };
 
-/// An arc in sight, and the line to it.
+/// An arc that is perhaps in sight, and the line to it.
 struct Seen {
   std::uint32_t arc;
   bool rising;    ///< how its fraction changes along a path that turns around it
@@ -85,8 +85,7 @@ class ViewMemory {
 };
 
 /// A Sink has
-///   bool wants(const Seen&)  before it is known whether the arc is in sight
-///   void take(const Seen&)   then
+///   void take(const Seen&)
 ///   template <int S> kernels::ConeLimits limits(int down, int line0)
 ///   bool go_on(std::int64_t words).
 template <class Sink>
@@ -235,8 +234,7 @@ class View {
     const Point leaves = root.leaves(line.normal);
     const double x = root.heading.right * (line.normal.b * line.length);
     const double y = root.heading.down * (line.normal.a * line.length);
-    const Seen seen{number, rising, line.normal, line.length, leaves, {leaves.x + x, leaves.y + y}};
-    if (sink_.wants(seen) && space_.sees(seen.leaves, seen.arrives)) sink_.take(seen);
+    sink_.take({number, rising, line.normal, line.length, leaves, {leaves.x + x, leaves.y + y}});
   }
 
   // An arc that the last ray along a wall touches at its quadrant's edge; it is met with its
