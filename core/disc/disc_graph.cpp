@@ -72,6 +72,7 @@ class DiscGraph::Builder {
       const Grid& map = space.map();
       return kernels::whole_map<S>(view_of(map), down > 0 ? map.height() - line0 : line0);
     }
+    bool beyond(Point) const noexcept { return false; }
     bool go_on(std::int64_t words) { return !worker.poller.stop_after(words); }
   };
 

@@ -63,6 +63,9 @@ struct DiscSearch::Sink {
     return limits_around<S>(view_of(search.space_->map()), search.leaves_, search.goal_,
                             search.horizon_ - from.length, down, line0);
   }
+  bool beyond(Point p) const noexcept {
+    return from.length + distance(search.leaves_, p) + distance(p, search.goal_) >= search.horizon_;
+  }
   bool go_on(std::int64_t words) {
     search.counters_.words += words;
     return !search.poller_->stop_after(words);
@@ -74,9 +77,8 @@ struct DiscSearch::GoalSink {
   DiscSearch& search;
 
   void take(const Seen& seen) {
-    if (!search.space_->sees(seen.leaves, seen.arrives)) return;
-    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, seen.normal,
-                                                           seen.normal.angle(), seen.length};
+    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {
+        search.exit_stamp_, false, seen.normal, seen.normal.angle(), seen.length};
   }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
@@ -112,9 +114,15 @@ void DiscSearch::look_from_goal() {
 // Does the goal see the arc of a label, where it turns on? Every other way on is longer then.
 bool DiscSearch::exits(std::uint32_t number) {
   const Label& label = labels_[number];
-  const Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
+  Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
   const double turned = label.rising ? exit.angle - label.angle : label.angle - exit.angle;
   if (exit.stamp != exit_stamp_ || turned < -kSlack) return false;
+  if (!exit.free) {
+    const Point leaves = point_on(space_->arcs()[label.arc], exit.normal, space_->radius());
+    exit.free = space_->sees(leaves, goal_);
+    if (!exit.free) exit.stamp = 0;
+    if (!exit.free) return false;
+  }
   const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
   if (length < upper_) {
     upper_ = length;
@@ -145,7 +153,7 @@ bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
   return true;
 }
 
-// Goes on along edges of the graph.
+// Goes on along edges of the graph. Returns whether some were left out at the horizon.
 bool DiscSearch::follow(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   const Root root = Root::on(*space_, label.arc, label.rising, label.normal);
@@ -153,19 +161,31 @@ bool DiscSearch::follow(std::uint32_t number) {
   const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   const double last = next != Labels::kStart ? labels_[next].angle : label.rising ? kInfinity : -1;
   Sink sink{*this, label};
+  const double radius = space_->radius(), across = 4 * radius * radius;
+  const double to_goal_x = goal_.x - root.x, to_goal_y = goal_.y - root.y;
+  const double most = horizon_ + radius - label.length;
+  bool cut_off = false;
   for (const GraphEdge& edge : graph_->edges(label.arc, label.rising)) {
     if (label.rising ? edge.angle < label.angle - kSlack : edge.angle > label.angle + kSlack) break;
     if (label.rising ? edge.angle > last : edge.angle < last) continue;
+    // The least that a path over it can have: to the target's circle, and from its centre.
+    const double x = edge.dx, y = edge.dy;
+    const double square = std::max(0.0, x * x + y * y - (edge.across() ? across : 0));
+    const double least = radius * std::abs(edge.angle - label.angle) + std::sqrt(square) +
+                         distance({x, y}, {to_goal_x, to_goal_y});
+    if (least > most) {
+      cut_off = true;
+      continue;
+    }
     const Tangent line = tangent(root.heading.right * edge.dx, root.heading.down * edge.dy,
                                  edge.across() ? 2 * root.offset : 0);
     const Normal n = line.normal;
     const Point leaves = root.leaves(n);
     const Point arrives{leaves.x + root.heading.right * (n.b * line.length),
                         leaves.y + root.heading.down * (n.a * line.length)};
-    sink.take(edge.to(), edge.rising(), n, edge.angle, line.length, arrives,
-              Label::Line::free);
+    sink.take(edge.to(), edge.rising(), n, edge.angle, line.length, arrives, Label::Line::free);
   }
-  return false;
+  return cut_off;
 }
 
 // Returns whether rays were cut off at the horizon.

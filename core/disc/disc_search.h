@@ -43,6 +43,7 @@ class DiscSearch {
   // Where an arc is left straight for the goal, by arc and turn.
   struct Exit {
     std::uint32_t stamp = 0;
+    bool free = false;  // the line was looked along
     Normal normal;
     double angle, length;
   };

@@ -15,6 +15,7 @@ struct DiscSpace::Segment {
   double across;  // columns a row
   double least;   // of the square of what it has to pass circles' centres by, times its own
   double square;  // of its length
+  bool clear_ends;
   mutable std::uint32_t passed = ~std::uint32_t{0};  // the arc compared last
   double at(double row) const noexcept {
     return row <= from.y ? from.x : row >= to.y ? to.x : from.x + (row - from.y) * across;
@@ -35,7 +36,11 @@ bool DiscSpace::keeps_cell(const Segment& segment, int x, int y, double left,
     const double beside = to_x * segment.y - to_y * segment.x;
     if (beside * beside >= segment.least) continue;
     const double along = to_x * segment.x + to_y * segment.y;
-    if (along > 0 && along < segment.square) return false;  // its ends are clear
+    if (along > 0 && along < segment.square) return false;
+    if (segment.clear_ends) continue;
+    const double end_x = along > 0 ? to_x - segment.x : to_x;
+    const double end_y = along > 0 ? to_y - segment.y : to_y;
+    if ((end_x * end_x + end_y * end_y) * segment.square < segment.least) return false;
   }
   constexpr std::uint32_t kNoWalls = (1u << 24) - 1;
   if ((cell.box_and_count & kNoWalls) == kNoWalls) return true;
@@ -74,12 +79,13 @@ bool DiscSpace::keeps_row(const Segment& segment, int y, double low_x,
   return true;
 }
 
-bool DiscSpace::sees(Point a, Point b) const noexcept {
+bool DiscSpace::keeps(Point a, Point b, bool clear_ends) const noexcept {
   if (a.y > b.y) std::swap(a, b);
   const double x = b.x - a.x, y = b.y - a.y;
   const double limit = radius_ - kSlack;
   const Segment segment{
-      a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y};
+      a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y,
+      clear_ends};
   const int first = std::clamp(static_cast<int>(a.y), 0, map_.height() - 1);
   const int beyond = static_cast<int>(b.y);
   const int last = std::max(first, std::min(map_.height() - 1, beyond < b.y ? beyond : beyond - 1));
