@@ -153,11 +153,16 @@ bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
   return true;
 }
 
+// Asks the goal's view, if there is one. A label of the weighted search may be past its horizon.
+bool DiscSearch::leads_to_goal(std::uint32_t number, const Root& root) {
+  return goal_looks_ == 0 || weighing_ ? meets_goal(number, root) : exits(number);
+}
+
 // Goes on along edges of the graph. Returns whether some were left out at the horizon.
 bool DiscSearch::follow(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   const Root root = Root::on(*space_, label.arc, label.rising, label.normal);
-  if (goal_looks_ == 0 ? meets_goal(number, root) : exits(number)) return false;
+  if (leads_to_goal(number, root)) return false;
   const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   const double last = next != Labels::kStart ? labels_[next].angle : label.rising ? kInfinity : -1;
   Sink sink{*this, label};
@@ -194,7 +199,7 @@ bool DiscSearch::leave(std::uint32_t number) {
   Root root = Root::on(*space_, label.arc, label.rising, label.normal);
   const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   if (next != Labels::kStart) root.to = labels_[next].normal;
-  if (meets_goal(number, root)) return false;  // every other way on from here is longer
+  if (leads_to_goal(number, root)) return false;  // every other way on from here is longer
   Sink sink{*this, label};
   View<Sink> view(*space_, view_, sink);
   leaves_ = root.leaves(root.from);
@@ -286,7 +291,7 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
 // Paths over arcs that the goal sees only past its horizon are longer than that. False when
 // stopped: what the goal saw then is not all.
 bool DiscSearch::look_as_far_as(double length, Poller& poller) {
-  while (graph_ != nullptr && goal_looks_ > 0 && length > goal_horizon_ && goal_horizon_ < upper_) {
+  while (goal_looks_ > 0 && length > goal_horizon_ && goal_horizon_ < upper_) {
     lower_ = std::max(lower_, goal_horizon_);
     look_from_goal();
     if (poller.stopped()) return false;
@@ -295,6 +300,7 @@ bool DiscSearch::look_as_far_as(double length, Poller& poller) {
 }
 
 void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
+  weighing_ = true;
   for (;
        steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance(poller);
        --steps) {
@@ -306,6 +312,7 @@ void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
     expand(number);
     poller.stop_after(kWordsPerExpansion);
   }
+  weighing_ = false;
   weighted_on_ = upper_ == kInfinity;
 }
 
@@ -325,7 +332,7 @@ StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller
   bool go_on = tell_improvement(&poller);
   while (go_on && !poller.stopped() && next_label(number, poller)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
-    if (graph_ != nullptr && goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
+    if (goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
     expand(number);
     poller.stop_after(kWordsPerExpansion);
     go_on = tell_improvement(&poller);

@@ -56,6 +56,7 @@ class DiscSearch {
   void expand(std::uint32_t number);
   bool leave(std::uint32_t number);
   bool leave_start();
+  bool leads_to_goal(std::uint32_t number, const Root& root);
   bool meets_goal(std::uint32_t number, const Root& root);
   bool follow(std::uint32_t number);
   bool exits(std::uint32_t number);
@@ -81,7 +82,8 @@ class DiscSearch {
   int goal_looks_ = 0;
   std::uint32_t exit_stamp_ = 0;
   std::vector<Exit> exits_;
-  bool weighted_on_ = false;
+  bool weighted_on_ = false;  // until there is a path
+  bool weighing_ = false;     // the weighted search expands
   exact::Improvements improvements_;
   Labels labels_;
   BucketQueue frontier_, weighted_frontier_;
