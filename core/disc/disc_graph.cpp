@@ -56,8 +56,8 @@ class DiscGraph::Builder {
     const Arc& from;
     double radius;
 
-    bool wants(const Seen&) const noexcept { return true; }
     void take(const Seen& seen) {
+      if (!space.sees(seen.leaves, seen.arrives)) return;
       const Arc& to = space.arcs()[seen.arc];
       // Lines that do not cross are as long as the centres are apart.
       const double x = to.x - from.x, y = to.y - from.y;
@@ -72,6 +72,7 @@ class DiscGraph::Builder {
       const Grid& map = space.map();
       return kernels::whole_map<S>(view_of(map), down > 0 ? map.height() - line0 : line0);
     }
+    bool beyond(Point) const noexcept { return false; }
     bool go_on(std::int64_t words) { return !worker.poller.stop_after(words); }
   };
 

@@ -32,40 +32,39 @@ constexpr std::int64_t kGlance = 16;
 struct DiscSearch::Sink {
   DiscSearch& search;
   const Label from;
-  Label found = {};
 
-  // Leaves the label in `found`.
-  bool wants(const Seen& seen) {
-    return wants(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length,
-                 seen.arrives);
+  // A line that is not certain is looked along when its label is the best one.
+  void take(const Seen& seen) {
+    take(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length, seen.arrives,
+         Label::Line::unknown);
   }
-  bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way,
-             Point arrives) {
+  void take(std::uint32_t arc, bool rising, Normal normal, double angle, double way, Point arrives,
+            Label::Line line) {
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
       length += search.space_->radius() * std::abs(angle - from.angle);
-    found = {.length = length,
-             .angle = angle,
-             .normal = normal,
-             .arc = arc,
-             .parent = search.in_hand_,
-             .rising = rising};
-    if (search.labels_.dominated(found)) return false;
-    found.to_goal = distance(arrives, search.goal_);
-    return length + found.to_goal < search.upper_;
-  }
-  void take() {
+    const double to_goal = distance(arrives, search.goal_);
+    if (length + to_goal >= search.upper_) return;
+    const Label found{.length = length,
+                      .to_goal = to_goal,
+                      .angle = angle,
+                      .normal = normal,
+                      .arc = arc,
+                      .parent = search.in_hand_,
+                      .rising = rising,
+                      .line = line};
+    if (search.dominated(found)) return;
     const std::uint32_t number = search.labels_.add(found);
-    const double key = found.length + found.to_goal;
-    search.frontier_.push(number, key);
-    if (search.weighted_on_)
-      search.weighted_frontier_.push(number, found.length + kWeight * found.to_goal);
+    search.frontier_.push(number, length + to_goal);
+    if (search.weighted_on_) search.weighted_frontier_.push(number, length + kWeight * to_goal);
   }
-  void take(const Seen&) { take(); }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
     return limits_around<S>(view_of(search.space_->map()), search.leaves_, search.goal_,
                             search.horizon_ - from.length, down, line0);
+  }
+  bool beyond(Point p) const noexcept {
+    return from.length + distance(search.leaves_, p) + distance(p, search.goal_) >= search.horizon_;
   }
   bool go_on(std::int64_t words) {
     search.counters_.words += words;
@@ -77,10 +76,9 @@ struct DiscSearch::Sink {
 struct DiscSearch::GoalSink {
   DiscSearch& search;
 
-  bool wants(const Seen&) const noexcept { return true; }
   void take(const Seen& seen) {
-    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, seen.normal,
-                                                           seen.normal.angle(), seen.length};
+    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {
+        search.exit_stamp_, false, seen.normal, seen.normal.angle(), seen.length};
   }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
@@ -116,9 +114,15 @@ void DiscSearch::look_from_goal() {
 // Does the goal see the arc of a label, where it turns on? Every other way on is longer then.
 bool DiscSearch::exits(std::uint32_t number) {
   const Label& label = labels_[number];
-  const Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
+  Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
   const double turned = label.rising ? exit.angle - label.angle : label.angle - exit.angle;
   if (exit.stamp != exit_stamp_ || turned < -kSlack) return false;
+  if (!exit.free) {
+    const Point leaves = point_on(space_->arcs()[label.arc], exit.normal, space_->radius());
+    exit.free = space_->sees(leaves, goal_);
+    if (!exit.free) exit.stamp = 0;
+    if (!exit.free) return false;
+  }
   const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
   if (length < upper_) {
     upper_ = length;
@@ -149,35 +153,53 @@ bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
   return true;
 }
 
-// Goes on along edges of the graph.
+// Asks the goal's view, if there is one. A label of the weighted search may be past its horizon.
+bool DiscSearch::leads_to_goal(std::uint32_t number, const Root& root) {
+  return goal_looks_ == 0 || weighing_ ? meets_goal(number, root) : exits(number);
+}
+
+// Goes on along edges of the graph. Returns whether some were left out at the horizon.
 bool DiscSearch::follow(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   const Root root = Root::on(*space_, label.arc, label.rising, label.normal);
-  if (goal_looks_ == 0 ? meets_goal(number, root) : exits(number)) return false;
-  const std::uint32_t next = labels_.ahead(label);
+  if (leads_to_goal(number, root)) return false;
+  const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   const double last = next != Labels::kStart ? labels_[next].angle : label.rising ? kInfinity : -1;
   Sink sink{*this, label};
+  const double radius = space_->radius(), across = 4 * radius * radius;
+  const double to_goal_x = goal_.x - root.x, to_goal_y = goal_.y - root.y;
+  const double most = horizon_ + radius - label.length;
+  bool cut_off = false;
   for (const GraphEdge& edge : graph_->edges(label.arc, label.rising)) {
     if (label.rising ? edge.angle < label.angle - kSlack : edge.angle > label.angle + kSlack) break;
     if (label.rising ? edge.angle > last : edge.angle < last) continue;
+    // The least that a path over it can have: to the target's circle, and from its centre.
+    const double x = edge.dx, y = edge.dy;
+    const double square = std::max(0.0, x * x + y * y - (edge.across() ? across : 0));
+    const double least = radius * std::abs(edge.angle - label.angle) + std::sqrt(square) +
+                         distance({x, y}, {to_goal_x, to_goal_y});
+    if (least > most) {
+      cut_off = true;
+      continue;
+    }
     const Tangent line = tangent(root.heading.right * edge.dx, root.heading.down * edge.dy,
                                  edge.across() ? 2 * root.offset : 0);
     const Normal n = line.normal;
     const Point leaves = root.leaves(n);
     const Point arrives{leaves.x + root.heading.right * (n.b * line.length),
                         leaves.y + root.heading.down * (n.a * line.length)};
-    if (sink.wants(edge.to(), edge.rising(), n, edge.angle, line.length, arrives)) sink.take();
+    sink.take(edge.to(), edge.rising(), n, edge.angle, line.length, arrives, Label::Line::free);
   }
-  return false;
+  return cut_off;
 }
 
 // Returns whether rays were cut off at the horizon.
 bool DiscSearch::leave(std::uint32_t number) {
   const Label label = labels_[number];  // labels may move from here on
   Root root = Root::on(*space_, label.arc, label.rising, label.normal);
-  const std::uint32_t next = labels_.ahead(label);
+  const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   if (next != Labels::kStart) root.to = labels_[next].normal;
-  if (meets_goal(number, root)) return false;  // every other way on from here is longer
+  if (leads_to_goal(number, root)) return false;  // every other way on from here is longer
   Sink sink{*this, label};
   View<Sink> view(*space_, view_, sink);
   leaves_ = root.leaves(root.from);
@@ -224,6 +246,30 @@ void DiscSearch::expand(std::uint32_t number) {
   if (weighted_on_) weighted_frontier_.push(number, horizon + (kWeight - 1) * again.to_goal);
 }
 
+// Is the line to a label free? Looks along it once.
+bool DiscSearch::reached(std::uint32_t number) {
+  Label& label = labels_[number];
+  if (label.line == Label::Line::unknown) {
+    const double radius = space_->radius();
+    const Label& parent = labels_[label.parent];
+    const Point from = label.parent == Labels::kStart
+                           ? start_
+                           : point_on(space_->arcs()[parent.arc], label.normal, radius);
+    const Point to = point_on(space_->arcs()[label.arc], label.normal, radius);
+    label.line = space_->sees(from, to) ? Label::Line::free : Label::Line::blocked;
+  }
+  return label.line == Label::Line::free;
+}
+
+bool DiscSearch::dominated(const Label& label, std::uint32_t number) {
+  return labels_.dominated(label, number, [this](std::uint32_t i) { return reached(i); });
+}
+
+// Is a label still of use, and reached?
+bool DiscSearch::matters(std::uint32_t number) {
+  return number == Labels::kStart || (!dominated(labels_[number], number) && reached(number));
+}
+
 // Takes the best label of the frontier; false when none can lead to a shorter path, or stopped.
 bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
   while (frontier_.advance(poller)) {
@@ -234,7 +280,7 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
     number = frontier_.pop();
     const Label& label = labels_[number];
     if (!label.expanded && label.length + label.to_goal < upper_ &&
-        (number == Labels::kStart || !labels_.dominated(label, number)))
+        matters(number))
       return true;
     if (poller.stop_after(1)) return false;
   }
@@ -245,7 +291,7 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
 // Paths over arcs that the goal sees only past its horizon are longer than that. False when
 // stopped: what the goal saw then is not all.
 bool DiscSearch::look_as_far_as(double length, Poller& poller) {
-  while (graph_ != nullptr && goal_looks_ > 0 && length > goal_horizon_ && goal_horizon_ < upper_) {
+  while (goal_looks_ > 0 && length > goal_horizon_ && goal_horizon_ < upper_) {
     lower_ = std::max(lower_, goal_horizon_);
     look_from_goal();
     if (poller.stopped()) return false;
@@ -254,6 +300,7 @@ bool DiscSearch::look_as_far_as(double length, Poller& poller) {
 }
 
 void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
+  weighing_ = true;
   for (;
        steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance(poller);
        --steps) {
@@ -261,9 +308,11 @@ void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
     Label& label = labels_[number];
     if (label.weighed || label.expanded) continue;
     label.weighed = true;
+    if (!matters(number)) continue;
     expand(number);
     poller.stop_after(kWordsPerExpansion);
   }
+  weighing_ = false;
   weighted_on_ = upper_ == kInfinity;
 }
 
@@ -285,7 +334,7 @@ StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller
   bool go_on = tell_improvement(&poller);
   while (go_on && !poller.stopped() && next_label(number, poller)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
-    if (graph_ != nullptr && goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
+    if (goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
     expand(number);
     poller.stop_after(kWordsPerExpansion);
     go_on = tell_improvement(&poller);

@@ -43,6 +43,7 @@ class DiscSearch {
   // Where an arc is left straight for the goal, by arc and turn.
   struct Exit {
     std::uint32_t stamp = 0;
+    bool free = false;  // the line was looked along
     Normal normal;
     double angle, length;
   };
@@ -55,10 +56,14 @@ class DiscSearch {
   void expand(std::uint32_t number);
   bool leave(std::uint32_t number);
   bool leave_start();
+  bool leads_to_goal(std::uint32_t number, const Root& root);
   bool meets_goal(std::uint32_t number, const Root& root);
   bool follow(std::uint32_t number);
   bool exits(std::uint32_t number);
   void look_from_goal();
+  bool reached(std::uint32_t number);
+  bool dominated(const Label& label, std::uint32_t number = ~std::uint32_t{0});
+  bool matters(std::uint32_t number);
   double ahead(int scans) const noexcept;
   bool tell_improvement(const Poller* poller);
 
@@ -77,7 +82,8 @@ class DiscSearch {
   int goal_looks_ = 0;
   std::uint32_t exit_stamp_ = 0;
   std::vector<Exit> exits_;
-  bool weighted_on_ = false;
+  bool weighted_on_ = false;  // until there is a path
+  bool weighing_ = false;     // the weighted search expands
   exact::Improvements improvements_;
   Labels labels_;
   BucketQueue frontier_, weighted_frontier_;

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/disc/disc_space.h"
+#include "kernels/sight/scan_bits.h"
 #include "kernels/sight/sight.h"
 
 namespace lasius::disc {
@@ -13,6 +14,9 @@ struct DiscSpace::Segment {
   double x, y;    // along it
   double across;  // columns a row
   double least;   // of the square of what it has to pass circles' centres by, times its own
+  double square;  // of its length
+  bool clear_ends;
+  mutable std::uint32_t passed = ~std::uint32_t{0};  // the arc compared last
   double at(double row) const noexcept {
     return row <= from.y ? from.x : row >= to.y ? to.x : from.x + (row - from.y) * across;
   }
@@ -23,13 +27,17 @@ struct DiscSpace::Segment {
 bool DiscSpace::keeps_cell(const Segment& segment, int x, int y, double left,
                            double right) const noexcept {
   for (const std::uint32_t number : arcs_at(x, y)) {
-    const Arc& arc = arcs_[number];
+    if (number == segment.passed) continue;
+    const Arc& arc = arcs_[segment.passed = number];
     const double to_x = arc.x - segment.from.x, to_y = arc.y - segment.from.y;
     const double beside = to_x * segment.y - to_y * segment.x;
     if (beside * beside >= segment.least) continue;
     const double along = to_x * segment.x + to_y * segment.y;
-    if (along > 0 && along < segment.x * segment.x + segment.y * segment.y)
-      return false;  // its ends are clear
+    if (along > 0 && along < segment.square) return false;
+    if (segment.clear_ends) continue;
+    const double end_x = along > 0 ? to_x - segment.x : to_x;
+    const double end_y = along > 0 ? to_y - segment.y : to_y;
+    if ((end_x * end_x + end_y * end_y) * segment.square < segment.least) return false;
   }
   const unsigned around = walls(x, y);
   if (around == 0) return true;
@@ -55,25 +63,26 @@ bool DiscSpace::keeps_row(const Segment& segment, int y, double low_x,
   const int beyond = static_cast<int>(high_x);  // a cell that it only touches does not count
   const int last =
       std::max(first, std::min(map_.width() - 1, beyond < high_x ? beyond : beyond - 1));
-  const std::uint64_t* blocked = blocked_.row(y);
-  const std::uint64_t* band = band_.row(y);
-  for (int word = first >> 6; word <= last >> 6; ++word) {
-    std::uint64_t mask = ~std::uint64_t{0};
-    if (word == first >> 6) mask &= ~std::uint64_t{0} << (first & 63);
-    if (word == last >> 6) mask &= ~std::uint64_t{0} >> (63 - (last & 63));
-    if ((blocked[word] & mask) != 0) return false;
-    for (std::uint64_t left = band[word] & mask; left != 0; left &= left - 1) {
-      if (!keeps_cell(segment, 64 * word + std::countr_zero(left), y, low_x, high_x)) return false;
+  using B = kernels::Bits<1>;
+  const char* blocked = kernels::bytes_of(blocked_.row(y));
+  const char* band = kernels::bytes_of(band_.row(y));
+  for (int x = first; x <= last; x += B::kValid) {
+    const std::uint64_t mask = B::to(std::min(B::kValid - 1, last - x));
+    if ((B::window(blocked, x) & mask) != 0) return false;
+    for (std::uint64_t left = B::window(band, x) & mask; left != 0; left &= left - 1) {
+      if (!keeps_cell(segment, x + std::countr_zero(left), y, low_x, high_x)) return false;
     }
   }
   return true;
 }
 
-bool DiscSpace::sees(Point a, Point b) const noexcept {
+bool DiscSpace::keeps(Point a, Point b, bool clear_ends) const noexcept {
   if (a.y > b.y) std::swap(a, b);
   const double x = b.x - a.x, y = b.y - a.y;
   const double limit = radius_ - kSlack;
-  const Segment segment{a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y)};
+  const Segment segment{
+      a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y,
+      clear_ends};
   const int first = std::clamp(static_cast<int>(a.y), 0, map_.height() - 1);
   const int beyond = static_cast<int>(b.y);
   const int last = std::max(first, std::min(map_.height() - 1, beyond < b.y ? beyond : beyond - 1));

@@ -68,7 +68,9 @@ class DiscSpace {
   /// which is at most kLargestRadius + 1; 0 in blocked cells and outside.
   double clearance(Point p, double most) const noexcept;
   /// May it move straight from a to b? Both are clear.
-  bool sees(Point a, Point b) const noexcept;
+  bool sees(Point a, Point b) const noexcept { return keeps(a, b, true); }
+  /// The same where only a is known to be clear.
+  bool reaches(Point a, Point b) const noexcept { return keeps(a, b, false); }
   /// False proves that it cannot go from a to b, both clear, by any way. True where cells that are
   /// not blocked, 4-connected, lead there: nearly always there is a way then.
   bool joined(Point a, Point b) const noexcept;
@@ -89,6 +91,8 @@ class DiscSpace {
     const std::uint32_t* list = passing_.data() + (cell - kSeveral);
     return {list + 1, *list};
   }
+  /// The cells of the band, as a bitmap.
+  const Grid& band_cells() const noexcept { return band_; }
   /// A bit for each 8 x 8 cells: set where one of them is not free.
   const Grid& crowded() const noexcept { return crowded_; }
   /// Rows of bits, of the cells that arcs pass: of types 0 and 3, or 1 and 2. Laid out as a Grid's,
@@ -138,6 +142,7 @@ class DiscSpace {
   Box box_of(unsigned walls, int x, int y) const noexcept;
   void compact();
   struct Segment;
+  bool keeps(Point a, Point b, bool clear_ends) const noexcept;
   bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
   bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
   struct Nearest;

@@ -24,6 +24,7 @@ struct Label {
   std::uint32_t parent = 0;
   std::uint32_t next = 0;  ///< label of the same arc; 0: none
   bool rising = false;
+  enum class Line : std::uint8_t { unknown, free, blocked } line = Line::unknown;  ///< to it
   bool expanded = false;
   bool weighed = false;    ///< the weighted search has expanded it
   std::uint8_t scans = 0;  ///< how often it was expanded and cut off
@@ -61,32 +62,33 @@ class Labels {
   /// Is there a shorter way to where a label touches its arc, along the arc from where another one
   /// does? One of the same turn that comes there by a way of the same length will do, too.
   /// Distances along an arc are the least that there are on the arc, so no shortest path has such a
-  /// label.
-  bool dominated(const Label& label, std::uint32_t number = ~std::uint32_t{0}) const noexcept {
+  /// label. `reached` tells of a label whether the line to it is free.
+  template <class Reached>
+  bool dominated(const Label& label, std::uint32_t number, const Reached& reached) const {
     const Head& head = heads_[label.arc];
     for (std::uint32_t i = head.stamp == stamp_ ? head.first : 0; i != 0; i = labels_[i].next) {
-      if (i == number) continue;
       const Label& other = labels_[i];
+      if (i == number || other.line == Label::Line::blocked) continue;
       const double turned = label.rising ? label.angle - other.angle : other.angle - label.angle;
       const double length = other.length + radius_ * std::abs(turned);
-      if (length < label.length) return true;
-      if (length == label.length && other.rising == label.rising &&
-          (turned > 0 || (turned == 0 && i < number)))
-        return true;
+      const bool tie =
+          length == label.length && other.rising == label.rising && turned >= 0;
+      if ((length < label.length || tie) && reached(i)) return true;
     }
     return false;
   }
   /// The label of the same turn that a label's rays are to be looked along up to, since it has a
   /// shorter way; kStart: none, they reach to the arc's end.
-  std::uint32_t ahead(const Label& label) const noexcept {
+  template <class Reached>
+  std::uint32_t ahead(const Label& label, const Reached& reached) const {
     double nearest = 4;  // more than any turn
     std::uint32_t found = kStart;
     const Head& head = heads_[label.arc];
     for (std::uint32_t i = head.stamp == stamp_ ? head.first : 0; i != 0; i = labels_[i].next) {
       const Label& other = labels_[i];
       const double turned = label.rising ? other.angle - label.angle : label.angle - other.angle;
-      if (other.rising != label.rising || !(turned > 0) || turned >= nearest ||
-          !(other.length < label.length + radius_ * turned))
+      if (other.line == Label::Line::blocked || other.rising != label.rising || !(turned > 0) || turned >= nearest ||
+          !(other.length < label.length + radius_ * turned) || !reached(i))
         continue;
       nearest = turned;
       found = i;

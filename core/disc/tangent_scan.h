@@ -279,6 +279,9 @@ class TangentScan {
   bool look(const char* next, const char* passed, int from, int to, const Gap& gap,
             const Gap& ahead) {
     bool open = true;
+    // Rays that enter the row before a blocked cell do not get past it.
+    const int enter = std::max(from, floor_of(gap.right + kOutward));
+    if (to > enter) to = kernels::next_cell<S, true>(next, enter, to);
     for (int c = from; c <= to; c += B::kValid) {
       const std::uint64_t valid = B::to(std::min(to - c, B::kValid - 1));
       const std::uint64_t blocked = B::window(next, c) & valid;

@@ -46,7 +46,7 @@ struct Root {
   }
 };
 
-/// An arc in sight, and the line to it.
+/// An arc that is perhaps in sight, and the line to it.
 struct Seen {
   std::uint32_t arc;
   bool rising;    ///< how its fraction changes along a path that turns around it
@@ -85,10 +85,10 @@ class ViewMemory {
 };
 
 /// A Sink has
-///   bool wants(const Seen&)  before it is known whether the arc is in sight
-///   void take(const Seen&)   then
+///   void take(const Seen&)
 ///   template <int S> kernels::ConeLimits limits(int down, int line0)
-///   bool go_on(std::int64_t words).
+///   bool go_on(std::int64_t words)
+///   bool beyond(Point)  where looking along a wall is not worth while any more.
 template <class Sink>
 class View {
  public:
@@ -105,7 +105,8 @@ class View {
     const Arc& arc = space_.arcs()[root.arc];
     const bool rising = root.offset < 0;
     if (rising ? arc.high < 1 - kSlack : arc.low > kSlack) return false;
-    return rising ? run_level(root) : run_upright(root);
+    if (!rising) return run_upright(root);
+    return root.heading.right > 0 ? run_level<1>(root) : run_level<-1>(root);
   }
 
  private:
@@ -235,8 +236,7 @@ class View {
     const Point leaves = root.leaves(line.normal);
     const double x = root.heading.right * (line.normal.b * line.length);
     const double y = root.heading.down * (line.normal.a * line.length);
-    const Seen seen{number, rising, line.normal, line.length, leaves, {leaves.x + x, leaves.y + y}};
-    if (sink_.wants(seen) && space_.sees(seen.leaves, seen.arrives)) sink_.take(seen);
+    sink_.take({number, rising, line.normal, line.length, leaves, {leaves.x + x, leaves.y + y}});
   }
 
   // An arc that the last ray along a wall touches at its quadrant's edge; it is met with its
@@ -264,35 +264,58 @@ class View {
   }
 
   void meet_cell(const Root& root, int x, int y) {
-    if (!space_.in_band({x, y})) return;
     for (const std::uint32_t number : space_.arcs_at(x, y)) meet_on_ray(root, number);
   }
 
-  // Both cells beside a ray that runs on a grid line; the ray ends where either is blocked.
+  // The rows or columns of cells beside a ray that runs on a grid line or in a row or column.
+  struct Lane {
+    int first, second;
+  };
+  static Lane lane_at(double across) noexcept {
+    return {static_cast<int>(across - kRowSlack), static_cast<int>(across + kRowSlack)};
+  }
+
+  // Both cells beside a ray that runs on a grid line; the ray ends where either is blocked. These
+  // return whether it was cut off.
+  template <int S>
   bool run_level(const Root& root) {
+    using B = kernels::Bits<S>;
     begin();
     const Point start = root.leaves(root.to);
-    const int y0 = static_cast<int>(start.y - kRowSlack);
-    const int y1 = static_cast<int>(start.y + kRowSlack);
-    const Grid& blocked = space_.blocked_cells();
-    for (int x = static_cast<int>(start.x);; x += root.heading.right) {
-      if (blocked.blocked({x, y0}) || blocked.blocked({x, y1})) return false;
-      meet_cell(root, x, y0);
-      if (y1 != y0) meet_cell(root, x, y1);
-      if (!sink_.go_on(1)) return true;
+    const auto [y0, y1] = lane_at(start.y);
+    const auto row = [](const Grid& grid, int y) { return kernels::bytes_of(grid.row(y)); };
+    const char* blocked0 = row(space_.blocked_cells(), y0);
+    const char* blocked1 = row(space_.blocked_cells(), y1);
+    const char* band0 = row(space_.band_cells(), y0);
+    const char* band1 = row(space_.band_cells(), y1);
+    const int column = static_cast<int>(start.x);
+    for (int c = S > 0 ? column : -column - 1;; c += B::kValid) {
+      std::uint64_t valid = B::to(B::kValid - 1);
+      const std::uint64_t wall = (B::window(blocked0, c) | B::window(blocked1, c)) & valid;
+      if (wall != 0) valid = B::to(B::first(wall)) & ~B::only(B::first(wall));
+      std::uint64_t cells = (B::window(band0, c) | B::window(band1, c)) & valid;
+      for (; cells != 0; cells &= ~B::only(B::first(cells))) {
+        const int u = c + B::first(cells);
+        const int x = S > 0 ? u : -u - 1;
+        if (space_.in_band({x, y0})) meet_cell(root, x, y0);
+        if (y1 != y0 && space_.in_band({x, y1})) meet_cell(root, x, y1);
+      }
+      if (wall != 0) return false;
+      if (!sink_.go_on(1) || sink_.beyond({1.0 * S * (c + B::kValid), start.y})) return true;
     }
   }
   bool run_upright(const Root& root) {
     begin();
     const Point start = root.leaves(root.to);
-    const int x0 = static_cast<int>(start.x - kRowSlack);
-    const int x1 = static_cast<int>(start.x + kRowSlack);
+    const auto [x0, x1] = lane_at(start.x);
     const Grid& blocked = space_.blocked_cells();
-    for (int y = static_cast<int>(start.y);; y += root.heading.down) {
+    constexpr int kRowsAtOnce = 16;
+    for (int y = static_cast<int>(start.y), rows = 1;; y += root.heading.down, ++rows) {
       if (blocked.blocked({x0, y}) || blocked.blocked({x1, y})) return false;
-      meet_cell(root, x0, y);
-      if (x1 != x0) meet_cell(root, x1, y);
-      if (!sink_.go_on(1)) return true;
+      if (space_.in_band({x0, y})) meet_cell(root, x0, y);
+      if (x1 != x0 && space_.in_band({x1, y})) meet_cell(root, x1, y);
+      if (rows % kRowsAtOnce == 0 && (!sink_.go_on(kRowsAtOnce) || sink_.beyond({start.x, 1.0 * y})))
+        return true;
     }
   }
 
