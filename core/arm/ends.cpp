@@ -42,8 +42,7 @@ std::string limits_fault(const Robot& robot, const JointVector& q, const std::st
          number_text(joint.low) + " .. " + number_text(joint.high);
 }
 
-/// Turned by whole turns, as near to `start` as the limits let it: every joint, or those alone that
-/// turn freely.
+/// Turned by whole turns as near to `start` as limits allow: all joints, or those turning freely.
 void turn_towards(const Robot& robot, const JointVector& start, bool all, JointVector& q) {
   constexpr double kTurn = 2 * std::numbers::pi;
   for (int j = 0; j < robot.size(); ++j) {

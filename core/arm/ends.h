@@ -53,8 +53,7 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
 /// Joint values of which none differs by more are one posture.
 inline constexpr double kSamePosture = 0.2;  // radians or metres
 
-/// Values drawn within the limits, by number; of a joint that turns on and on within one turn about
-/// the start.
+/// Values drawn within the limits, by number; of a joint turning freely within a turn of `start`.
 JointVector random_values(const Robot& robot, const JointVector& start, std::uint64_t seed,
                           std::uint32_t series, std::uint32_t number);
 

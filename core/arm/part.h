@@ -23,7 +23,7 @@ class Part {
  public:
   explicit Part(const Solid& solid);
 
-  /// The same at the place of its body.
+  /// The part in the world, by the place of its body.
   struct Placed {
     const Part* part = nullptr;
     Placement pose;
@@ -52,8 +52,7 @@ class Part {
   std::shared_ptr<const MeshTree> mesh_;
 };
 
-/// Between two parts where that is below `enough`, else a value from `enough` on; never more than
-/// it is.
+/// Between two parts where that is below `enough`, else a value from `enough` up to the distance.
 double distance_between(const Part::Placed& a, const Part::Placed& b, double enough) noexcept;
 
 }  // namespace lasius::arm

@@ -330,7 +330,7 @@ class Follower {
     return true;
   }
 
-  /// The same for all that the trajectory does between two samples, knot by knot.
+  /// Whether it can be shown that nothing touches between two samples, knot by knot.
   bool is_free(Moment from, const Moment& to) {
     for (const Trajectory::Knot& knot : trajectory_.knots()) {
       if (knot.time <= from.time || knot.time >= to.time) continue;

@@ -25,7 +25,7 @@ Trajectory stop_and_go(const Course& course);
 /// to hold in it; 1 where one is just met.
 double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::size_t i);
 
-/// The same motion, `factor` times slower.
+/// The motion `factor` times slower: velocities by 1 / factor, joint values unchanged.
 Trajectory stretched(const Trajectory& trajectory, double factor);
 
 /// Least and largest value of a joint between knots i and i + 1.

@@ -33,7 +33,7 @@ class ThreadTeam {
   using Task = void (*)(const void* context, int i, int member) noexcept;
   LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
 
-  /// The same on a thread that leads no team, in a region that OpenMP makes for it.
+  /// Calls `task` on a thread that leads no team, in a region that OpenMP makes for this loop.
   LASIUS_EXPORT static void share_once(int count, int threads, Task task,
                                        const void* context) noexcept;
 

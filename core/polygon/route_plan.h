@@ -14,8 +14,8 @@ struct Ends {
   Point start, goal;
 };
 
-/// Those of a request, the world's where it names none. @throws Error(invalid_parameter) where
-/// neither does, and for coordinates that are no finite numbers.
+/// Start and goal of a request, the world's where it names none. @throws Error(invalid_parameter)
+/// where neither does, and for coordinates that are no finite numbers.
 Ends ends_of(const Request& request, const World& world);
 
 /// Dijkstra's route and what runs over it, route by route; the best one is kept. Paths go straight

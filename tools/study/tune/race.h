@@ -75,8 +75,8 @@ class Race {
   /// one with the least median, then the first.
   std::size_t best() const;
 
-  /// The best but for candidate 0, likewise; where no other is left, of those that left last the
-  /// one with the least median. Precondition: at least 2 candidates and 1 block.
+  /// The first but candidate 0 in the order of best(); where no other is left, of those that left
+  /// last the one with the least median. Precondition: at least 2 candidates and 1 block.
   std::size_t rival() const;
 
   /// Mean ranks of those that are left, by block among themselves, and the interval of each one's
