@@ -31,7 +31,7 @@ class Exact final : public peers::QueryPlanner {
   ExactAnswer answer_;
 };
 
-// The exact search on a prepared map; on a map too large for that, the search without.
+// The exact search on a prepared map, or unprepared where preparation takes too much memory.
 class Prepared final : public peers::QueryPlanner {
  public:
   explicit Prepared(const Grid& grid) : grid_(&grid) {

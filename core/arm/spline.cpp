@@ -110,7 +110,7 @@ struct Cubic {
 
 }  // namespace
 
-Trajectory spline_through(const Course& course) {
+Trajectory spline_through(const TimedWaypoints& course) {
   const std::vector<double> times = knot_times(course.spans);
   const Eigen::Index joints = course.points.front().size();
   auto knots = empty_knots(times, joints);
@@ -126,7 +126,7 @@ Trajectory spline_through(const Course& course) {
   return Trajectory(std::move(knots));
 }
 
-Trajectory stop_and_go(const Course& course) {
+Trajectory stop_and_go(const TimedWaypoints& course) {
   std::vector<Knot> knots;
   double begin = 0;
   for (std::size_t i = 0; i < course.spans.size(); ++i) {

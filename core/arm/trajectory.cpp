@@ -140,7 +140,8 @@ double fastest(const Robot& robot, const JointVector& a, const JointVector& b) {
 /// Calls visit(i, span) for each piece of a trajectory, from knot i to the next, and the span of
 /// the course that it lies in.
 template <class Visit>
-void for_each_piece(const Course& course, const Trajectory& trajectory, const Visit& visit) {
+void for_each_piece(const TimedWaypoints& course, const Trajectory& trajectory,
+                    const Visit& visit) {
   const auto& knots = trajectory.knots();
   std::size_t span = 0;
   double until = course.spans[0];
@@ -153,7 +154,7 @@ void for_each_piece(const Course& course, const Trajectory& trajectory, const Vi
 
 /// Stretches spans until the limits hold nearly everywhere, and then all of them until they do.
 template <class Make>
-Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
+Trajectory within_limits(const Robot& robot, TimedWaypoints& course, const Make& make) {
   constexpr int kRounds = 30;
   Trajectory trajectory = make(course);
   for (int round = 0; round < kRounds; ++round) {
@@ -225,8 +226,8 @@ bool free_between(const Trajectory& trajectory, std::size_t i, const std::vector
 }
 
 /// Halves the marked spans of a course, each new point half way along the straight motion.
-Course refined(const Course& course, const std::vector<bool>& marked) {
-  Course finer;
+TimedWaypoints refined(const TimedWaypoints& course, const std::vector<bool>& marked) {
+  TimedWaypoints finer;
   finer.points.push_back(course.points.front());
   for (std::size_t i = 0; i < course.spans.size(); ++i) {
     const auto &a = course.points[i], &b = course.points[i + 1];
@@ -241,7 +242,7 @@ Course refined(const Course& course, const std::vector<bool>& marked) {
 }
 
 /// Spans of the course in which the spline is not free, and their neighbours.
-std::vector<bool> faulty_spans(const Robot& robot, const Course& course,
+std::vector<bool> faulty_spans(const Robot& robot, const TimedWaypoints& course,
                                const Trajectory& trajectory, const std::vector<double>& lever,
                                CountedSensor& counted) {
   std::vector<bool> faulty(course.spans.size(), false);
@@ -307,11 +308,11 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
     result.trajectory = Trajectory({{0, way[0], JointVector::Zero(robot.size())}});
     return result;
   }
-  Course course{way, {}};
+  TimedWaypoints course{way, {}};
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     course.spans.push_back(fastest(robot, way[i], way[i + 1]));
   }
-  const Course straight = course;
+  const TimedWaypoints straight = course;
   const std::vector<double> lever = levers(robot);
   bool found = false;
   for (int round = 0; round < kRounds && !found && !counted.stopped(); ++round) {

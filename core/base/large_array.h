@@ -31,7 +31,7 @@ class GrowingArray {
   MemoryBlock block_;
 };
 
-/// As a std::vector, which copies all that it holds to grow, though: a pause of 50 ms for 100 MB.
+/// A list that grows without copying: a std::vector would pause for 50 ms at 100 MB.
 template <class T>
 class GrowingList {
  public:

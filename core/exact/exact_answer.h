@@ -28,7 +28,7 @@ struct ExactOptions {
   /// Tells of no path before the stop condition was polled for the first time, and then of the best
   /// so far: a search that ends before that cannot be cut short, so its path need not be told.
   bool improved_once_polled = false;
-  Alternate* beside = nullptr;  ///< takes turns with the search, unless null; must outlive it
+  InterleavedWork* beside = nullptr;  ///< takes turns with the search, unless null; must outlive it
 };
 
 /// How a search ended.

@@ -44,7 +44,7 @@ constexpr void add_readers(Words& words, std::string_view kind, std::string_view
     if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
   }
 }
-// Those of every kind; empty: the parameter does not depend on them.
+// The rules that read a parameter; empty: it does not depend on them.
 constexpr Words readers_of(std::string_view parameter) {
   Words heuristics, visibilities, updates, several;
   add_readers(heuristics, "heuristic", parameter, kHeuristics);

@@ -175,7 +175,7 @@ void check_algorithms(const Node& study, bool bitmaps) {
     sweep->fail("is for bitmaps", "write a contender for each value");
 }
 
-/// One for each point of the sweep, or as it is.
+/// Adds a contender for each point of the sweep; without a sweep the contender itself.
 void add_swept(const Reader& reader, const Node& study, const Entry& d,
                std::vector<Contender>& to) {
   const Node* const sweep = study.find("sweep");

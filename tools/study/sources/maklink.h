@@ -16,7 +16,7 @@ class MaklinkWorld final : public Domain {
   MaklinkWorld(const Study& study, const std::filesystem::path& maps);
 
   PreparedRun prepare(const Question& question, const Contender& contender) const override;
-  /// Of the whole world.
+  /// Of the whole world, whichever is asked for.
   std::optional<double> optimum(const Question& question, const Optimum& optimum,
                                 const StopCondition& stop) const override;
 

@@ -62,7 +62,7 @@ class Race {
   /// Precondition: candidates > 0.
   Race(std::size_t candidates, RaceRules rules) : rules_(rules), runners_(candidates) {}
 
-  /// Those that are still there, in their order.
+  /// The candidates still in the race, in their order.
   std::vector<std::size_t> left() const;
   int blocks() const { return blocks_; }
   const std::vector<Runner>& runners() const { return runners_; }
