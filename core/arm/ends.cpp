@@ -79,14 +79,14 @@ std::pair<std::string, std::string> metres(double length, double than) {
 }
 
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         double hair) {
+                         double tolerance) {
   if (q.size() != robot.size()) {
     return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
            std::to_string(robot.size());
   }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (!(q[j] >= joint.low - hair && q[j] <= joint.high + hair))
+    if (!(q[j] >= joint.low - tolerance && q[j] <= joint.high + tolerance))
       return limits_fault(robot, q, what, j);
   }
   return {};

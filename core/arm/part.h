@@ -8,12 +8,13 @@
 
 namespace lasius::arm {
 
-/// A point that no point of the thing is further from than `radius`.
+/// A ball around all points of a thing, metres.
 struct Ball {
   Vec3 centre;
   double radius = 0;
 };
 
+/// Between the balls' surfaces, negative where they meet.
 inline double gap_between(const Ball& a, const Ball& b) noexcept {
   return distance(a.centre, b.centre) - a.radius - b.radius;
 }

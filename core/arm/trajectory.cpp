@@ -172,9 +172,9 @@ Trajectory within_limits(const Robot& robot, TimedWaypoints& course, const Make&
   for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
     worst = std::max(worst, needed_stretch(robot, trajectory, i));
   }
-  constexpr double kHair = 1 + 1e-12;  // rounding
-  for (double& span : course.spans) span *= worst * kHair;
-  return stretched(trajectory, worst * kHair);
+  constexpr double kMargin = 1 + 1e-12;  // for rounding
+  for (double& span : course.spans) span *= worst * kMargin;
+  return stretched(trajectory, worst * kMargin);
 }
 
 /// The motion slowed to take exactly `duration` seconds.
@@ -197,10 +197,11 @@ std::vector<double> levers(const Robot& robot) {
 }
 
 bool within_values(const Robot& robot, const Trajectory& trajectory, std::size_t i) {
-  constexpr double kHair = 1e-12;
+  constexpr double kTolerance = 1e-12;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const auto [low, high] = values_between(trajectory, i, j);
-    if (low < robot.joints[j].low - kHair || high > robot.joints[j].high + kHair) return false;
+    if (low < robot.joints[j].low - kTolerance || high > robot.joints[j].high + kTolerance)
+      return false;
   }
   return true;
 }

@@ -9,7 +9,7 @@
 
 namespace lasius::polygon {
 
-/// A free line between two corners.
+/// A free line between two corners, indices of FreeSpace::corners.
 struct Link {
   int a = 0;
   int b = 0;
