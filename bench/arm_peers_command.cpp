@@ -30,12 +30,12 @@ struct ArmPeersOptions {
 };
 
 /// A robot's name and itself; FILE, or FILE:BASE:TIP.
-struct Named {
+struct NamedRobot {
   std::string name;
   arm::Robot robot;
 };
 
-Named read(const std::string& text) {
+NamedRobot read(const std::string& text) {
   const auto first = text.find(':');
   const auto second = first == std::string::npos ? first : text.find(':', first + 1);
   const std::string file = text.substr(0, first);
@@ -159,7 +159,7 @@ void ask(const arm::Robot& robot, const PeersCase& c, double cap, std::vector<Pe
   if (peer->solved) row.questions.push_back(static_cast<double>(peer->positions + peer->motions));
 }
 
-void compare(const Named& named, int obstacles, const ArmPeersOptions& options, Table& table) {
+void compare(const NamedRobot& named, int obstacles, const ArmPeersOptions& options, Table& table) {
   std::vector<PeersRow> rows;
   for (const Algorithm& algorithm : arm::algorithms())
     rows.push_back({.planner = std::string(algorithm.name)});
@@ -191,10 +191,10 @@ std::vector<Proof> proofs() {
   trailless.alpha = 0;
   const arm::Params source = rival("goritov2020");
   return {{"colony", colony},
-          {"the same without trail (alpha 0)", trailless},
-          {"lazy shortest way, the same lattice", colony, true},
+          {"colony without trail (alpha 0)", trailless},
+          {"lazy shortest way, the colony's lattice", colony, true},
           {"goritov2020, its lattice of one posture", source},
-          {"lazy shortest way in that", source, true}};
+          {"lazy shortest way, goritov2020's lattice", source, true}};
 }
 
 void ask(const arm::Robot& robot, const PeersCase& c, double cap, Proof& proof) {
@@ -214,7 +214,7 @@ void ask(const arm::Robot& robot, const PeersCase& c, double cap, Proof& proof) 
     proof.questions.push_back(asked(found.questions));
 }
 
-void prove(const Named& named, int obstacles, const ArmPeersOptions& options, Table& table) {
+void prove(const NamedRobot& named, int obstacles, const ArmPeersOptions& options, Table& table) {
   auto all = proofs();
   for (int i = 0; i < options.proofs; ++i) {
     const PeersCase c(named.robot, obstacles, options.seed + i);
@@ -226,7 +226,7 @@ void prove(const Named& named, int obstacles, const ArmPeersOptions& options, Ta
 }
 
 void run_arm_peers(const ArmPeersOptions& options) {
-  std::vector<Named> robots;
+  std::vector<NamedRobot> robots;
   for (const auto& robot : options.robots) robots.push_back(read(robot));
   if (robots.empty())
     for (const char* name : {"planar3", "industrial6", "redundant7"})
@@ -251,7 +251,7 @@ void run_arm_peers(const ArmPeersOptions& options) {
                "joint travel"},
               options.markdown);
   const auto each = [&](const auto& measure) {
-    for (const Named& named : robots)
+    for (const NamedRobot& named : robots)
       for (const int obstacles : options.obstacles) measure(named, obstacles, options, table);
   };
   each(compare);
@@ -273,7 +273,7 @@ void add_arm_peers_command(CLI::App& app) {
       ->allow_extra_args(false);
   command.add_option("--obstacles", options.obstacles, "Numbers of obstacles")->delimiter(',');
   add_number(command, "--queries", options.queries, "Questions a robot and number", 1, 100000);
-  add_number(command, "--proofs", options.proofs, "The same for the proofs", 0, 100000);
+  add_number(command, "--proofs", options.proofs, "Questions of them to be proven", 0, 100000);
   add_number(command, "--cap", options.cap, "Seconds a question");
   add_number(command, "--seed", options.seed, "Of the first question");
   add_output(command, options.markdown);

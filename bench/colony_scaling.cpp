@@ -61,8 +61,7 @@ Course pasted(int side) {
   return large;
 }
 
-// Seconds of one plan on each of two threads that share nothing but the map: what the machine
-// allows.
+// Seconds of one plan on each of two threads that share the map alone: what the machine allows.
 double apart(const Planner& planner, const Request& request, const Params& params,
              std::array<Workspace, 2>& workspaces) {
   const Stopwatch watch;
@@ -121,7 +120,7 @@ std::vector<Figure> measure_threads(int rounds) {
     identical = identical && same_run(a, b);
   }
   return {{"1 thread / 2 threads, 64 ants", short_number(median(ratios)), ">= 1.8"},
-          {"the same, two plans apart: the machine's", short_number(median(ceilings)), ""},
+          {"two plans apart: the machine's ratio", short_number(median(ceilings)), ""},
           {"a word to the other thread and back, ns", short_number(median(trips)), ""},
           {"identical with 1 and 2 threads", identical ? "yes" : "NO", "yes"}};
 }

@@ -12,8 +12,7 @@
 
 namespace lasius::bench {
 
-/// Each adds a subcommand, whose callback runs it and throws CLI::RuntimeError(1) for a fault
-/// found.
+/// Each adds a subcommand, whose callback runs it and throws CLI::RuntimeError(1) for a fault.
 void add_queries_command(CLI::App& app);
 void add_anytime_command(CLI::App& app);
 void add_exact_command(CLI::App& app);

@@ -14,8 +14,7 @@ namespace {
 using peers::make;
 using peers::Optimality;
 
-// The search behind the algorithm `exact`, without the request around it, up to a certified gap in
-// per cent.
+// The search behind the algorithm `exact` without its request, up to a certified gap in per cent.
 template <int kGap>
 class Exact final : public peers::QueryPlanner {
  public:
@@ -32,7 +31,7 @@ class Exact final : public peers::QueryPlanner {
   ExactAnswer answer_;
 };
 
-// The same on a map that was prepared for it, if that is not too large.
+// The exact search on a prepared map, or unprepared where preparation takes too much memory.
 class Prepared final : public peers::QueryPlanner {
  public:
   explicit Prepared(const Grid& grid) : grid_(&grid) {

@@ -33,9 +33,9 @@ double milliseconds(Clock::duration time) {
 /// next look less the time in between: from there on it counts. So it says what the call has taken
 /// at most, however seldom the call looks. (A thread that watched would wake late on a busy
 /// machine, and count too little.)
-class Cut final : public TimeSource {
+class CallClock final : public TimeSource {
  public:
-  explicit Cut(double limit_ms)
+  explicit CallClock(double limit_ms)
       : deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::chrono::duration<double, std::milli>(limit_ms))) {}
 
@@ -69,8 +69,8 @@ class Cut final : public TimeSource {
 
 class Overshoots {
  public:
-  void add(const Cut& cut) {
-    const auto overshoot = cut.overshoot();
+  void add(const CallClock& clock) {
+    const auto overshoot = clock.overshoot();
     if (!overshoot) return;
     processor_.push_back(overshoot->processor);
     wall_.push_back(overshoot->wall);
@@ -98,9 +98,9 @@ Overshoots cut_short(const OvershootOptions& options, const std::function<void()
   Overshoots overshoots;
   for (int i = 0; i < options.cuts; ++i) {
     before();
-    const Cut cut(limit(random));
-    run(i, cut.condition());
-    overshoots.add(cut);
+    const CallClock clock(limit(random));
+    run(i, clock.condition());
+    overshoots.add(clock);
   }
   return overshoots;
 }

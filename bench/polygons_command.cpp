@@ -70,10 +70,10 @@ std::vector<Figure> measure_source_run(int rounds) {
   return {{"the source's run, milliseconds: plan with graph search and optima",
            short_number(median(ours)), "<= 1"},
           {"of these the ants' 200 iterations", short_number(median(ours) - median(none)), ""},
-          {"the same iterations, textbook code", short_number(median(textbook)), ""},
+          {"200 iterations in textbook code", short_number(median(textbook)), ""},
           {"ratio, median of pairs", short_number(median(ratios)), ">= 10"},
           {"runs that reach the optimum of lines and values", share(optimal), "95%"},
-          {"the same, textbook code", share(textbook_optimal), ""}};
+          {"runs of the textbook code that reach it", share(textbook_optimal), ""}};
 }
 
 std::size_t corner_count(const World& world) {
@@ -221,7 +221,8 @@ std::vector<Figure> scale_figures(const std::string& which, int worlds, double m
            std::to_string(same) + " of " + std::to_string(worlds), "all"},
           {"`maklink-acs` above the true shortest path there, median, %",
            gaps.empty() ? "" : short_number(100 * median(gaps)), "<= 1.8"},
-          {"the same, worst, %", gaps.empty() ? "" : short_number(100 * gaps.back()), "<= 6"}};
+          {"`maklink-acs` above the true shortest path there, worst, %",
+           gaps.empty() ? "" : short_number(100 * gaps.back()), "<= 6"}};
 }
 
 /// `faults` counts paths that change with the scale.

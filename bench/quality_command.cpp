@@ -125,7 +125,7 @@ Quality measure_quality(const Course& course, const Params& params, int seeds) {
   return quality;
 }
 
-/// The same parameters with pheromone switched off: the rule that reads distances only, as in the
+/// Parameters with pheromone switched off: the rule that reads distances only, as in the
 /// first iteration. What is left is random walks that know the way, and straightening.
 Params without_pheromone(Params params) {
   params.pheromone_rule_first = params.pheromone_rule = 0;
@@ -193,7 +193,7 @@ void run_quality(const QualityOptions& options) {
                   std::to_string(options.seeds) +
                   "; gap to the exact optimum in per cent, iteration of the last improvement and "
                   "of that of the shortest tour as walked, both in the median, least share of ants "
-                  "that arrived in a run; then the same with pheromone switched off.",
+                  "that arrived in a run; then these with pheromone switched off.",
               {"map", "optimum", "median gap", "worst gap", "last improvement", "as walked",
                "no pheromone: median", "worst", "last improvement", "as walked", "arrived, %"},
               options.markdown);

@@ -19,7 +19,7 @@ std::string short_number(double value);
 
 /// "| a | b |" and a line break.
 std::string table_line(const std::vector<std::string>& cells);
-/// The same of a name and short numbers.
+/// "| name | 1.23 | 45.6 |" and a line break: figures as short_number() has them.
 std::string table_line(const std::string& name, const std::vector<double>& figures);
 
 /// Standard output, as text comes, and a file unless its name is empty.

@@ -63,8 +63,7 @@ void write_rows(Table& table, const std::vector<Row>& rows) {
   }
 }
 
-// Our exact search as a row of the same table: its only path is the optimum, which `length`
-// becomes.
+// Our exact search as a row of that table: its only path is the optimum, put into `length`.
 SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query, double& length) {
   std::vector<Point> path;
   const Stopwatch watch;

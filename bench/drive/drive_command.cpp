@@ -119,7 +119,7 @@ struct MapFigures {
   std::vector<double> ticks, dstar_ticks, travelled, ways;
 };
 
-/// The same drive several times: the least planning time counts, since noise only adds.
+/// A drive repeated `rounds` times: the least planning time counts, since noise only adds.
 template <class Drive>
 DriveResult best_of(int rounds, const Drive& drive) {
   DriveResult best = drive();

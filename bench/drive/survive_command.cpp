@@ -33,12 +33,12 @@ struct SurviveOptions {
 
 using Random = std::mt19937_64;
 
-int between(Random& random, int least, int most) {  // the same with any standard library
+int between(Random& random, int least, int most) {  // equal with every standard library
   return least + static_cast<int>(random() % static_cast<std::uint64_t>(most - least + 1));
 }
 
 /// A map, a question, and a rectangle that is blocked or freed.
-struct World {
+struct ChangedMap {
   MapKind kind;
   Grid grid;
   Cell start, goal;
@@ -54,64 +54,63 @@ struct World {
   }
 };
 
-/// The i-th map and a question across at least half of it; nothing where no such cells are found
-/// joined.
-std::optional<World> make_world(int i, Random& random) {
+/// The i-th map and a question across at least half of it; nothing where no such one is found.
+std::optional<ChangedMap> make_map(int i, Random& random) {
   constexpr std::array kinds{MapKind::rooms, MapKind::city, MapKind::blobs, MapKind::random};
   const MapKind kind = kinds[static_cast<std::size_t>(i / 2) % kinds.size()];
   const int side = 128 + 32 * between(random, 0, 4);
-  World world{kind, generate(kind, {.width = side, .height = side, .seed = random()}), {}, {}};
-  const Planner planner(world.grid);
+  ChangedMap map{kind, generate(kind, {.width = side, .height = side, .seed = random()}), {}, {}};
+  const Planner planner(map.grid);
   const auto cell = [&] {
     return Cell{between(random, 0, side - 1), between(random, 0, side - 1)};
   };
   for (int tries = 0; tries < 1'000'000; ++tries) {
-    world.start = cell();
-    world.goal = cell();
-    if (std::hypot(world.goal.x - world.start.x, world.goal.y - world.start.y) >= side / 2.0 &&
-        world.grid.free(world.start) && world.grid.free(world.goal) &&
-        planner.connected(world.start, world.goal))
-      return world;
+    map.start = cell();
+    map.goal = cell();
+    if (std::hypot(map.goal.x - map.start.x, map.goal.y - map.start.y) >= side / 2.0 &&
+        map.grid.free(map.start) && map.grid.free(map.goal) &&
+        planner.connected(map.start, map.goal))
+      return map;
   }
   return std::nullopt;
 }
 
 /// Blocks 7 x 7 to 23 x 23 cells on a way that is known; false where that leaves no way.
-bool block(World& world, const Params& params, Random& random, const std::vector<Cell>& way) {
+bool block_way(ChangedMap& map, const Params& params, Random& random,
+               const std::vector<Cell>& way) {
   const int last = static_cast<int>(way.size()) - 1, side = between(random, 7, 23);
-  world.part = world.around(way[between(random, last / 5, last * 4 / 5)], side, side);
-  Grid grid = world.grid;
-  world.grid.fill(world.part, true);
-  if (world.optimum(params)) return true;
-  world.grid = std::move(grid);
+  map.part = map.around(way[between(random, last / 5, last * 4 / 5)], side, side);
+  Grid grid = map.grid;
+  map.grid.fill(map.part, true);
+  if (map.optimum(params)) return true;
+  map.grid = std::move(grid);
   return false;
 }
 
 /// Lays a bar of 3 cells across, to be taken away: false where it does not make the optimum at
 /// least 1 / 0.95 times as long.
-bool bar(World& world, const Params& params, Random& random) {
-  const int side = world.grid.width(), length = between(random, side / 4, side * 3 / 4);
-  const Cell middle{(world.start.x + world.goal.x) / 2 + between(random, -side / 5, side / 5),
-                    (world.start.y + world.goal.y) / 2 + between(random, -side / 5, side / 5)};
-  const bool upright =
-      std::abs(world.goal.x - world.start.x) > std::abs(world.goal.y - world.start.y);
-  world.part = world.around(middle, upright ? 3 : length, upright ? length : 3);
-  const Grid grid = world.grid;
-  world.grid.fill(world.part, false);
-  const auto open = world.optimum(params);
-  world.grid.fill(world.part, true);
-  const auto closed = world.optimum(params);
+bool add_bar(ChangedMap& map, const Params& params, Random& random) {
+  const int side = map.grid.width(), length = between(random, side / 4, side * 3 / 4);
+  const Cell middle{(map.start.x + map.goal.x) / 2 + between(random, -side / 5, side / 5),
+                    (map.start.y + map.goal.y) / 2 + between(random, -side / 5, side / 5)};
+  const bool upright = std::abs(map.goal.x - map.start.x) > std::abs(map.goal.y - map.start.y);
+  map.part = map.around(middle, upright ? 3 : length, upright ? length : 3);
+  const Grid grid = map.grid;
+  map.grid.fill(map.part, false);
+  const auto open = map.optimum(params);
+  map.grid.fill(map.part, true);
+  const auto closed = map.optimum(params);
   if (open && closed && *open <= 0.95 * *closed) return true;
-  world.grid = grid;
+  map.grid = grid;
   return false;
 }
 
 /// Steps of a colony until its shortest cut tour of an iteration is at most `length`; infinite
 /// where that takes more than `budget`.
-double steps_until(SurvivingColony& colony, const World& world, double length, double budget) {
+double steps_until(SurvivingColony& colony, const ChangedMap& map, double length, double budget) {
   double steps = 0;
   bool there = false;
-  colony.run(world.start, 1 << 30, {}, [&](const GridProgress& seen) {
+  colony.run(map.start, 1 << 30, {}, [&](const GridProgress& seen) {
     steps += static_cast<double>(seen.curves->steps.back());
     there = seen.curves->cut_best.back() <= length;
     if (there || steps >= budget) seen.stop();
@@ -119,9 +118,9 @@ double steps_until(SurvivingColony& colony, const World& world, double length, d
   return there ? steps : std::numeric_limits<double>::infinity();
 }
 
-/// What came of one world.
+/// What came of one changed map.
 struct Survival {
-  World world;
+  ChangedMap map;
   bool blocks;
   double before, after;     // optima
   double surviving, blank;  // steps
@@ -131,42 +130,42 @@ struct Survival {
   }
 };
 
-Survival run_world(int i, const SurviveOptions& options) {
+Survival run_map(int i, const SurviveOptions& options) {
   Params params(options.algorithm);
   params.seed = options.seed + static_cast<std::uint64_t>(i);
   params.threads = 1;
   Random random(1'000'003 * options.seed + static_cast<std::uint64_t>(i));
   const bool blocks = i % 2 == 0;
-  for (int worlds = 0; worlds < 1000; ++worlds) {
-    auto made = make_world(i, random);
+  for (int drawn = 0; drawn < 1000; ++drawn) {
+    auto made = make_map(i, random);
     if (!made) continue;
-    World& world = *made;
+    ChangedMap& map = *made;
     const auto tries = [](const auto& change) {
       for (int n = 0; n < 100; ++n) {
         if (change()) return true;
       }
       return false;
     };
-    if (!blocks && !tries([&] { return bar(world, params, random); })) continue;
-    const double before = world.optimum(params).value();
-    SurvivingColony surviving(world.grid, world.goal, params);
+    if (!blocks && !tries([&] { return add_bar(map, params, random); })) continue;
+    const double before = map.optimum(params).value();
+    SurvivingColony surviving(map.grid, map.goal, params);
     std::vector<Cell> way;
-    const Result trained = surviving.run(world.start, options.train);
+    const Result trained = surviving.run(map.start, options.train);
     for (const Point p : trained.path)
       way.push_back({static_cast<int>(p.x), static_cast<int>(p.y)});
-    if (blocks && (way.empty() || !tries([&] { return block(world, params, random, way); })))
+    if (blocks && (way.empty() || !tries([&] { return block_way(map, params, random, way); })))
       continue;
-    if (!blocks) world.grid.fill(world.part, false);
-    surviving.changed(world.part);
-    const double after = world.optimum(params).value();
-    SurvivingColony blank(world.grid, world.goal, params);
+    if (!blocks) map.grid.fill(map.part, false);
+    surviving.changed(map.part);
+    const double after = map.optimum(params).value();
+    SurvivingColony blank(map.grid, map.goal, params);
     const double near = (1 + options.within) * after;
-    return {world,
+    return {map,
             blocks,
             before,
             after,
-            steps_until(surviving, world, near, options.budget),
-            steps_until(blank, world, near, options.budget)};
+            steps_until(surviving, map, near, options.budget),
+            steps_until(blank, map, near, options.budget)};
   }
   throw Error(ErrorCode::invalid_parameter, "no world of 1000 can be changed as wanted",
               "give the colony more iterations by --train");
@@ -199,10 +198,10 @@ void run_survive(const SurviveOptions& options) {
               options.markdown);
   std::vector<double> ratios;
   for (int i = 0; i < options.worlds; ++i) {
-    const Survival o = run_world(i, options);
+    const Survival o = run_map(i, options);
     ratios.push_back(o.ratio());
-    table.row({std::string(to_string(o.world.kind)) + " " + std::to_string(o.world.grid.width()),
-               (o.blocks ? "block " : "open ") + size_text(o.world.part.width, o.world.part.height),
+    table.row({std::string(to_string(o.map.kind)) + " " + std::to_string(o.map.grid.width()),
+               (o.blocks ? "block " : "open ") + size_text(o.map.part.width, o.map.part.height),
                short_number(o.before), short_number(o.after), short_number(o.surviving),
                short_number(o.blank), short_number(ratios.back())});
   }

@@ -9,11 +9,10 @@ namespace lasius::peers {
 
 struct JointTrial {
   bool solved = false;
-  double seconds = 0;          ///< to the first path; all of them without one
-  std::int64_t positions = 0;  ///< that the sensor was asked about, until the first path
-  std::int64_t motions = 0;    ///< likewise
-  double shortened_travel =
-      0;  ///< the path's length in joint space after shortcutting until `seconds_in_all`
+  double seconds = 0;           ///< to the first path; all of them without one
+  std::int64_t positions = 0;   ///< that the sensor was asked about, until the first path
+  std::int64_t motions = 0;     ///< that the sensor was asked about, until the first path
+  double shortened_travel = 0;  ///< joint travel after shortcutting until `seconds_in_all`
 };
 
 /// One run of at most `cap_seconds` from joint values to a position of the tip, by any posture:

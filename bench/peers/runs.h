@@ -69,7 +69,8 @@ inline int first_change_right(const std::uint64_t* a, const std::uint64_t* b, in
   return i * 64 + std::countr_zero(word);
 }
 
-/// The same to the left.
+/// The first column left of x where either of two rows differs from its bit at x, not both of
+/// which are blocked there.
 inline int first_change_left(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
   const std::uint64_t flip_a = bit(a, x) ? ~std::uint64_t{0} : 0;
   const std::uint64_t flip_b = bit(b, x) ? ~std::uint64_t{0} : 0;

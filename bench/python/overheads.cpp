@@ -19,7 +19,7 @@ double seconds(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Those of overheads.py: from the free cells in order of rows.
+/// The queries of overheads.py: between free cells, taken in order of rows.
 std::vector<Request> queries(const Grid& grid) {
   std::vector<Cell> free;
   for (int y = 0; y < grid.height(); ++y)

@@ -57,7 +57,7 @@ def measure(program):
         "batch of 10 000 queries, s": lambda: seconds(lambda: planner.batch(starts, goals, threads=1)),
         "a call that searches nothing, us": lambda: call_overhead(planner),
         "map of 4096 x 4096 to planner, s": lambda: least_of_maps(array, 0),
-        "the same from a range of values, s": lambda: least_of_maps(array, range(0, 2)),
+        "map of 4096 x 4096 from a range of values, s": lambda: least_of_maps(array, range(0, 2)),
     }
     ours = {name: [] for name in works}
     theirs = {name: [] for name in works}

@@ -56,18 +56,18 @@ class ArmColony final : public ColonyWorld {
         ants_(parameters.ants),
         tours_(parameters.ants) {
     if (parameters.line_ants > 0) seed_line();
-    if (parameters.scout) bound();
+    if (parameters.scout) update_bound();
     if (parameters.leash > 0) {
       const auto moves = static_cast<double>(straight_moves(lattice).size());
-      leash_ = std::max(1LL, std::llround(parameters.leash * (1 + moves)));
+      most_steps_ = std::max(1LL, std::llround(parameters.leash * (1 + moves)));
     }
-    walkers_.set_leash(leash_);
+    walkers_.limit_steps(most_steps_);
   }
 
   Result run() {
     const Cause cause = run_colony_loop(*this, parameters_.iterations, request_.stop, result_);
     result_.questions = lattice_.questions();
-    if (cause == Cause::none && (!bound_ || bound_at_ != result_.questions)) bound();
+    if (cause == Cause::none && (!bound_ || bound_questions_ != result_.questions)) update_bound();
     finish(cause);
     return std::move(result_);
   }
@@ -75,7 +75,7 @@ class ArmColony final : public ColonyWorld {
   // What the loop asks for.
   Cause send_ants(int q) override {
     trail_.refresh();
-    const Cause cause = walkers_.walk(q, ants_, request_.stop, scouted_);
+    const Cause cause = walkers_.walk(q, ants_, request_.stop, known_way_);
     for (int a = 0; a < parameters_.ants; ++a) {
       const LatticeAnt& ant = ants_[a];
       result_.steps += ant.steps;
@@ -124,18 +124,18 @@ class ArmColony final : public ColonyWorld {
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
       settled_ = true;
     // Without an arrival it may be that there is no way: what was learned can tell.
-    if (run.arrived.back() == 0) seek();
+    if (run.arrived.back() == 0) after_no_arrival();
     // What is learned raises the bound, the best tour stays: now and then that is looked at, too.
     constexpr int kLook = 4;
     const bool look = idle_ == 0 || (parameters_.prove && run.iterations % kLook == 0);
     const bool ends = request_.target_gap > 0 || parameters_.prove;
     if (parameters_.scout || (ends && !best_.empty() && look)) {
-      bound();
+      update_bound();
       const double gap =
           parameters_.prove ? std::max(request_.target_gap, kRounding) : request_.target_gap;
       settled_ |= ends && bound_ && best_length_ <= *bound_ * (1 + gap);
     }
-    settled_ |= closed_;
+    settled_ |= all_closed_;
     result_.asked.push_back(lattice_.questions());
     return cause;
   }
@@ -156,19 +156,19 @@ class ArmColony final : public ColonyWorld {
     return parameters_.ants / (nearest() * lattice_.unit());
   }
 
-  /// What is done after an iteration in which no ant arrived.
-  void seek() {
-    const bool tired = std::ranges::any_of(ants_, [](auto& ant) { return ant.tired; });
-    if (!tired && !parameters_.scout) bound();
-    if (!best_.empty() || !tired) return;
-    leash_ *= 2;
-    walkers_.set_leash(leash_);
+  /// Where ants ran out of steps they get twice as many, and random detours are tried.
+  void after_no_arrival() {
+    const bool out_of_steps = std::ranges::any_of(ants_, &LatticeAnt::out_of_steps);
+    if (!out_of_steps && !parameters_.scout) update_bound();
+    if (!best_.empty() || !out_of_steps) return;
+    most_steps_ *= 2;
+    walkers_.limit_steps(most_steps_);
     constexpr std::uint32_t kSeries = 1u << 30;  // of random values: goals have those below
     for (int i = 0; i < parameters_.vias && !lattice_.spent(); ++i) {
       if (request_.stop.poll() != Cause::none) return;
       // Near the start, and anywhere.
-      const double share = std::ldexp(1, -static_cast<int>(vias_ % 3));
-      JointVector via = random_values(robot_, request_.start, parameters_.seed, kSeries, vias_++);
+      const double share = std::ldexp(1, -static_cast<int>(tries_ % 3));
+      JointVector via = random_values(robot_, request_.start, parameters_.seed, kSeries, tries_++);
       via = request_.start + share * (via - request_.start);
       const int end = lattice_.end_by_way_of(via);
       if (end < 0) continue;
@@ -206,13 +206,13 @@ class ArmColony final : public ColonyWorld {
     }
   }
 
-  void bound() {
+  void update_bound() {
     if (lattice_.spent()) return;  // the search, which asks nothing, would be cut at once
     const KnownWay way = shortest_known_way(lattice_, Unknown::counts_as_free, request_.stop);
     if (way.cause != Cause::none) return;
-    bound_at_ = lattice_.questions();
-    closed_ = !way.cost;
-    if (parameters_.scout) scouted_ = way.moves;
+    bound_questions_ = lattice_.questions();
+    all_closed_ = !way.cost;
+    if (parameters_.scout) known_way_ = way.moves;
     if (way.cost) bound_ = *way.cost * lattice_.unit();
   }
 
@@ -220,7 +220,7 @@ class ArmColony final : public ColonyWorld {
     const bool found = !best_.empty();
     end_run(result_, cause, found ? Status::solved : Status::no_path);
     // Where every way to it is closed, no ant may have tried the goal itself.
-    if (lattice_.goals_blocked(!found && closed_)) {
+    if (lattice_.goals_blocked(!found && all_closed_)) {
       result_.status = Status::invalid;
       result_.fault = Fault::goal_blocked;
       result_.error = "the arm touches something at the goal";
@@ -228,8 +228,8 @@ class ArmColony final : public ColonyWorld {
     result_.questions = lattice_.questions();
     if (result_.status == Status::no_path && detour_.empty())
       result_.error =
-          lattice_.not_found() +
-          (closed_ ? ", every way in it is closed; " + lattice_.larger() : "; try more iterations");
+          lattice_.not_found() + (all_closed_ ? ", every way in it is closed; " + lattice_.larger()
+                                              : "; try more iterations");
     if (!found && !detour_.empty()) take_detour();
     if (!found) return;
     result_.length = best_length_;
@@ -276,14 +276,14 @@ class ArmColony final : public ColonyWorld {
   double best_length_ = kInfinity;
   int idle_ = 0;  // iterations since it was found
   bool settled_ = false;
-  std::vector<int> scouted_;  // a shortest way as far as it is known
-  bool closed_ = false;       // every way is, as far as it is known
-  std::int64_t leash_ = 0;
-  std::uint32_t vias_ = 0;           // random joint values that were tried
+  std::vector<int> known_way_;       // moves of a shortest way of edges that may be open
+  bool all_closed_ = false;          // every way is known to be
+  std::int64_t most_steps_ = 0;      // of an ant; 0: any number
+  std::uint32_t tries_ = 0;          // random joint values so far, for detours
   std::vector<JointVector> detour_;  // start, such values, an end
   int detour_end_ = -1;
   std::optional<double> bound_;
-  Questions bound_at_{.positions = -1};  // what was known when it was computed
+  Questions bound_questions_{.positions = -1};  // that were asked when it was computed
   Result result_;
 };
 

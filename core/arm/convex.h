@@ -19,8 +19,8 @@ struct Block {
   Vec3 support(Vec3 direction) const noexcept;
 };
 
-/// Between two blocks, where that is below `enough`; else a value from `enough` on that is not
-/// above it. Less than the true one by at most a millionth of it and 1e-9.
+/// Metres between two blocks, where that is below `enough`; else a value from `enough` on that is
+/// not above it. Less than the true one by at most a millionth of it and 1e-9.
 double distance_between(const Block& a, const Block& b, double enough) noexcept;
 double distance_between(const Block& a, const Triangle& b, double enough) noexcept;
 double distance_between(const Triangle& a, const Triangle& b, double enough) noexcept;

@@ -42,8 +42,7 @@ std::string limits_fault(const Robot& robot, const JointVector& q, const std::st
          number_text(joint.low) + " .. " + number_text(joint.high);
 }
 
-/// Turned by whole turns, as near to `start` as the limits let it: every joint, or those alone that
-/// turn freely.
+/// Turned by whole turns as near to `start` as limits allow: all joints, or those turning freely.
 void turn_towards(const Robot& robot, const JointVector& start, bool all, JointVector& q) {
   constexpr double kTurn = 2 * std::numbers::pi;
   for (int j = 0; j < robot.size(); ++j) {
@@ -80,14 +79,14 @@ std::pair<std::string, std::string> metres(double length, double than) {
 }
 
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         double hair) {
+                         double tolerance) {
   if (q.size() != robot.size()) {
     return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
            std::to_string(robot.size());
   }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (!(q[j] >= joint.low - hair && q[j] <= joint.high + hair))
+    if (!(q[j] >= joint.low - tolerance && q[j] <= joint.high + tolerance))
       return limits_fault(robot, q, what, j);
   }
   return {};

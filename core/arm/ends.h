@@ -14,17 +14,17 @@ namespace lasius::arm {
 /// Joint values that reach a goal of the request.
 struct End {
   JointVector q;
-  int goal = 0;
-  Vec3 tip;
+  int goal = 0;  // index of the request's goals
+  Vec3 tip;      // where it is then, metres
 };
 
 /// Two lengths for a message, the first with as many digits as tell it from the second.
 std::pair<std::string, std::string> metres(double length, double than);
 
-/// Why these are no joint values within the limits, by more than a hair; empty where they are.
+/// Why these are no joint values within the limits, by more than `tolerance`; empty where they are.
 /// `what` names them, "start" say.
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         double hair = 0);
+                         double tolerance = 0);
 
 /// Values that are outside of the limits by no more than Request::kLimitTolerance, taken at them; a
 /// note of each is added. `what` as of values_fault.
@@ -53,15 +53,14 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
 /// Joint values of which none differs by more are one posture.
 inline constexpr double kSamePosture = 0.2;  // radians or metres
 
-/// Values drawn within the limits, by number; of a joint that turns on and on within one turn about
-/// the start.
+/// Values drawn within the limits, by number; of a joint turning freely within a turn of `start`.
 JointVector random_values(const Robot& robot, const JointVector& start, std::uint64_t seed,
                           std::uint32_t series, std::uint32_t number);
 
 /// The length of the straight joint-space line: the root of the sum of squares.
 double joint_travel(const JointRef& a, const JointRef& b);
 
-/// Largest change of a joint.
+/// Largest change of a joint, radians or metres.
 double largest_change(const JointRef& a, const JointRef& b);
 
 }  // namespace lasius::arm

@@ -41,23 +41,23 @@ Obstacle draw_obstacle(Draw& draw, const Kinematics& arm) {
   return o;
 }
 
-/// A position of the arm, and where its tip is then.
-struct Stand {
+/// Joint values, and where the tip is then.
+struct ArmPosition {
   JointVector q;
   Vec3 tip;
 };
 
-Stand draw_stand(Draw& draw, const Robot& robot) {
-  Stand stand{JointVector(robot.size()), {}};
+ArmPosition draw_position(Draw& draw, const Robot& robot) {
+  ArmPosition drawn{JointVector(robot.size()), {}};
   for (int j = 0; j < robot.size(); ++j) {
     // A middle part of its range: the ends are full of self-contact.
     const Joint& joint = robot.joints[j];
     const double middle = 0.5 * (joint.low + joint.high);
     const double half = joint.continuous ? 3.14 : 0.35 * (joint.high - joint.low);
-    stand.q[j] = draw.between(middle - half, middle + half);
+    drawn.q[j] = draw.between(middle - half, middle + half);
   }
-  stand.tip = tip_position(robot, stand.q);
-  return stand;
+  drawn.tip = tip_position(robot, drawn.q);
+  return drawn;
 }
 
 /// A plate across the way from one tip to the other.
@@ -84,7 +84,7 @@ std::optional<Query> attempt(const Robot& robot, const GenerateOptions& options,
   for (int i = 0; i < options.obstacles; ++i) {
     query.scene.obstacles.push_back(draw_obstacle(draw, arm));
   }
-  const Stand start = draw_stand(draw, robot), goal = draw_stand(draw, robot);
+  const ArmPosition start = draw_position(draw, robot), goal = draw_position(draw, robot);
   if (distance(start.tip, goal.tip) < options.least_distance * arm.reach()) return std::nullopt;
   if (options.wall > 0) {
     query.scene.obstacles.push_back(wall_between(start.tip, goal.tip, options.wall));

@@ -85,8 +85,7 @@ class Lattice {
   /// posture, and a move to an end, as many as joint steps it takes, one at least. Of the other
   /// objectives in radians or seconds. Precondition: both ends have joint values.
   double cost(Node v, int move) const;
-  /// A straight joint-space line to an end from afar, which the lattice itself has not: no bound
-  /// counts it.
+  /// A straight joint-space line to an end from afar, not of the lattice itself: outside of bounds.
   bool is_line(Node v, int move) const noexcept {
     return move == end_move_ && guidance(v)[move] < 1;
   }
@@ -113,14 +112,13 @@ class Lattice {
   Vec3 position(Node v) const noexcept;
   /// Joint values, null where there are none. Kinematics only.
   const double* configuration(Node v) const;
-  /// u^gamma of the moves out of a node whose configuration was asked for (eq. 9); 0 where there is
-  /// no such move.
+  /// u^gamma of the moves() out of a node whose configuration was asked for (eq. 9); 0: no move.
   const float* guidance(Node v) const noexcept { return guidance_.at(v * row_); }
 
   /// True when the move can be made. Asks the sensor what is not known. Precondition: `v` has a
   /// configuration that is free.
   bool open(Node v, int move) const;
-  /// The same as far as it is known; kinematics is worked out, the sensor not asked.
+  /// False when the move is known to be closed; kinematics is worked out, the sensor not asked.
   bool maybe_open(Node v, int move) const;
   /// True when the sensor was asked and said no.
   bool known_blocked(Node v) const noexcept { return load(position_[v]) == kNo; }
@@ -150,7 +148,7 @@ class Lattice {
   /// True when the next move to be tried could ask more than may be asked.
   bool spent() const noexcept { return most_asked_ > 0 && asked() + 2 > most_asked_; }
   /// True once a LatticePoller stopped for that reason.
-  bool questions_ended_it() const noexcept { return questions_ended_it_; }
+  bool out_of_questions() const noexcept { return out_of_questions_; }
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
@@ -166,7 +164,7 @@ class Lattice {
   Eigen::Map<const JointVector> joint_values(Node v) const {
     return {values_.at(v * joints_), joints_};
   }
-  /// The same move from the other end.
+  /// The move from to(v, move) back to v.
   int back(Node v, int move) const noexcept {
     return move < kTipMoves ? move ^ 1 : kTipMoves + static_cast<int>(v / points_);
   }
@@ -212,7 +210,7 @@ class Lattice {
   mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
   friend class LatticePoller;
-  mutable std::atomic<bool> questions_ended_it_{false};
+  mutable std::atomic<bool> out_of_questions_{false};
 };
 
 /// Polls after so many steps, and after every question that was asked: a sensor may take its time.
@@ -231,7 +229,7 @@ class LatticePoller {
   /// Questions that are spent count as a deadline; that it was they is noted in the lattice.
   StopCondition::Cause cause() const noexcept {
     if (poller_.stopped() || !lattice_.spent()) return poller_.cause();
-    lattice_.questions_ended_it_ = true;
+    lattice_.out_of_questions_ = true;
     return StopCondition::Cause::deadline;
   }
 

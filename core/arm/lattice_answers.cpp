@@ -35,7 +35,7 @@ bool Lattice::answer_once(std::uint8_t& answer, const Find& find) {
 const double* Lattice::configuration(Node v) const {
   const std::uint8_t known = load(solved_[v]);
   if (known == kYes || known == kNo) return known == kYes ? values_.at(v * joints_) : nullptr;
-  // Two threads may solve the same point: they find the same, and one of them enters it.
+  // Two threads may solve the same point: they find equal values, and one of them enters them.
   JointArray q;
   const bool found = solve(v, q);
   const bool yes = answer_once(solved_[v], [&] {

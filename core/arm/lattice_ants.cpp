@@ -21,21 +21,21 @@ LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
     : lattice_(lattice), trail_(trail), parameters_(parameters) {
   const int threads = std::clamp(parameters.ants / 2, 1, std::max(parameters.threads, 1));
   for (int i = 0; i < threads; ++i) {
-    teams_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}, {}});
+    scratch_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}, {}});
   }
 }
 
 StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,
-                                       const StopCondition& stop, std::span<const int> scouted) {
+                                       const StopCondition& stop, std::span<const int> known_way) {
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   const auto count = static_cast<int>(ants.size());
-  parallel_for(count, static_cast<int>(teams_.size()), [&](int a, int thread) {
-    ants[a].arrived = ants[a].tired = false;
+  parallel_for(count, static_cast<int>(scratch_.size()), [&](int a, int thread) {
+    ants[a].arrived = ants[a].out_of_steps = false;
     ants[a].moves.clear();
     ants[a].steps = 0;
     if (cause != StopCondition::Cause::none) return;
-    const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop,
-                               a == 0 ? scouted : std::span<const int>());
+    const auto seen = walk_one(scratch_[thread], iteration, a, ants[a], stop,
+                               a == 0 ? known_way : std::span<const int>());
     if (seen != StopCondition::Cause::none) cause = seen;
   });
   return cause;
@@ -44,13 +44,13 @@ StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants
 /// The random proportional rule (eq. 3, 9) over the points not yet visited that can be reached: a
 /// move that turns out closed is drawn again without it, which leaves the others in proportion. -1
 /// when there is none, or when stopped.
-int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice,
+int LatticeAnts::draw_open_move(const ThreadScratch& scratch, Node at, Dice& dice,
                                 LatticePoller& poller) const {
   std::array<double, kMostMoves> weights;
   const std::span weight(weights.data(), static_cast<std::size_t>(lattice_.moves()));
   const float* guidance = lattice_.guidance(at);
   for (int k = 0; k < lattice_.moves(); ++k) {
-    const bool closed = !(guidance[k] > 0) || team.visited[lattice_.to(at, k)] != 0;
+    const bool closed = !(guidance[k] > 0) || scratch.visited[lattice_.to(at, k)] != 0;
     weight[k] = closed ? 0 : trail_.attraction(trail_.place(at, k)) * guidance[k];
   }
   for (;;) {
@@ -61,9 +61,9 @@ int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice,
   }
 }
 
-StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
-                                           const StopCondition& stop,
-                                           std::span<const int> scouted) const {
+StopCondition::Cause LatticeAnts::walk_one(ThreadScratch& scratch, int iteration, int number,
+                                           LatticeAnt& ant, const StopCondition& stop,
+                                           std::span<const int> known_way) const {
   constexpr int kSteps = 256;  // between two polls: kinematics takes its time
   static_assert(kSteps <= Poller::kSteps);
   // Many ants of few steps each would never spend the poller's budget.
@@ -72,41 +72,41 @@ StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number
             static_cast<std::uint32_t>(iteration));
   LatticePoller poller(lattice_, stop, kSteps);
   Node at = lattice_.start();
-  team.visited[at] = 1;
-  team.entered.assign(1, at);
-  team.way.assign(1, at);
+  scratch.visited[at] = 1;
+  scratch.entered.assign(1, at);
+  scratch.way.assign(1, at);
   struct Forget {
-    Team& team;
+    ThreadScratch& scratch;
     ~Forget() {
-      for (const Node v : team.entered) team.visited[v] = 0;
+      for (const Node v : scratch.entered) scratch.visited[v] = 0;
     }
-  } forget{team};
+  } forget{scratch};
 
   while (!lattice_.arrived(at)) {
     if (poller.stop_after(1)) return poller.cause();
-    ant.tired = leash_ > 0 && ant.steps >= leash_;
-    if (ant.tired) return StopCondition::Cause::none;
+    ant.out_of_steps = most_steps_ > 0 && ant.steps >= most_steps_;
+    if (ant.out_of_steps) return StopCondition::Cause::none;
     ++ant.steps;
     int move = -1;
-    if (!scouted.empty() && lattice_.open(at, scouted.front())) {
-      move = scouted.front();
-      scouted = scouted.subspan(1);
+    if (!known_way.empty() && lattice_.open(at, known_way.front())) {
+      move = known_way.front();
+      known_way = known_way.subspan(1);
     } else {
-      scouted = {};
-      if (!poller.stop_after(0)) move = draw_open_move(team, at, dice, poller);
+      known_way = {};
+      if (!poller.stop_after(0)) move = draw_open_move(scratch, at, dice, poller);
     }
     if (poller.stopped()) return poller.cause();
     if (move >= 0) {
       at = lattice_.to(at, move);
       ant.moves.push_back(static_cast<std::uint8_t>(move));
-      team.visited[at] = 1;
-      team.entered.push_back(at);
-      team.way.push_back(at);
+      scratch.visited[at] = 1;
+      scratch.entered.push_back(at);
+      scratch.way.push_back(at);
     } else if (ant.moves.empty() || parameters_.dead_end == DeadEnd::kill) {
       return StopCondition::Cause::none;  // lost
     } else {
-      team.way.pop_back();
-      at = team.way.back();
+      scratch.way.pop_back();
+      at = scratch.way.back();
       ant.moves.pop_back();
     }
   }

@@ -48,8 +48,8 @@ class LatticeTrail {
   double scale_;          // tau = stored * scale
   double untouched_ = 1;  // stored, where there was no deposit
   double untouched_power_;
-  ZeroArray<double> stored_;           // 0: untouched
-  ZeroArray<double> power_;            // likewise
+  ZeroArray<double> stored_;           // by place; 0: untouched
+  ZeroArray<double> power_;            // stored^alpha by place; 0: untouched
   std::vector<std::int64_t> touched_;  // every place with a deposit
   std::vector<std::int64_t> changed_;  // since the last refresh
   bool all_changed_ = false;

@@ -8,15 +8,15 @@
 namespace lasius::arm {
 namespace {
 
-/// A way that may be gone on with over a move.
-struct Onward {
+/// A way to `from` and the move that goes on from there, to be looked at in the order of `total`.
+struct QueueEntry {
   double total;         // at least, to a goal
   double so_far;        // to `from`, or where it is `tried` over the move
   std::int64_t number;  // of equals the last comes first
   Node from;
   int move;
   bool tried;
-  friend bool operator<(const Onward& a, const Onward& b) {
+  friend bool operator<(const QueueEntry& a, const QueueEntry& b) {
     return a.total != b.total ? a.total > b.total : a.number < b.number;
   }
 };
@@ -30,7 +30,7 @@ class WaySearch {
     LatticePoller poller(lattice_, stop, 1024);  // kinematics takes its time
     settle(lattice_.start(), 0, lattice_.least(lattice_.start()));
     while (!queue_.empty()) {
-      const Onward entry = queue_.top();
+      const QueueEntry entry = queue_.top();
       queue_.pop();
       const Node at = lattice_.to(entry.from, entry.move);
       if (by_[at] != 0 || at == lattice_.start()) continue;
@@ -80,7 +80,7 @@ class WaySearch {
   Unknown unknown_;
   ZeroArray<Node> from_;
   ZeroArray<std::uint8_t> by_;  // the move, from 1; 0: not reached
-  std::priority_queue<Onward> queue_;
+  std::priority_queue<QueueEntry> queue_;
   std::int64_t number_ = 0;
 };
 

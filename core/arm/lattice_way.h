@@ -23,8 +23,8 @@ enum class Unknown { counts_as_free, is_asked };
 /// kinematics is worked out on the fly, the sensor is not asked.
 KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
 
-/// The same with few questions: the cheapest way as far as it is known is tried edge by edge, and
-/// searched anew where one is closed (as LPA* and LazySP do).
+/// A cheapest open way, found with few questions: the cheapest that may be open is tried edge by
+/// edge, and searched anew where one is closed (as LPA* and LazySP do).
 KnownWay shortest_tried_way(const Lattice& lattice, const StopCondition& stop);
 
 /// The moves from start to the nearest goal that keep nearest to the straight line: each along the

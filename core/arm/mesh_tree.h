@@ -21,9 +21,9 @@ class MeshTree {
 
   /// Distance from the segment to the nearest triangle where that is below `limit`, else `limit`.
   double distance(const Segment& s, double limit) const noexcept;
-  /// The same from a block in this mesh's frame, as near as `distance_between` tells.
+  /// From a block in this mesh's frame; capped at `limit`, as exact as `distance_between`.
   double distance(const Block& block, double limit) const noexcept;
-  /// The same from another mesh, whose frame is at `pose` in this one's.
+  /// From another mesh, whose frame is at `pose` in this one's; capped at `limit`.
   double distance(const MeshTree& other, const Placement& pose, double limit) const noexcept;
 
  private:

@@ -101,10 +101,10 @@ void postures(Params& p) {
   p.shortcuts = 100;
 }
 
-/// "A small positive number", the same whatever m is.
+/// tau0 is "a small positive number", whatever m is.
 void goritov2020(Params& p) { p.initial_pheromone = 0.01; }
 
-// Of the algorithms, in the same order.
+// In the order of kAlgorithms.
 constexpr std::array<void (*)(Params&), kAlgorithms.size()> kPresets{postures, goritov2020};
 
 constexpr std::array kLists{std::span<const Entry>(kEntries)};

@@ -8,12 +8,13 @@
 
 namespace lasius::arm {
 
-/// A point that no point of the thing is further from than `radius`.
+/// A ball around all points of a thing, metres.
 struct Ball {
   Vec3 centre;
   double radius = 0;
 };
 
+/// Between the balls' surfaces, negative where they meet.
 inline double gap_between(const Ball& a, const Ball& b) noexcept {
   return distance(a.centre, b.centre) - a.radius - b.radius;
 }
@@ -23,7 +24,7 @@ class Part {
  public:
   explicit Part(const Solid& solid);
 
-  /// The same at the place of its body.
+  /// The part in the world, by the place of its body.
   struct Placed {
     const Part* part = nullptr;
     Placement pose;
@@ -52,8 +53,7 @@ class Part {
   std::shared_ptr<const MeshTree> mesh_;
 };
 
-/// Between two parts where that is below `enough`, else a value from `enough` on; never more than
-/// it is.
+/// Between two parts where that is below `enough`, else a value from `enough` up to the distance.
 double distance_between(const Part::Placed& a, const Part::Placed& b, double enough) noexcept;
 
 }  // namespace lasius::arm

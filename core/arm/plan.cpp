@@ -1,7 +1,7 @@
 #include "core/arm/arm_colony.h"
-#include "core/arm/inquiry.h"
 #include "core/arm/lattice_way.h"
 #include "core/arm/plan_check.h"
+#include "core/arm/request_solver.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "lasius/arm_plan.h"
@@ -82,9 +82,9 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     check_clearance(sensor);
     check_duration(request.duration);
   }
-  Inquiry inquiry(robot, sensor, request, parameters);
-  Result result = inquiry.answer([&](const Lattice& lattice, const Params& p) {
-    return run_arm_colony(robot, lattice, inquiry.request(), p, observer);
+  RequestSolver solver(robot, sensor, request, parameters);
+  Result result = solver.solve([&](const Lattice& lattice, const Params& p) {
+    return run_arm_colony(robot, lattice, solver.request(), p, observer);
   });
   if (result.joints.cols() == 0) return result;
   if (request.motion) {
@@ -119,16 +119,16 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
 
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {
-  return Inquiry(robot, sensor, request, lattice_alone(parameters))
-      .answer([&](const Lattice& lattice, const Params&) {
+  return RequestSolver(robot, sensor, request, lattice_alone(parameters))
+      .solve([&](const Lattice& lattice, const Params&) {
         return answer_of(shortest_known_way(lattice, Unknown::is_asked, request.stop), lattice);
       });
 }
 
 Result lazy_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                         const Params& parameters) {
-  return Inquiry(robot, sensor, request, lattice_alone(parameters))
-      .answer([&](const Lattice& lattice, const Params&) {
+  return RequestSolver(robot, sensor, request, lattice_alone(parameters))
+      .solve([&](const Lattice& lattice, const Params&) {
         return answer_of(shortest_tried_way(lattice, request.stop), lattice);
       });
 }
@@ -153,7 +153,7 @@ Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
     result.length = static_cast<double>(moves.size()) * lattice.pitch();
     return result;
   };
-  return Inquiry(robot, sensor, request, lattice_alone(parameters)).answer(search);
+  return RequestSolver(robot, sensor, request, lattice_alone(parameters)).solve(search);
 }
 
 }  // namespace lasius::arm

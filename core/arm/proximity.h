@@ -1,4 +1,4 @@
-// Distances from a segment to the shapes of a scene, in the shape's own frame.
+// Distances from a segment to the shapes of a scene, metres, in the shape's own frame.
 //
 // The distance from a point that runs along a segment to a convex set is a convex function of its
 // place, so a minimum is found by the sign of a derivative: no iteration can miss it.

@@ -95,15 +95,15 @@ Eigen::Quaterniond turn_of_z(const Eigen::Vector3d& to) {
 
 /// FCL takes a triangle without area for touching everything: its corners are moved by a nanometre.
 std::array<Eigen::Vector3d, 3> with_area(const std::array<Eigen::Vector3d, 3>& triangle) {
-  constexpr double kHair = 1e-9;
+  constexpr double kTolerance = 1e-9;
   const auto& [a, b, c] = triangle;
   const Eigen::Vector3d u = b - a, v = c - a;
   const double size = std::max(u.norm(), v.norm());
   if (u.cross(v).norm() > 1e-12 * size * size) return triangle;
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();
-  if (size > kHair) along = (u.norm() < size ? v : u) / size;
+  if (size > kTolerance) along = (u.norm() < size ? v : u) / size;
   const Eigen::Vector3d across = along.unitOrthogonal();
-  return {a, b + kHair * across, c + kHair * along.cross(across)};
+  return {a, b + kTolerance * across, c + kTolerance * along.cross(across)};
 }
 
 /// A solid as FCL has it: what is long along z, about its middle.
@@ -177,12 +177,12 @@ bool may_touch(const Robot& robot, int a, int b) {
 }
 
 bool breaks_limit(const Robot& robot, const Trajectory::State& state) {
-  constexpr double kHair = 1e-9;
+  constexpr double kTolerance = 1e-9;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (state.q[j] < joint.low - kHair || state.q[j] > joint.high + kHair ||
-        std::abs(state.dq[j]) > joint.velocity * (1 + kHair) ||
-        std::abs(state.ddq[j]) > joint.acceleration * (1 + kHair)) {
+    if (state.q[j] < joint.low - kTolerance || state.q[j] > joint.high + kTolerance ||
+        std::abs(state.dq[j]) > joint.velocity * (1 + kTolerance) ||
+        std::abs(state.ddq[j]) > joint.acceleration * (1 + kTolerance)) {
       return true;
     }
   }
@@ -205,11 +205,11 @@ bool is_nothing(const Solid& s) {
   return s.shape == Solid::Shape::mesh && (s.triangles == nullptr || s.triangles->empty());
 }
 
-/// Follows a trajectory with KDL and FCL.
-class Follower {
+/// Checks a trajectory moment by moment, with KDL and FCL.
+class TrajectoryChecker {
  public:
-  Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
-           const StopCondition& stop)
+  TrajectoryChecker(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
+                    const StopCondition& stop)
       : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)), poller_(stop, 16) {
     for (const Obstacle& o : scene.obstacles)
       if (!is_nothing(o)) obstacles_.push_back(place(o));
@@ -227,13 +227,13 @@ class Follower {
     set_levers();
   }
 
-  Recheck follow(int samples) {
+  Recheck run(int samples) {
     found_ = {.nearest = kInfinity};
     Moment last;
     for (int s = 0; s < samples; ++s, ++found_.samples) {
       if (poller_.stop_after(1)) break;
       const double share = samples > 1 ? static_cast<double>(s) / (samples - 1) : 0;
-      const Moment now = look(share * trajectory_.duration());
+      const Moment now = moment_at(share * trajectory_.duration());
       const Vec3 tip = tip_position(robot_, now.state.q);
       found_.tip_error = std::max(found_.tip_error, length(tip - now.tip));
       found_.nearest = std::min(found_.nearest, now.nearest);
@@ -283,7 +283,7 @@ class Follower {
     for (const auto& knot : trajectory_.knots()) most_ = most_.cwiseMax(knot.ddq.cwiseAbs());
   }
 
-  Moment look(double time) const {
+  Moment moment_at(double time) const {
     Moment now{time, kInfinity, trajectory_.at(time), {}, {}};
     now.gaps.setConstant(robot_.size() + 1, robot_.size() + 1, now.nearest);
     std::vector<fcl::Transform3d> bodies{fcl::Transform3d::Identity()};
@@ -330,11 +330,11 @@ class Follower {
     return true;
   }
 
-  /// The same for all that the trajectory does between two samples, knot by knot.
+  /// Whether it can be shown that nothing touches between two samples, knot by knot.
   bool is_free(Moment from, const Moment& to) {
     for (const Trajectory::Knot& knot : trajectory_.knots()) {
       if (knot.time <= from.time || knot.time >= to.time) continue;
-      Moment next = look(knot.time);
+      Moment next = moment_at(knot.time);
       if (!is_free(from, next, kMostHalvings)) return false;
       from = std::move(next);
     }
@@ -350,7 +350,7 @@ class Follower {
     const JointVector turn = 0.5 * (b.state.q - a.state.q).cwiseAbs() + h * h / 8 * most_;
     if (stays_apart(a, turn) && stays_apart(b, turn)) return true;
     if (halvings == 0 || poller_.stop_after(1)) return false;
-    const Moment middle = look(a.time + 0.5 * h);
+    const Moment middle = moment_at(a.time + 0.5 * h);
     return is_free(a, middle, halvings - 1) && is_free(middle, b, halvings - 1);
   }
 
@@ -371,7 +371,7 @@ class Follower {
 Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples,
                 const StopCondition& stop) {
   check(robot, scene, trajectory, samples);
-  return Follower(robot, scene, trajectory, stop).follow(samples);
+  return TrajectoryChecker(robot, scene, trajectory, stop).run(samples);
 }
 
 }  // namespace lasius::arm

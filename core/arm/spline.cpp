@@ -48,7 +48,7 @@ std::vector<double> solve(std::vector<Row>& rows) {
 /// Continuity of the first derivative at knot i:
 ///   h[i-1] M[i-1] + 2 (h[i-1] + h[i]) M[i] + h[i] M[i+1]
 ///     = 6 ((q[i+1] - q[i]) / h[i] - (q[i] - q[i-1]) / h[i-1])
-/// At rest at the start, M[0] = 0 and the free value is q[1] = q[0] + h[0]^2 M[1] / 6; likewise
+/// At rest at both ends, M[0] = M[n] = 0, and the free values are q[1] = q[0] + h[0]^2 M[1] / 6 and
 /// q[n-1] = q[n] + h[n-1]^2 M[n-1] / 6. Both are put into the rows in which they occur.
 void solve_joint(const std::vector<double>& times, const std::vector<double>& passed,
                  std::vector<double>& q, std::vector<double>& m) {
@@ -110,7 +110,7 @@ struct Cubic {
 
 }  // namespace
 
-Trajectory spline_through(const Course& course) {
+Trajectory spline_through(const TimedWaypoints& course) {
   const std::vector<double> times = knot_times(course.spans);
   const Eigen::Index joints = course.points.front().size();
   auto knots = empty_knots(times, joints);
@@ -126,7 +126,7 @@ Trajectory spline_through(const Course& course) {
   return Trajectory(std::move(knots));
 }
 
-Trajectory stop_and_go(const Course& course) {
+Trajectory stop_and_go(const TimedWaypoints& course) {
   std::vector<Knot> knots;
   double begin = 0;
   for (std::size_t i = 0; i < course.spans.size(); ++i) {

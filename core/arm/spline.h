@@ -9,23 +9,23 @@
 namespace lasius::arm {
 
 /// Joint vectors to pass, and the time between each and the next.
-struct Course {
+struct TimedWaypoints {
   std::vector<JointVector> points;  // at least 2
-  std::vector<double> spans;        // one less, above 0
+  std::vector<double> spans;        // one less, seconds above 0
 };
 
 /// The spline through the course: velocity and acceleration are 0 at both ends, for which the first
 /// and the last interval (or the only one) get a free knot each.
-Trajectory spline_through(const Course& course);
+Trajectory spline_through(const TimedWaypoints& course);
 
 /// Straight from point to point, at rest at each.
-Trajectory stop_and_go(const Course& course);
+Trajectory stop_and_go(const TimedWaypoints& course);
 
 /// How much longer interval `i` between two knots had to be for limits of velocity and acceleration
 /// to hold in it; 1 where one is just met.
 double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::size_t i);
 
-/// The same motion, `factor` times slower.
+/// The motion `factor` times slower: velocities by 1 / factor, joint values unchanged.
 Trajectory stretched(const Trajectory& trajectory, double factor);
 
 /// Least and largest value of a joint between knots i and i + 1.

@@ -31,10 +31,10 @@ namespace {
 
 using Waypoints = std::vector<JointVector>;
 
-/// Asks the sensor, counts, and polls.
-class Asker {
+/// The sensor, its questions counted and limited, with a poll before each.
+class CountedSensor {
  public:
-  Asker(const Sensor& sensor, const TrajectoryOptions& options)
+  CountedSensor(const Sensor& sensor, const TrajectoryOptions& options)
       : sensor_(sensor),
         clearance_(sensor.clearance()),
         poller_(options.stop, 16),
@@ -67,17 +67,17 @@ class Asker {
 
 /// From each waypoint on to one as far ahead as a straight motion goes, found by doubling and
 /// halving; again until nothing is left out. A way that returns to a waypoint stays there.
-Waypoints shortened(Waypoints way, Asker& asker) {
-  for (bool shorter = true; shorter && !asker.stopped();) {
+Waypoints shortened(Waypoints way, CountedSensor& counted) {
+  for (bool shorter = true; shorter && !counted.stopped();) {
     Waypoints kept{way.front()};
     for (std::size_t i = 0; i + 1 < way.size();) {
       std::size_t good = 1, bad = way.size() - i;  // ahead of i
       for (std::size_t step = 2; step < bad; step *= 2) {
-        (asker.motion_free(way[i], way[i + step]) ? good : bad) = step;
+        (counted.motion_free(way[i], way[i + step]) ? good : bad) = step;
       }
       while (bad - good > 1) {
         const std::size_t middle = good + (bad - good) / 2;
-        (asker.motion_free(way[i], way[i + middle]) ? good : bad) = middle;
+        (counted.motion_free(way[i], way[i + middle]) ? good : bad) = middle;
       }
       i += good;
       if (way[i] != kept.back()) kept.push_back(way[i]);
@@ -102,11 +102,11 @@ double far(const Robot& robot, bool quick, const JointVector& a, const JointVect
 /// Tries straight motions between two points drawn at random along the way (Geraerts & Overmars
 /// 2007), and keeps those that are free and shorter than the way between.
 Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
-                        Asker& asker) {
+                        CountedSensor& counted) {
   constexpr std::uint32_t kUse = 2;  // of random streams
   constexpr double kLeastGain = 1e-3;
   kernels::RandomStream words(options.seed, 0, 0, kUse);
-  for (int i = 0; i < options.shortcuts && way.size() > 2 && !asker.stopped(); ++i) {
+  for (int i = 0; i < options.shortcuts && way.size() > 2 && !counted.stopped(); ++i) {
     std::vector<double> until{0};
     for (std::size_t k = 1; k < way.size(); ++k)
       until.push_back(until.back() + far(robot, options.quick, way[k - 1], way[k]));
@@ -123,7 +123,7 @@ Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Wa
     }
     const double gain = at[1] - at[0] - far(robot, options.quick, ends[0], ends[1]);
     if (after[0] == after[1] || !(gain > kLeastGain * until.back())) continue;
-    if (!asker.motion_free(ends[0], ends[1])) continue;
+    if (!counted.motion_free(ends[0], ends[1])) continue;
     Waypoints shorter(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(after[0]));
     for (JointVector& end : ends) shorter.push_back(std::move(end));
     shorter.insert(shorter.end(), way.begin() + static_cast<std::ptrdiff_t>(after[1]), way.end());
@@ -140,7 +140,8 @@ double fastest(const Robot& robot, const JointVector& a, const JointVector& b) {
 /// Calls visit(i, span) for each piece of a trajectory, from knot i to the next, and the span of
 /// the course that it lies in.
 template <class Visit>
-void for_each_piece(const Course& course, const Trajectory& trajectory, const Visit& visit) {
+void for_each_piece(const TimedWaypoints& course, const Trajectory& trajectory,
+                    const Visit& visit) {
   const auto& knots = trajectory.knots();
   std::size_t span = 0;
   double until = course.spans[0];
@@ -153,7 +154,7 @@ void for_each_piece(const Course& course, const Trajectory& trajectory, const Vi
 
 /// Stretches spans until the limits hold nearly everywhere, and then all of them until they do.
 template <class Make>
-Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
+Trajectory within_limits(const Robot& robot, TimedWaypoints& course, const Make& make) {
   constexpr int kRounds = 30;
   Trajectory trajectory = make(course);
   for (int round = 0; round < kRounds; ++round) {
@@ -171,12 +172,12 @@ Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
   for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
     worst = std::max(worst, needed_stretch(robot, trajectory, i));
   }
-  constexpr double kHair = 1 + 1e-12;  // rounding
-  for (double& span : course.spans) span *= worst * kHair;
-  return stretched(trajectory, worst * kHair);
+  constexpr double kMargin = 1 + 1e-12;  // for rounding
+  for (double& span : course.spans) span *= worst * kMargin;
+  return stretched(trajectory, worst * kMargin);
 }
 
-/// The same motion, slower, to the last bit of its duration.
+/// The motion slowed to take exactly `duration` seconds.
 Trajectory slowed(const Trajectory& fast, double duration) {
   auto knots = stretched(fast, duration / fast.duration()).knots();
   knots.back().time = duration;
@@ -196,17 +197,18 @@ std::vector<double> levers(const Robot& robot) {
 }
 
 bool within_values(const Robot& robot, const Trajectory& trajectory, std::size_t i) {
-  constexpr double kHair = 1e-12;
+  constexpr double kTolerance = 1e-12;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const auto [low, high] = values_between(trajectory, i, j);
-    if (low < robot.joints[j].low - kHair || high > robot.joints[j].high + kHair) return false;
+    if (low < robot.joints[j].low - kTolerance || high > robot.joints[j].high + kTolerance)
+      return false;
   }
   return true;
 }
 
 /// A chord of a piece of length h is within h^2 / 8 max |ddq| of the joint's curve.
 bool free_between(const Trajectory& trajectory, std::size_t i, const std::vector<double>& lever,
-                  Asker& asker) {
+                  CountedSensor& counted) {
   const Trajectory::Knot &a = trajectory.knots()[i], &b = trajectory.knots()[i + 1];
   const double h = b.time - a.time;
   double bend = 0;
@@ -214,19 +216,19 @@ bool free_between(const Trajectory& trajectory, std::size_t i, const std::vector
     bend += lever[j] * std::max(std::abs(a.ddq[j]), std::abs(b.ddq[j]));
   }
   const int pieces =
-      std::max(1, static_cast<int>(std::ceil(h * std::sqrt(bend / (8 * asker.clearance())))));
+      std::max(1, static_cast<int>(std::ceil(h * std::sqrt(bend / (8 * counted.clearance())))));
   JointVector from = a.q;
   for (int p = 1; p <= pieces; ++p) {
     JointVector to = p == pieces ? b.q : trajectory.at(a.time + h * p / pieces).q;
-    if (!asker.motion_free(from, to)) return false;
+    if (!counted.motion_free(from, to)) return false;
     from = std::move(to);
   }
   return true;
 }
 
 /// Halves the marked spans of a course, each new point half way along the straight motion.
-Course refined(const Course& course, const std::vector<bool>& marked) {
-  Course finer;
+TimedWaypoints refined(const TimedWaypoints& course, const std::vector<bool>& marked) {
+  TimedWaypoints finer;
   finer.points.push_back(course.points.front());
   for (std::size_t i = 0; i < course.spans.size(); ++i) {
     const auto &a = course.points[i], &b = course.points[i + 1];
@@ -241,12 +243,12 @@ Course refined(const Course& course, const std::vector<bool>& marked) {
 }
 
 /// Spans of the course in which the spline is not free, and their neighbours.
-std::vector<bool> faulty_spans(const Robot& robot, const Course& course,
+std::vector<bool> faulty_spans(const Robot& robot, const TimedWaypoints& course,
                                const Trajectory& trajectory, const std::vector<double>& lever,
-                               Asker& asker) {
+                               CountedSensor& counted) {
   std::vector<bool> faulty(course.spans.size(), false);
   for_each_piece(course, trajectory, [&](std::size_t i, std::size_t span) {
-    if (within_values(robot, trajectory, i) && free_between(trajectory, i, lever, asker)) return;
+    if (within_values(robot, trajectory, i) && free_between(trajectory, i, lever, counted)) return;
     if (span > 0) faulty[span - 1] = true;
     faulty[span] = true;
     if (span + 1 < faulty.size()) faulty[span + 1] = true;
@@ -298,25 +300,25 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   for (const auto q : waypoints.colwise()) {
     if (way.empty() || q != way.back()) way.emplace_back(q);
   }
-  Asker asker(sensor, options);
-  if (options.shortcut) way = shortened(std::move(way), asker);
-  way = cut_at_random(robot, options, std::move(way), asker);
+  CountedSensor counted(sensor, options);
+  if (options.shortcut) way = shortened(std::move(way), counted);
+  way = cut_at_random(robot, options, std::move(way), counted);
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
-    asker.finish(result);
+    counted.finish(result);
     result.trajectory = Trajectory({{0, way[0], JointVector::Zero(robot.size())}});
     return result;
   }
-  Course course{way, {}};
+  TimedWaypoints course{way, {}};
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     course.spans.push_back(fastest(robot, way[i], way[i + 1]));
   }
-  const Course straight = course;
+  const TimedWaypoints straight = course;
   const std::vector<double> lever = levers(robot);
   bool found = false;
-  for (int round = 0; round < kRounds && !found && !asker.stopped(); ++round) {
+  for (int round = 0; round < kRounds && !found && !counted.stopped(); ++round) {
     result.trajectory = within_limits(robot, course, spline_through);
-    const auto faulty = faulty_spans(robot, course, result.trajectory, lever, asker);
+    const auto faulty = faulty_spans(robot, course, result.trajectory, lever, counted);
     found = std::ranges::find(faulty, true) == faulty.end();
     if (!found) course = refined(course, faulty);
   }
@@ -328,7 +330,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   }
   if (options.duration > result.trajectory.duration())
     result.trajectory = slowed(result.trajectory, options.duration);
-  asker.finish(result);
+  counted.finish(result);
   return result;
 }
 

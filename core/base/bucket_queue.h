@@ -106,8 +106,7 @@ class BucketQueue {
     word |= bit;
   }
 
-  // All buckets are empty: starts them anew at the least key that waits. Returns how many items
-  // wait.
+  // All buckets are empty: starts them anew at the least key that waits; returns the items dealt.
   std::int64_t deal_out() noexcept {
     std::uint32_t waiting = overflow_;
     overflow_ = kNone;

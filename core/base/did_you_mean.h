@@ -81,8 +81,8 @@ inline std::string did_you_mean(std::string_view name, std::span<const std::stri
   return all;
 }
 
-/// The same among things with a name and a summary, such as parameters: one whose summary gives
-/// `name` as the symbol of its source ("ants an iteration, m") before the nearest.
+/// The remedy for an unknown name among things with a name and a summary, such as parameters: one
+/// whose summary gives `name` as its source's symbol ("ants an iteration, m"), else the nearest.
 template <class Described>
 std::string did_you_mean(std::string_view name, std::span<const Described> known,
                          const std::string& list = {}) {

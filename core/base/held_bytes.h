@@ -17,7 +17,7 @@ std::int64_t held_bytes(const std::vector<T>&... vectors) noexcept {
   return (std::int64_t{0} + ... + static_cast<std::int64_t>(vectors.capacity() * kSizeOf<T>));
 }
 
-/// The same, and of what each element holds by its bytes().
+/// Of the elements, and what each of them holds by its bytes().
 template <class T>
 std::int64_t held_bytes_of_all(const std::vector<T>& vector) noexcept {
   std::int64_t bytes = held_bytes(vector);

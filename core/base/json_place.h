@@ -51,8 +51,7 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
         fault->problem, fault->remedy);
   }
 
-  /// The byte behind the object or list that the text begins with; its end where that is not
-  /// closed.
+  /// The byte behind the object or list that the text begins with; the text's size if not closed.
   static std::size_t end_of_first(std::string_view text) {
     const auto last = find_bracket(text, [](int depth) { return depth == 0; });
     return last ? *last + 1 : text.size();

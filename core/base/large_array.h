@@ -19,7 +19,7 @@ class GrowingArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// Room for `size` values at least. Throws std::bad_alloc, and is then as before.
+  /// Room for `size` values at least. @throws std::bad_alloc, the array unchanged
   void grow(std::size_t size) { block_.grow(size * kSizeOf<T>); }
   std::size_t size() const noexcept { return block_.size() / kSizeOf<T>; }
   T* data() noexcept { return static_cast<T*>(block_.data()); }
@@ -31,7 +31,7 @@ class GrowingArray {
   MemoryBlock block_;
 };
 
-/// As a std::vector, which copies all that it holds to grow, though: a pause of 50 ms for 100 MB.
+/// A list that grows without copying: a std::vector would pause for 50 ms at 100 MB.
 template <class T>
 class GrowingList {
  public:
@@ -66,8 +66,8 @@ class ZeroArray {
   explicit ZeroArray(std::int64_t size) : block_(static_cast<std::size_t>(size) * kSizeOf<T>) {}
 
   /// At least `size` values, all zero. Those of a large array are given back, those of a small one
-  /// set to zero if it is `marked`. False when stopped: then values may be left, and it is to be
-  /// renewed again, as before.
+  /// set to zero if it is `marked`. False when stopped: then values may be left, and it must be
+  /// renewed again before use, `marked` unchanged.
   bool renew(std::int64_t size, bool marked, Poller& poller) {
     if ((marked || block_.paged()) && !block_.clear(poller)) return false;
     if (size > this->size()) *this = ZeroArray(size);

@@ -31,8 +31,7 @@ class LASIUS_EXPORT MemoryBlock {
   }
   ~MemoryBlock();
 
-  /// More bytes; what is in the block stays, new bytes hold anything. The block is as before where
-  /// this throws.
+  /// More bytes; what is in the block stays, new bytes hold anything. Unchanged where this throws.
   void grow(std::size_t bytes);
 
   /// All bytes 0 again; pages are given back. False when stopped, with some of it done.

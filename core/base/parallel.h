@@ -35,13 +35,13 @@ void parallel_for(int count, int threads, const Body& body) {
     }
   };
   using Call = decltype(call);
-  const ThreadTeam::Task task = [](const void* context, int i, int thread) noexcept {
+  const ThreadTeam::LoopBody loop_body = [](const void* context, int i, int thread) noexcept {
     (*static_cast<const Call*>(context))(i, thread);
   };
   if (team != nullptr)
-    team->share(count, threads, task, &call);
+    team->share(count, threads, loop_body, &call);
   else
-    ThreadTeam::share_once(count, threads, task, &call);
+    ThreadTeam::share_once(count, threads, loop_body, &call);
   if (error) std::rethrow_exception(error);
 }
 

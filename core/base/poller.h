@@ -8,10 +8,10 @@
 namespace lasius {
 
 /// Other work, done in turns with that of a poller's owner.
-class Alternate {
+class InterleavedWork {
  public:
-  virtual ~Alternate() = default;
-  /// Called after so much of the owner's work; returns what asks to stop.
+  virtual ~InterleavedWork() = default;
+  /// Called after `work` units of the owner's work; returns what asks to stop.
   virtual StopCondition::Cause turn(std::int64_t work) = 0;
 };
 
@@ -22,8 +22,8 @@ class Poller {
   static constexpr std::int64_t kSteps = 4096;   ///< ant steps between two polls
 
   explicit Poller(const StopCondition& condition, std::int64_t interval = kWords,
-                  Alternate* alternate = nullptr) noexcept
-      : condition_(&condition), alternate_(alternate), interval_(interval), left_(interval) {}
+                  InterleavedWork* other_work = nullptr) noexcept
+      : condition_(&condition), other_work_(other_work), interval_(interval), left_(interval) {}
 
   /// True once the condition asked to stop; `work` is what was done since the last call.
   bool stop_after(std::int64_t work) {
@@ -33,7 +33,7 @@ class Poller {
     left_ = interval_;
     polled_ = true;
     cause_ = condition_->poll();
-    if (alternate_ != nullptr && !stopped()) cause_ = alternate_->turn(done);
+    if (other_work_ != nullptr && !stopped()) cause_ = other_work_->turn(done);
     return stopped();
   }
   bool stopped() const noexcept { return cause_ != StopCondition::Cause::none; }
@@ -43,7 +43,7 @@ class Poller {
 
  private:
   const StopCondition* condition_;
-  Alternate* alternate_;
+  InterleavedWork* other_work_;
   std::int64_t interval_;
   std::int64_t left_;
   bool polled_ = false;

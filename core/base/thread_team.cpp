@@ -95,9 +95,9 @@ void ThreadTeam::lead(int threads, const std::function<void()>& run) {
   if (error) std::rethrow_exception(std::move(error));
 }
 
-void ThreadTeam::share_once(int count, int threads, Task task, const void* context) noexcept {
+void ThreadTeam::share_once(int count, int threads, LoopBody body, const void* context) noexcept {
 #pragma omp parallel for schedule(monotonic : dynamic) num_threads(threads)
-  for (int i = 0; i < count; ++i) task(context, i, omp_get_thread_num());
+  for (int i = 0; i < count; ++i) body(context, i, omp_get_thread_num());
 }
 
 ThreadTeam* ThreadTeam::led_here() noexcept { return led; }
@@ -106,15 +106,15 @@ ThreadTeam* ThreadTeam::appoint(ThreadTeam* team) noexcept { return std::exchang
 
 void ThreadTeam::take(int member) noexcept {
   for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
-    task_(context_, i, member);
+    body_(context_, i, member);
   }
 }
 
 // A member enters, then looks whether the loop is still open; the leader closes it, then looks who
 // is inside. All four in one order (sequential consistency): one of the two sees the other.
 
-void ThreadTeam::share(int count, int members, Task task, const void* context) noexcept {
-  task_ = task;
+void ThreadTeam::share(int count, int members, LoopBody body, const void* context) noexcept {
+  body_ = body;
   context_ = context;
   count_ = count;
   members_ = members;

@@ -27,14 +27,14 @@ class ThreadTeam {
   /// The team that this thread leads, or null.
   LASIUS_EXPORT static ThreadTeam* led_here() noexcept;
 
-  /// Calls task(context, i, member) for every i below `count` on up to `members` threads, the
-  /// leader's number being 0. The task must not throw. Meanwhile the leader leads nobody: a loop
-  /// within the task is not the team's.
-  using Task = void (*)(const void* context, int i, int member) noexcept;
-  LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
+  /// Calls body(context, i, member) for every i below `count` on up to `members` threads, the
+  /// leader's number being 0. The body must not throw. Meanwhile the leader leads nobody: a loop
+  /// within the body is not the team's.
+  using LoopBody = void (*)(const void* context, int i, int member) noexcept;
+  LASIUS_EXPORT void share(int count, int members, LoopBody body, const void* context) noexcept;
 
-  /// The same on a thread that leads no team, in a region that OpenMP makes for it.
-  LASIUS_EXPORT static void share_once(int count, int threads, Task task,
+  /// Calls `body` on a thread that leads no team, in a region that OpenMP makes for this loop.
+  LASIUS_EXPORT static void share_once(int count, int threads, LoopBody body,
                                        const void* context) noexcept;
 
  private:
@@ -44,7 +44,7 @@ class ThreadTeam {
   void take(int member) noexcept;
 
   // Written by the leader while nobody is inside.
-  Task task_ = nullptr;
+  LoopBody body_ = nullptr;
   const void* context_ = nullptr;
   int count_ = 0;
   int members_ = 0;

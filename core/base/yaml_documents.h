@@ -1,5 +1,5 @@
 // Whether a YAML text holds one document and nothing behind it: YAML::Load reads the first alone.
-// For rooms that have yaml-cpp.
+// For modules that have yaml-cpp.
 #pragma once
 
 #include <yaml-cpp/eventhandler.h>

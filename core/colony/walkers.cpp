@@ -20,14 +20,14 @@ void Walkers::reset(int width, int height, int threads, int ants, bool dead_want
   width_ = width;
   height_ = height;
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
-  if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
+  if (static_cast<int>(scratch_.size()) < threads_) scratch_.resize(threads_);
   // Those that are not needed this time give their memory back, too.
   Poller poller(stop);
   const auto words = VisitedPlane::words_for(width, height);
-  for (int t = 0; t < static_cast<int>(teams_.size()); ++t) {
-    teams_[t].done.reserve(ants);
+  for (int t = 0; t < static_cast<int>(scratch_.size()); ++t) {
+    scratch_[t].done.reserve(ants);
     for (int i = 0; i < kSlots; ++i) {
-      Slot& slot = teams_[t].slots[i];
+      Slot& slot = scratch_[t].slots[i];
       const bool needed = t < threads_ && i < slots_for(ants);
       if (!slot.plane.renew(needed ? words : 0, slot.marked, poller)) return;
       slot.marked = false;
@@ -36,10 +36,10 @@ void Walkers::reset(int width, int height, int threads, int ants, bool dead_want
 }
 
 std::int64_t Walkers::bytes() const noexcept {
-  std::int64_t bytes = held_bytes(teams_);
-  for (const Team& team : teams_) {
-    bytes += held_bytes(team.done);
-    for (const Slot& slot : team.slots) bytes += slot.plane.bytes() + slot.dead.bytes();
+  std::int64_t bytes = held_bytes(scratch_);
+  for (const ThreadScratch& scratch : scratch_) {
+    bytes += held_bytes(scratch.done);
+    for (const Slot& slot : scratch.slots) bytes += slot.plane.bytes() + slot.dead.bytes();
   }
   return bytes;
 }
@@ -54,12 +54,12 @@ bool Walkers::Sending::cut_short() noexcept {
 /// One thread's part of a walk.
 class Walkers::Worker {
  public:
-  Worker(const Walkers& walkers, Team& team, int thread, Sending& sending) noexcept
-      : walkers_(walkers), team_(team), thread_(thread), sending_(sending) {}
+  Worker(const Walkers& walkers, ThreadScratch& scratch, int thread, Sending& sending) noexcept
+      : walkers_(walkers), scratch_(scratch), thread_(thread), sending_(sending) {}
 
   /// Sends ants until there are no more, and advances those under way.
   void work() {
-    team_.done.clear();
+    scratch_.done.clear();
     const auto slots =
         std::span(slots_).first(walkers_.slots_for(static_cast<int>(sending_.ants.size())));
     const int count = static_cast<int>(slots.size());
@@ -90,7 +90,7 @@ class Walkers::Worker {
     if (ant >= static_cast<int>(sending_.ants.size())) return;
     WalkSlot& slot = slots_[i];
     slot.send(sending_.world.start, static_cast<std::uint32_t>(sending_.first + ant));
-    slot.visited = VisitedPlane::over(team_.slots[i].plane.at(0), walkers_.height_);
+    slot.visited = VisitedPlane::over(scratch_.slots[i].plane.at(0), walkers_.height_);
     slot.visited.mark(slot.at);
     ++under_way_;
   }
@@ -104,7 +104,7 @@ class Walkers::Worker {
       return buffer.data();
     };
     slot.moves = room(ant.moves, slot.move_count);
-    slot.dead = room(walkers_.dead_wanted_ ? ant.dead : team_.slots[i].dead, slot.dead_count);
+    slot.dead = room(walkers_.dead_wanted_ ? ant.dead : scratch_.slots[i].dead, slot.dead_count);
   }
 
   /// Records the tour of an ant that has arrived or is lost.
@@ -115,7 +115,7 @@ class Walkers::Worker {
     walked.move_count = slot.move_count;
     walked.dead_count = walkers_.dead_wanted_ ? slot.dead_count : 0;
     walked.steps = slot.move_count + 2 * slot.dead_count;
-    team_.done.push_back(ant);
+    scratch_.done.push_back(ant);
     if (sending_.after.ended) sending_.after.ended(ant, thread_);
   }
 
@@ -125,8 +125,8 @@ class Walkers::Worker {
     WalkSlot& slot = slots_[i];
     slot.state = WalkState::idle;
     --under_way_;
-    const bool cleared = !cut_short && forget(slot, team_.slots[i].plane);
-    team_.slots[i].marked = !cleared;
+    const bool cleared = !cut_short && forget(slot, scratch_.slots[i].plane);
+    scratch_.slots[i].marked = !cleared;
     return cleared;
   }
 
@@ -153,7 +153,7 @@ class Walkers::Worker {
   }
 
   const Walkers& walkers_;
-  Team& team_;
+  ThreadScratch& scratch_;
   int thread_;
   Sending& sending_;
   std::array<WalkSlot, kSlots> slots_;
@@ -167,16 +167,16 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
   std::atomic<int> still_walking{threads_};
   try {
     parallel_for(threads_, threads_, [&](int i, int thread) {
-      Worker(*this, teams_[i], thread, sending).work();
+      Worker(*this, scratch_[i], thread, sending).work();
       --still_walking;
       if (!after.spare) return;
-      for (const int ant : teams_[i].done) {
+      for (const int ant : scratch_[i].done) {
         if (still_walking == 0) break;
         after.spare(ant, thread);
       }
     });
   } catch (...) {
-    teams_.clear();  // cells entered are still marked in their planes
+    scratch_.clear();  // cells entered are still marked in their planes
     throw;
   }
   return sending.cause;

@@ -96,7 +96,7 @@ class Walkers {
     GrowingArray<kernels::PackedCell> dead;  // of the ant, where they are not wanted
     bool marked = false;                     // a walk was cut short, whose cells are still marked
   };
-  struct alignas(64) Team {  // of one thread
+  struct alignas(64) ThreadScratch {  // of one thread
     std::array<Slot, kSlots> slots;
     std::vector<int> done;  // ants, by index
   };
@@ -121,7 +121,7 @@ class Walkers {
   };
   class Worker;
 
-  std::vector<Team> teams_;
+  std::vector<ThreadScratch> scratch_;
   int threads_ = 1;
   bool dead_wanted_ = false;
   int width_ = 0;

@@ -16,7 +16,7 @@ namespace lasius::exact {
 /// to themselves, so that a search which is not cut ends with the same path, bit for bit, as
 /// without; one that is cut has the shorter path and the higher bound of the two. A search that
 /// ends within a tenth of a millisecond never gets here.
-class Anytime final : public Alternate {
+class Anytime final : public InterleavedWork {
  public:
   /// What a workspace keeps from search to search.
   struct Memory {

@@ -84,7 +84,7 @@ class BoxView {
     for (int line = 0; line < lines_ && (line < depth_ || !beams_.empty()); ++line) {
       const char* row = kernels::bytes_of(row_behind(line + 1));
       next_.clear();
-      const int covered = line < depth_ ? set_out(row, line) : near_;
+      const int covered = line < depth_ ? add_box_rays(row, line) : near_;
       for (const Beam& beam : beams_) cut(beam, row, line, covered);
       beams_.swap(next_);
       if (!report(line + 1)) return;
@@ -101,7 +101,7 @@ class BoxView {
 
   // Rays that leave the box in a row beside it, or through its last line. Returns where the free
   // cells end that they cover.
-  int set_out(const char* row, int line) {
+  int add_box_rays(const char* row, int line) {
     const int end = kernels::next_cell<S, true>(row, far_, border_);
     const int begin = line + 1 == depth_ ? near_ : far_;
     if (begin < end) {

@@ -158,7 +158,7 @@ class CornerGraph {
   static constexpr std::uint32_t kChunk = std::uint32_t{1} << kChunkBits;  // corners
   static constexpr std::uint32_t kRenumbered = std::uint32_t{1} << 31;
   class Builder;
-  class Mender;
+  class Updater;
 
   // Edges of kChunk corners. An edit may leave gaps between those of one corner and the next.
   struct Chunk {

@@ -15,9 +15,9 @@ namespace lasius::exact {
 // leads to another side touches the closed rectangle that changed, and outside of it is in sight
 // from both ends, before and after. All corners with such edges are found by a look around from the
 // rectangle; each looks again at the cone that the rectangle takes up.
-class CornerGraph::Mender {
+class CornerGraph::Updater {
  public:
-  Mender(CornerGraph& graph, const Grid& grid, const Rectangle& changed, const StopCondition& stop)
+  Updater(CornerGraph& graph, const Grid& grid, const Rectangle& changed, const StopCondition& stop)
       : graph_(graph),
         map_(view_of(grid)),
         box_(lattice_box(changed, 0)),
@@ -26,11 +26,11 @@ class CornerGraph::Mender {
         sight_(stop) {}
 
   bool run() {
-    find_watchers();
+    find_corners_in_sight();
     if (poller_.stopped()) return false;
     renumber();
-    for (const std::uint32_t corner : watchers_) {
-      look_again(corner);
+    for (const std::uint32_t corner : in_sight_) {
+      rescan(corner);
       if (poller_.stop_after(kWordsPerCorner)) return false;
     }
     list_one_ways();
@@ -40,7 +40,7 @@ class CornerGraph::Mender {
 
   // What view_from_box calls.
   void corner(int x, int y) {
-    if (!around_.holds(x, y)) watchers_.push_back(graph_.index(x, y));
+    if (!around_.holds(x, y)) in_sight_.push_back(graph_.index(x, y));
   }
   bool go_on(std::int64_t words) { return !poller_.stop_after(words); }
 
@@ -53,14 +53,14 @@ class CornerGraph::Mender {
             std::min(r.y + r.height + around, map_.height)};
   }
 
-  void find_watchers();
+  void find_corners_in_sight();
   void renumber();
   void renumber(int x, int y);
   std::uint64_t& renumbered_tile(int x, int y);
   void add_corner(const GraphCorner& corner);
   void drop_corner(std::uint32_t index);
-  void look_again(std::uint32_t index);
-  bool look_again(std::uint32_t index, Side side);
+  void rescan(std::uint32_t index);
+  bool rescan(std::uint32_t index, Side side);
   void compare(std::uint32_t index, std::span<const GraphEdge> before,
                std::span<const GraphEdge> now);
   void list_one_ways();
@@ -73,30 +73,30 @@ class CornerGraph::Mender {
   const LatticeBox around_;  // and those a cell around
   Poller poller_;
   CornerSight sight_;
-  std::vector<std::uint32_t> watchers_;
+  std::vector<std::uint32_t> in_sight_;
   std::vector<GraphEdge> edges_;  // of the corner in hand
   std::vector<DirectedEdge> new_edges_, lost_edges_;
 };
 
 // Corners outside the box that may see it. Their numbers are those from before.
-void CornerGraph::Mender::find_watchers() {
+void CornerGraph::Updater::find_corners_in_sight() {
   view_from_box(map_, around_, *this);
   for (int y = around_.y0; y <= around_.y1; ++y) {
     for (int x = around_.x0; x <= around_.x1; ++x) {
-      if (!box_.holds(x, y) && graph_.has_corner(x, y)) watchers_.push_back(graph_.index(x, y));
+      if (!box_.holds(x, y) && graph_.has_corner(x, y)) in_sight_.push_back(graph_.index(x, y));
     }
   }
-  std::sort(watchers_.begin(), watchers_.end());
-  watchers_.erase(std::unique(watchers_.begin(), watchers_.end()), watchers_.end());
+  std::sort(in_sight_.begin(), in_sight_.end());
+  in_sight_.erase(std::unique(in_sight_.begin(), in_sight_.end()), in_sight_.end());
 }
 
-void CornerGraph::Mender::renumber() {
+void CornerGraph::Updater::renumber() {
   for (int y = box_.y0; y <= box_.y1; ++y) {
     for (int x = box_.x0; x <= box_.x1; ++x) renumber(x, y);
   }
 }
 
-void CornerGraph::Mender::renumber(int x, int y) {
+void CornerGraph::Updater::renumber(int x, int y) {
   const bool a = map_.blocked(x - 1, y - 1), b = map_.blocked(x, y - 1);
   const bool c = map_.blocked(x - 1, y), d = map_.blocked(x, y);
   const bool is_corner = a + b + c + d == 1;
@@ -105,7 +105,7 @@ void CornerGraph::Mender::renumber(int x, int y) {
     const std::uint32_t index = graph_.index(x, y);
     const GraphCorner& before = graph_.corner(index);
     if (is_corner && before.block_x() == now.block_x() && before.block_y() == now.block_y()) {
-      watchers_.push_back(index);
+      in_sight_.push_back(index);
       return;
     }
     renumbered_tile(x, y) &= ~(std::uint64_t{1} << place_of(x, y));
@@ -118,7 +118,7 @@ void CornerGraph::Mender::renumber(int x, int y) {
 }
 
 // The bits of a tile whose corners are numbered one by one from now on.
-std::uint64_t& CornerGraph::Mender::renumbered_tile(int x, int y) {
+std::uint64_t& CornerGraph::Updater::renumbered_tile(int x, int y) {
   CornerGraph& g = graph_;
   const std::size_t tile = g.tile_of(x, y);
   std::uint64_t& bits = g.tiles_[static_cast<std::int64_t>(tile)];
@@ -132,7 +132,7 @@ std::uint64_t& CornerGraph::Mender::renumbered_tile(int x, int y) {
   return bits;
 }
 
-void CornerGraph::Mender::add_corner(const GraphCorner& corner) {
+void CornerGraph::Updater::add_corner(const GraphCorner& corner) {
   CornerGraph& g = graph_;
   if (g.spare_.empty()) {
     g.spare_.push_back(g.size());
@@ -146,27 +146,27 @@ void CornerGraph::Mender::add_corner(const GraphCorner& corner) {
   g.landmarks_.forget(index);
   const std::uint32_t place = g.ranks_[g.tile_of(corner.x(), corner.y())] & ~kRenumbered;
   g.renumbered_[place][static_cast<std::size_t>(place_of(corner.x(), corner.y()))] = index;
-  watchers_.push_back(index);
+  in_sight_.push_back(index);
 }
 
 // The edges that lead here are dropped where they come from.
-void CornerGraph::Mender::drop_corner(std::uint32_t index) {
+void CornerGraph::Updater::drop_corner(std::uint32_t index) {
   GraphCorner& corner = graph_.corners_[index];
   graph_.edge_count_ -= corner.last - corner.first;
   corner = GraphCorner(corner.x(), corner.y(), corner.block_x(), corner.block_y());
   graph_.spare_.push_back(index);
 }
 
-void CornerGraph::Mender::look_again(std::uint32_t index) {
+void CornerGraph::Updater::rescan(std::uint32_t index) {
   edges_.clear();
-  bool changed = look_again(index, kColumn);
+  bool changed = rescan(index, kColumn);
   const auto middle = static_cast<std::uint32_t>(edges_.size());
-  changed |= look_again(index, kLine);
+  changed |= rescan(index, kLine);
   if (changed) store(index, middle);
 }
 
 // Adds the edges of one side; true if they changed.
-bool CornerGraph::Mender::look_again(std::uint32_t index, Side side) {
+bool CornerGraph::Updater::rescan(std::uint32_t index, Side side) {
   const GraphCorner& corner = graph_.corner(index);
   const auto before = graph_.edges(index, side);
   const Quadrant quadrant = corner.quadrant(side);
@@ -200,8 +200,8 @@ bool CornerGraph::Mender::look_again(std::uint32_t index, Side side) {
   return !same;
 }
 
-void CornerGraph::Mender::compare(std::uint32_t index, std::span<const GraphEdge> before,
-                                  std::span<const GraphEdge> now) {
+void CornerGraph::Updater::compare(std::uint32_t index, std::span<const GraphEdge> before,
+                                   std::span<const GraphEdge> now) {
   const auto add_missing = [&](const auto& from, const auto& in, std::vector<DirectedEdge>& list) {
     for (const GraphEdge& edge : from) {
       if (std::find(in.begin(), in.end(), edge) == in.end()) list.push_back({index, edge});
@@ -212,7 +212,7 @@ void CornerGraph::Mender::compare(std::uint32_t index, std::span<const GraphEdge
 }
 
 // Once all edges are what they are to be.
-void CornerGraph::Mender::list_one_ways() {
+void CornerGraph::Updater::list_one_ways() {
   for (const DirectedEdge& e : new_edges_) {
     if (!graph_.leads(e.edge.to(), e.from)) graph_.add_one_way(e.from, e.edge.to());
   }
@@ -221,7 +221,7 @@ void CornerGraph::Mender::list_one_ways() {
   }
 }
 
-void CornerGraph::Mender::store(std::uint32_t index, std::uint32_t middle) {
+void CornerGraph::Updater::store(std::uint32_t index, std::uint32_t middle) {
   GraphCorner& corner = graph_.corners_[index];
   Chunk& chunk = graph_.chunks_[index >> kChunkBits];
   const auto count = static_cast<std::uint32_t>(edges_.size());
@@ -239,7 +239,7 @@ void CornerGraph::Mender::store(std::uint32_t index, std::uint32_t middle) {
 }
 
 // Closes the gaps, with room for more edges.
-void CornerGraph::Mender::repack(Chunk& chunk, std::uint32_t first_corner, std::uint32_t more) {
+void CornerGraph::Updater::repack(Chunk& chunk, std::uint32_t first_corner, std::uint32_t more) {
   const std::uint32_t end = std::min(first_corner + kChunk, graph_.size());
   std::uint32_t held = 0;
   for (std::uint32_t i = first_corner; i < end; ++i) {
@@ -264,7 +264,7 @@ void CornerGraph::Mender::repack(Chunk& chunk, std::uint32_t first_corner, std::
 
 bool CornerGraph::update(const Grid& grid, const Rectangle& changed, const StopCondition& stop) {
   if (changed.width <= 0 || changed.height <= 0) return true;
-  return Mender(*this, grid, changed, stop).run();
+  return Updater(*this, grid, changed, stop).run();
 }
 
 }  // namespace lasius::exact

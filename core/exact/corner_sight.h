@@ -16,7 +16,8 @@ class alignas(64) CornerSight {
  public:
   explicit CornerSight(const StopCondition& stop) : poller_(stop) {}
 
-  /// From the block's edge on, the nearer of two in the same direction first.
+  /// Corners seen in the quadrant's cone, ordered by angle from the block's edge on; of two in one
+  /// direction the nearer first. Valid until the next call; incomplete when stopped.
   std::span<const kernels::HalfPoint> from(const kernels::BitmapView& map, const Quadrant& quadrant,
                                            Side side, const QuadrantCone& cone = {}) {
     seen_.clear();

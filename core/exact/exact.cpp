@@ -69,7 +69,7 @@ void ExactSearch::expand(std::uint32_t index) {
     horizon_ = std::min(upper_, bound + ahead);
   }
   const double horizon = horizon_;
-  const bool cut_off = leave(index);
+  const bool cut_off = scan_cone(index);
   if (!cut_off || horizon >= upper_) return;
   Corner& again = corners_[index];
   again.expanded = false;

@@ -111,12 +111,12 @@ class ExactSearch {
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
   /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
-  bool leave(std::uint32_t index);
-  bool leave_start();
+  bool scan_cone(std::uint32_t index);
+  bool scan_around_start();
   template <int S>
-  bool leave_start(int down);
+  bool scan_around_start(int down);
   template <int S>
-  bool leave_corner(std::uint32_t index);
+  bool scan_cone(std::uint32_t index);
   template <int S>
   bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
   template <int S>

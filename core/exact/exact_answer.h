@@ -28,7 +28,7 @@ struct ExactOptions {
   /// Tells of no path before the stop condition was polled for the first time, and then of the best
   /// so far: a search that ends before that cannot be cut short, so its path need not be told.
   bool improved_once_polled = false;
-  Alternate* beside = nullptr;  ///< takes turns with the search; likewise
+  InterleavedWork* beside = nullptr;  ///< takes turns with the search, unless null; must outlive it
 };
 
 /// How a search ended.
@@ -57,8 +57,9 @@ namespace exact {
 /// fraction of itself.
 constexpr double kRounding = 1e-9;
 
-/// The same for any length, and for the longest that there can be, of 2^30 cells.
+/// By how much a length of any size may be off, as a fraction of it.
 constexpr double rounding(double length) noexcept { return std::max(kRounding, length * 0x1p-52); }
+/// rounding() of the longest path that there can be, of 2^30 cells.
 constexpr double kWorstRounding = 0x1p-22;
 
 /// In cells, between places in half cells: exact but for the square root.
@@ -68,8 +69,8 @@ inline double distance(int x0, int y0, int x1, int y1) noexcept {
   return 0.5 * std::sqrt(dx * dx + dy * dy);
 }
 
-/// A path made from its goal back to its start, in half cells. Corners that it passes straight by
-/// are left out.
+/// A path made from its goal back to its start, in half cells; corners at which it is straight left
+/// out.
 class BackwardPath {
  public:
   BackwardPath(kernels::HalfPoint goal, std::vector<Point>& path) : path_(path), last_(goal) {
@@ -131,8 +132,7 @@ class Improvements {
   std::vector<Point> path_;
 };
 
-/// Says what a search came to that ended with these bounds; `answer` holds the path if `upper` is
-/// finite.
+/// Says what a search that ended with these bounds found; `answer` has the path if there is one.
 void conclude(double lower, double upper, StopCondition::Cause cause, double target_gap,
               ExactAnswer& answer);
 

@@ -115,7 +115,7 @@ bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const
 
 // Returns whether rays were cut off at the horizon.
 template <int S>
-bool ExactSearch::leave_corner(std::uint32_t index) {
+bool ExactSearch::scan_cone(std::uint32_t index) {
   const Corner& corner = corners_[index];
   const Corner& parent = corners_[corner.parent];
   const Heading heading = corner.heading;
@@ -151,26 +151,26 @@ bool ExactSearch::leave_corner(std::uint32_t index) {
 }
 
 template <int S>
-bool ExactSearch::leave_start(int down) {
+bool ExactSearch::scan_around_start(int down) {
   const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, down);
   Visitor<S> visitor{*this, down, cone.line0};
   return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
 }
 
-bool ExactSearch::leave_start() {
+bool ExactSearch::scan_around_start() {
   const Corner& start = corners_[CornerTable::kStart];
   root_ = {CornerTable::kStart, start.x, start.y, 0};
   bool cut_off = false;
   for (const int down : {1, -1}) {
-    cut_off |= leave_start<1>(down);
-    cut_off |= leave_start<-1>(down);
+    cut_off |= scan_around_start<1>(down);
+    cut_off |= scan_around_start<-1>(down);
   }
   return cut_off;
 }
 
-bool ExactSearch::leave(std::uint32_t index) {
-  if (index == CornerTable::kStart) return leave_start();
-  return corners_[index].heading.right() > 0 ? leave_corner<1>(index) : leave_corner<-1>(index);
+bool ExactSearch::scan_cone(std::uint32_t index) {
+  if (index == CornerTable::kStart) return scan_around_start();
+  return corners_[index].heading.right() > 0 ? scan_cone<1>(index) : scan_cone<-1>(index);
 }
 
 }  // namespace lasius

@@ -23,13 +23,13 @@ class LandmarkMender {
 
   void mend(std::span<const DirectedEdge> edges);
 
-  /// The same for all landmarks and all edges of these corners, whatever work it takes, by raising
-  /// alone. All edges between others are as promised.
+  /// Restores all landmarks along all edges of these corners, whatever work it takes, by raising
+  /// alone. Precondition: the promise holds along edges between other corners.
   void raise_all(std::span<const std::uint32_t> corners);
 
  private:
-  static constexpr std::size_t kFewCorners = 256;    // looked at, for a landmark
-  static constexpr std::size_t kMostCorners = 8192;  // likewise
+  // Corners that may be looked at for a landmark, at the first try and at the others.
+  static constexpr std::size_t kFewCorners = 256, kMostCorners = 8192;
 
   float& known(std::uint32_t corner) { return landmarks_.at(corner, landmark_); }
   float way(std::uint32_t from, std::uint32_t to) const noexcept {

@@ -18,8 +18,8 @@ namespace {
 // Work of an expansion beside its edges, in words as scans count them.
 constexpr std::int64_t kWordsPerNode = 4;
 
-// Expansions before a search takes a look from the goal: many short ones end earlier.
-constexpr std::int64_t kGlance = 4;
+// Expansions before a search scans the goal's view: many short searches end earlier.
+constexpr std::int64_t kFirstFew = 4;
 constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
 // How much longer than straight a path may be for a search to keep near the straight line at first.
 constexpr double kMostDetour = 1.01;
@@ -48,7 +48,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   graph_ = &graph;
   poller_ = &poller;
   start_ = half(start);
-  mode_ = Mode::glance;
+  mode_ = Mode::first_few;
   told_to_stop_ = false;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, CornerGraph::room_for_edits(graph.size()));
@@ -59,7 +59,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
 
 // The corners that the goal sees get their true distance as an estimate: going on from them in any
 // other way is longer.
-void PreparedSearch::look_from_goal() {
+void PreparedSearch::scan_goal_view() {
   goal_corners_.clear();
   const auto found = [this](int x, int y) {
     const double to_goal = distance(goal_, x, y);
@@ -72,21 +72,21 @@ void PreparedSearch::look_from_goal() {
   view_from_centre(map_, {goal_, start_, horizon_}, stack_, sink);
 }
 
-void PreparedSearch::look_from_start() {
+void PreparedSearch::scan_start_view() {
   start_corners_.clear();
   const auto found = [this](int x, int y) { start_corners_.push_back(graph_->index(x, y)); };
   Sink<decltype(found)> sink{found, *poller_};
   view_from_centre(map_, {start_, goal_, horizon_}, stack_, sink);
 }
 
-// Forgets what was reached.
-void PreparedSearch::set_out() {
+// Forgets all corners that were reached, and the path.
+void PreparedSearch::restart() {
   ++stamp_;
   upper_ = kInfinity;
   frontier_.reset(straight_, kBucketWidth);
 }
 
-void PreparedSearch::leave_start() {
+void PreparedSearch::reach_start_corners() {
   for (const std::uint32_t index : start_corners_) {
     const GraphCorner& corner = graph_->corner(index);
     const int x = corner.x(), y = corner.y();
@@ -121,13 +121,13 @@ void PreparedSearch::measure_landmarks() {
 double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
   if (mode_ == Mode::flood) return 0;
   const double straight = distance(goal_, x, y);
-  if (mode_ != Mode::whole || graph_->landmarks().empty()) return straight;
+  if (mode_ != Mode::whole_map || graph_->landmarks().empty()) return straight;
   return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
 }
 
 // Is every path behind the horizon that comes to lattice point (x, y) with this length?
 bool PreparedSearch::too_long(double length, int x, int y) const noexcept {
-  return mode_ == Mode::near && length + distance(goal_, x, y) > horizon_;
+  return mode_ == Mode::near_line && length + distance(goal_, x, y) > horizon_;
 }
 
 // A corner at lattice point (x, y), by a way of this length.
@@ -174,7 +174,7 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
   const auto edges = graph_->edges(index, node.side);
   // What is followed is known before the nodes are: their loads go side by side. Near the straight
   // line few edges lead to a node.
-  const bool fetch = mode_ != Mode::near;
+  const bool fetch = mode_ != Mode::near_line;
   std::size_t taut = 0;
   for (; taut < edges.size(); ++taut) {
     const GraphEdge& edge = edges[taut];
@@ -221,14 +221,15 @@ bool PreparedSearch::run(double target_gap, std::int64_t budget) {
     if (budget == 0) return false;
     std::uint32_t index = 0;
     if (!next_corner(index) || upper_ - lower_ <= target_gap * lower_) break;
-    if (mode_ == Mode::glance && meets_goal(index)) continue;
+    if (mode_ == Mode::first_few && reach_goal_from(index)) continue;
     poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
     if (!tell_improvement()) return told_to_stop_ = true;
   }
   return true;
 }
 
-bool PreparedSearch::meets_goal(std::uint32_t index) {
+// Takes the straight way from a corner to the goal; false if it does not see it.
+bool PreparedSearch::reach_goal_from(std::uint32_t index) {
   if (!kernels::sees(map_, place(index), goal_)) return false;
   const Node& node = nodes_[index];
   upper_ = node.length + node.to_goal;
@@ -238,33 +239,33 @@ bool PreparedSearch::meets_goal(std::uint32_t index) {
 
 // The next three: true if the search has ended.
 bool PreparedSearch::search_near(double target_gap) {
-  mode_ = Mode::near;
+  mode_ = Mode::near_line;
   horizon_ = straight_ * graph_->detour() + kNearby;
-  set_out();
-  look_from_goal();
-  look_from_start();
-  leave_start();
+  restart();
+  scan_goal_view();
+  scan_start_view();
+  reach_start_corners();
   run(target_gap, kNoBudget);
   return upper_ < kInfinity || poller_->stopped();
 }
 
-bool PreparedSearch::glance(double target_gap) {
-  mode_ = Mode::glance;
+bool PreparedSearch::search_few(double target_gap) {
+  mode_ = Mode::first_few;
   horizon_ = kInfinity;
-  set_out();
-  look_from_start();
-  leave_start();
-  return run(target_gap, kGlance) || (upper_ < kInfinity && run(target_gap, kNoBudget));
+  restart();
+  scan_start_view();
+  reach_start_corners();
+  return run(target_gap, kFirstFew) || (upper_ < kInfinity && run(target_gap, kNoBudget));
 }
 
-bool PreparedSearch::search_all(double target_gap) {
+bool PreparedSearch::search_whole_map(double target_gap) {
   horizon_ = kInfinity;
-  if (mode_ == Mode::near) look_from_start();
-  mode_ = Mode::whole;
-  set_out();
-  look_from_goal();
+  if (mode_ == Mode::near_line) scan_start_view();
+  mode_ = Mode::whole_map;
+  restart();
+  scan_goal_view();
   if (!poller_->stopped()) measure_landmarks();
-  leave_start();
+  reach_start_corners();
   return run(target_gap, kNoBudget);
 }
 
@@ -282,8 +283,8 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
     last_ = kStart;
   } else {
     const double gap = options.target_gap;
-    const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
-    if (!ended) search_all(gap);
+    const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : search_few(gap);
+    if (!ended) search_whole_map(gap);
   }
   poller_ = nullptr;
   tell_improvement();  // the last one; nothing is left to stop
@@ -302,9 +303,9 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   horizon_ = kInfinity;
   straight_ = 0;
   lower_ = 0;
-  look_from_start();
-  set_out();
-  leave_start();
+  scan_start_view();
+  restart();
+  reach_start_corners();
   improvements_.begin({});
   run(0, kNoBudget);
   lengths.clear();

@@ -63,10 +63,10 @@ class PreparedSearch {
   static_assert(sizeof(Node) == 32);
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
   enum class Mode {
-    glance,  // corners are asked whether they see the goal; straight estimates
-    near,    // the goal has told which corners see it; nothing behind the horizon; likewise
-    whole,   // the same, all of the map, and landmarks
-    flood,   // there is no goal
+    first_few,  // corners are asked whether they see the goal; straight estimates
+    near_line,  // corners that the goal sees are known; up to the horizon; straight estimates
+    whole_map,  // corners that the goal sees are known; the whole map; estimates by landmarks, too
+    flood,      // there is no goal
   };
   // The corner in hand: a lattice point, and the length of the path to it.
   struct Root {
@@ -78,15 +78,15 @@ class PreparedSearch {
   struct Sink;
   void begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller);
   bool search_near(double target_gap);
-  bool glance(double target_gap);
-  bool search_all(double target_gap);
-  void look_from_goal();
-  void look_from_start();
-  void set_out();
-  void leave_start();
+  bool search_few(double target_gap);
+  bool search_whole_map(double target_gap);
+  void scan_goal_view();
+  void scan_start_view();
+  void restart();
+  void reach_start_corners();
   void measure_landmarks();
   bool run(double target_gap, std::int64_t budget);
-  bool meets_goal(std::uint32_t index);
+  bool reach_goal_from(std::uint32_t index);
   std::int64_t expand(std::uint32_t index);
   std::int64_t expand_all(std::uint32_t index);
   void follow(std::uint32_t index, const Root& root, const GraphEdge& edge);
@@ -104,7 +104,7 @@ class PreparedSearch {
   Improvements improvements_;
   bool told_to_stop_ = false;  // by who looks on
   kernels::HalfPoint start_{}, goal_{};
-  Mode mode_ = Mode::glance;
+  Mode mode_ = Mode::first_few;
   double straight_ = 0;  // distance from start to goal
   double horizon_ = 0;   // paths that are longer do not matter yet
   double grain_ = 0;     // of a flood

@@ -177,7 +177,7 @@ void Components::rejoin(const Grid& grid, std::size_t level, Work& work) {
 }
 
 // Where a cell belongs: to a piece of a block around its tile, unless it is shut in the tile.
-struct Components::Home {
+struct Components::Membership {
   enum class Met { piece, nothing, other } met;
   std::size_t level;
   Piece piece;
@@ -187,9 +187,8 @@ const Components::Block& Components::block(std::size_t level, Cell tile) const n
   return blocks_[level][(tile.y >> (level + 1)) * columns(level) + (tile.x >> (level + 1))];
 }
 
-// The piece of the smallest block in which all pieces of a tile are one, if they are few and
-// joined.
-std::optional<Components::Home> Components::only_piece(Cell tile) const noexcept {
+// The piece of the smallest block in which all pieces of a tile are one; none if they are many.
+std::optional<Components::Membership> Components::only_piece(Cell tile) const noexcept {
   std::array<Piece, 16> pieces;
   const std::vector<Piece>& up = tiles_[part(0, tile)].up;
   if (up.empty() || up.size() > pieces.size()) return std::nullopt;
@@ -197,7 +196,7 @@ std::optional<Components::Home> Components::only_piece(Cell tile) const noexcept
   for (std::size_t level = 0; level < blocks_.size(); ++level) {
     std::sort(pieces.begin(), end);
     end = std::unique(pieces.begin(), end);
-    if (end - pieces.begin() == 1) return Home{Home::Met::piece, level, pieces[0]};
+    if (end - pieces.begin() == 1) return Membership{Membership::Met::piece, level, pieces[0]};
     const Block& around = block(level, tile);
     if (end[-1] >= around.outline.open) return std::nullopt;
     std::transform(pieces.begin(), end, pieces.begin(), [&](Piece p) { return around.up[p]; });
@@ -205,8 +204,8 @@ std::optional<Components::Home> Components::only_piece(Cell tile) const noexcept
   return std::nullopt;
 }
 
-Components::Home Components::home(const Grid& grid, Cell c, Cell other) const noexcept {
-  using Met = Home::Met;
+Components::Membership Components::membership(const Grid& grid, Cell c, Cell other) const noexcept {
+  using Met = Membership::Met;
   const Cell at{c.x / kTile, c.y / kTile};
   const Tile& tile = tiles_[part(0, at)];
   const auto only = only_piece(at);
@@ -228,26 +227,25 @@ Components::Home Components::home(const Grid& grid, Cell c, Cell other) const no
 bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
   if (grid.blocked(a) || grid.blocked(b)) return false;
   if (count_ == 1) return true;
-  Home home_a = home(grid, a, b);
-  if (home_a.met != Home::Met::piece) return home_a.met == Home::Met::other;
-  Home home_b = home(grid, b, a);
-  if (home_b.met != Home::Met::piece) return home_b.met == Home::Met::other;
+  Membership of_a = membership(grid, a, b);
+  if (of_a.met != Membership::Met::piece) return of_a.met == Membership::Met::other;
+  Membership of_b = membership(grid, b, a);
+  if (of_b.met != Membership::Met::piece) return of_b.met == Membership::Met::other;
   const Cell tile_a{a.x / kTile, a.y / kTile};
   const Cell tile_b{b.x / kTile, b.y / kTile};
   // Climbs one level; false if nothing of the piece is beyond.
-  const auto climb = [this](Home& home, Cell tile) {
-    const Block& around = block(home.level++, tile);
-    if (home.piece >= around.outline.open) return false;
-    home.piece = around.up[home.piece];
+  const auto climb = [this](Membership& of_cell, Cell tile) {
+    const Block& around = block(of_cell.level++, tile);
+    if (of_cell.piece >= around.outline.open) return false;
+    of_cell.piece = around.up[of_cell.piece];
     return true;
   };
   for (;;) {
-    if (home_a.level == home_b.level && home_a.piece == home_b.piece &&
-        &block(home_a.level, tile_a) == &block(home_b.level, tile_b)) {
+    if (of_a.level == of_b.level && of_a.piece == of_b.piece &&
+        &block(of_a.level, tile_a) == &block(of_b.level, tile_b)) {
       return true;
     }
-    if (!(home_a.level <= home_b.level ? climb(home_a, tile_a) : climb(home_b, tile_b)))
-      return false;
+    if (!(of_a.level <= of_b.level ? climb(of_a, tile_a) : climb(of_b, tile_b))) return false;
   }
 }
 

@@ -29,7 +29,7 @@ class LASIUS_EXPORT Components {
   static constexpr int kTile = 256;
 
   Components(const Grid& grid, Connectivity connectivity);
-  /// The same, or empty if stopped. A tile counts as 4096 words.
+  /// Labels `grid`; empty if stopped. A tile counts as 4096 words.
   [[nodiscard]] static std::optional<Components> make(const Grid& grid, Connectivity connectivity,
                                                       const StopCondition& stop);
 
@@ -70,7 +70,7 @@ class LASIUS_EXPORT Components {
     std::uint32_t closed = 0;  // components that join parts and reach none of the sides
     friend bool operator==(const Block&, const Block&) = default;
   };
-  struct Home;
+  struct Membership;
   struct Work;
 
   Components() = default;
@@ -79,8 +79,8 @@ class LASIUS_EXPORT Components {
   void rejoin(const Grid& grid, std::size_t level, Work& work);
   std::ptrdiff_t part(std::size_t level, Cell at) const noexcept;
   const Block& block(std::size_t level, Cell tile) const noexcept;  // the one around a tile
-  std::optional<Home> only_piece(Cell tile) const noexcept;
-  Home home(const Grid& grid, Cell c, Cell other) const noexcept;
+  std::optional<Membership> only_piece(Cell tile) const noexcept;
+  Membership membership(const Grid& grid, Cell c, Cell other) const noexcept;
 
   Connectivity connectivity_ = Connectivity::four;
   int tiles_x_ = 0;

@@ -59,7 +59,7 @@ Value member(const Json& object, const std::string& key) {
   throw broken("holds \"" + key + "\": " + json::dumped(value));
 }
 
-/// The same; `otherwise` where it is missing or null.
+/// A member's value; `otherwise` where it is missing or null.
 template <class Value>
 Value member_or(const Json& object, const std::string& key, Value otherwise) {
   if (!object.contains(key) || object[key].is_null()) return otherwise;

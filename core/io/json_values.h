@@ -48,7 +48,7 @@ LASIUS_IO_EXPORT Json read(std::string_view text, const std::string& file, std::
 /// A value as text, in which bytes that are no UTF-8 are replaced: names of files hold what they
 /// like. The writer is compiled here alone, since that takes long; the parser, too.
 LASIUS_IO_EXPORT std::string dumped(const Json& value);
-/// The same on a line of its own.
+/// dumped() with a line end behind it.
 LASIUS_IO_EXPORT std::string line(const Json& value);
 
 }  // namespace lasius::json

@@ -48,8 +48,8 @@ class ColonyWorld {
   virtual double trail_entropy() const { return kNaN; }
   /// Length of the best path so far, NaN without one.
   virtual double best_length() const = 0;
-
-  /// Length of the shortest path that this iteration offered, NaN without one. Likewise.
+  /// Length of the shortest path that this iteration offered, NaN without one. Only of worlds whose
+  /// runs record that.
   virtual double iteration_best() const { return kNaN; }
 
   /// True when another iteration is of no use.

@@ -42,7 +42,7 @@ class LASIUS_EXPORT ByteReader {
   std::int64_t line() const noexcept { return line_; }
   /// Bytes left, -1 where unknown.
   std::int64_t left() const noexcept { return size_ < 0 ? -1 : size_ - offset(); }
-  /// The same; where it is unknown, as of a pipe, up to kBuffer bytes are read ahead to learn it.
+  /// left(), but where it is unknown, as of a pipe, up to kBuffer bytes are read ahead to learn it.
   std::int64_t find_left();
   const std::string& name() const noexcept { return name_; }
 

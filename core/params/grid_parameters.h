@@ -9,14 +9,14 @@ namespace lasius {
 
 /// The parameters that every grid colony reads.
 std::span<const Parameter> colony_parameters() noexcept;
-/// Those of the genetic comparator.
+/// The parameters that the genetic comparator reads.
 std::span<const Parameter> genetic_parameters() noexcept;
 
 /// What of a colony is the caller's own, and may read parameters that wait for another setting.
 struct OwnParts {
   bool heuristic = false, update = false, schedule = false;
 };
-/// As the public one, which knows of none: values that `own` may read are not refused.
+/// The public validate(), but values that `own` may read are not refused.
 /// @throws Error(invalid_parameter)
 void validate(const Params& params, const OwnParts& own);
 

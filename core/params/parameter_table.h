@@ -25,8 +25,7 @@ inline constexpr std::string_view kPersistence = "persistence", kEvaporation = "
 /// Less than this a colony could lose among its smallest numbers.
 inline constexpr double kLeastPheromone = 1e-12;
 
-/// @throws Error(invalid_parameter) unless a request's target gap is a number from 0 up, or
-/// infinite.
+/// @throws Error(invalid_parameter) unless a request's target gap is from 0 up, or infinite.
 inline void check_target_gap(double gap) {
   require_parameter(gap >= 0, "target_gap", gap, "it is a fraction: 0 or more, 0.01 for 1%");
 }
@@ -141,7 +140,7 @@ class ParameterTable {
     std::variant<Bounded<int>, Bounded<double>, Choice> value;
     bool (*is_read)(const Fields&) = nullptr;  // null: always
 
-    /// The same, read only under a condition.
+    /// This entry, but read only under a condition.
     constexpr Entry only_with(const Condition& condition) const {
       Entry entry = *this;
       entry.info.only_with = condition.words;
@@ -179,7 +178,7 @@ class ParameterTable {
     return list;
   }
 
-  /// A table of several lists; where two have an entry of one name it is the same.
+  /// A table of several lists. Precondition: entries of one name are equal.
   constexpr explicit ParameterTable(std::span<const std::span<const Entry>> lists)
       : lists_(lists) {}
 

@@ -44,7 +44,7 @@ constexpr void add_readers(Words& words, std::string_view kind, std::string_view
     if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
   }
 }
-// Those of every kind; empty: the parameter does not depend on them.
+// The rules that read a parameter; empty: it does not depend on them.
 constexpr Words readers_of(std::string_view parameter) {
   Words heuristics, visibilities, updates, several;
   add_readers(heuristics, "heuristic", parameter, kHeuristics);
@@ -112,7 +112,7 @@ constexpr std::array kColony{
     Table::number("alpha", &Params::alpha, 0, 20,
                   "exponent of pheromone from the critical time on"),
     Table::number("beta", &Params::beta, 0, 20,
-                  "exponent of visibility and inverse distance, likewise")
+                  "exponent of visibility and inverse distance from the critical time on")
         .only_with({"neighbours above 4 where that is inverse-step alone", beta_counts}),
     Table::number("greedy", &Params::greedy, 0, 1,
                   "share of steps that take the largest weight, q0"),
@@ -131,22 +131,23 @@ constexpr std::array kColony{
                   "share of steps by pheromone and visibility at iteration 0")
         .only_with(kUntilCriticalTime),
     Table::number("pheromone_rule", &Params::pheromone_rule, 0, 1e6,
-                  "the same from the critical time on"),
+                  "share of steps by pheromone and visibility from the critical time on"),
     Table::number("distance_rule_first", &Params::distance_rule_first, 0, 1e6,
                   "share of steps by the heuristic alone at iteration 0")
         .only_with(kUntilCriticalTime),
-    Table::number("distance_rule", &Params::distance_rule, 0, 1e6, "the same at the critical time"),
+    Table::number("distance_rule", &Params::distance_rule, 0, 1e6,
+                  "share of steps by the heuristic alone at the critical time"),
     Table::number("distance_rule_last", &Params::distance_rule_last, 0, 1e6,
-                  "the same from the settling time on", "0")
+                  "share of steps by the heuristic alone from the settling time on", "0")
         .only_with({"settling_time above 0", [](const Params& p) { return p.settling_time > 0; }}),
     Table::number(
         "settling_time", &Params::settling_time, 0, 1000000000,
         "iteration from which the share of the distance rule is its last one; 0: it stays", "0"),
     Table::number("combined_rule_first", &Params::combined_rule_first, 0, 1e6,
-                  "share of steps by the product of both at iteration 0")
+                  "share of steps by the product of all weights at iteration 0")
         .only_with(kUntilCriticalTime),
     Table::number("combined_rule", &Params::combined_rule, 0, 1e6,
-                  "the same from the critical time on"),
+                  "share of steps by the product of all weights from the critical time on"),
     Table::choice<&Params::update, kUpdateNames>("update",
                                                  "how the trail changes after an iteration"),
     Table::number("persistence", &Params::persistence, 0, 1,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/polygon/cells.h"
+#include "core/polygon/spatial_index.h"
 #include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
@@ -40,13 +40,13 @@ double apart(Point a, Point b, Point c, Point d) {
 }
 
 /// Looks for corners whose few tangents could reach what grows elsewhere.
-class Crowding {
+class CrowdedCorners {
  public:
-  Crowding(const std::vector<Ring>& rings, const Arcs& arcs, double margin)
-      : rings_(rings), arcs_(arcs), margin_(margin), cells_(net()) {
+  CrowdedCorners(const std::vector<Ring>& rings, const Arcs& arcs, double margin)
+      : rings_(rings), arcs_(arcs), margin_(margin), index_(empty_index()) {
     for (std::size_t r = 0; r < rings.size(); ++r) {
       for (std::size_t i = 0; i < rings[r].size(); ++i) {
-        cells_.add(static_cast<int>(places_.size()), rounded(rings[r][i]),
+        index_.add(static_cast<int>(places_.size()), rounded(rings[r][i]),
                    rounded(at(rings[r], i + 1)));
         places_.push_back({r, i});
       }
@@ -58,7 +58,7 @@ class Crowding {
     const std::size_t count = rings_[r].size(), before = i > 0 ? i - 1 : count - 1;
     bool found = false;
     const double reach = 2 * margin_ * (1 + kMostExcess);
-    cells_.within(rounded(rings_[r][i]), reach + 1, [&](int number) {
+    index_.within(rounded(rings_[r][i]), reach + 1, [&](int number) {
       if (found) return;
       const auto [ring, edge] = places_[number];
       if (ring == r && (edge == i || edge == before)) return;
@@ -80,7 +80,7 @@ class Crowding {
 
   static LatticePoint rounded(Point p) { return {std::llrint(p.x), std::llrint(p.y)}; }
 
-  Cells net() const {
+  SpatialIndex empty_index() const {
     Bounds box = bounds_of(rings_.front());
     std::size_t count = 0;
     for (const Ring& ring : rings_) {
@@ -116,7 +116,7 @@ class Crowding {
   const Arcs& arcs_;
   double margin_;
   std::vector<Place> places_;  // of edges, by number
-  Cells cells_;
+  SpatialIndex index_;
 };
 
 }  // namespace
@@ -136,11 +136,11 @@ Arcs arcs_of(const std::vector<Ring>& rings, double margin, Tangents tangents) {
       of_ring.push_back(arc_of(ring, i, margin, excess));
   }
   if (tangents == Tangents::many || rings.empty()) return arcs;
-  const Crowding crowding(rings, arcs, margin);
+  const CrowdedCorners few(rings, arcs, margin);
   Arcs result = arcs;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     for (std::size_t i = 0; i < rings[r].size(); ++i) {
-      if (!arcs[r][i].empty() && crowding.crowded(r, i))
+      if (!arcs[r][i].empty() && few.crowded(r, i))
         result[r][i] = arc_of(rings[r], i, margin, kLeastExcess);
     }
   }

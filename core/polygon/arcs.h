@@ -10,8 +10,8 @@ namespace lasius::polygon {
 /// How many tangents an arc is made of.
 enum class Tangents {
   many,  ///< their corners are at most 0.5% of the margin outside of the arc
-  /// At most the margin itself, for lines that are few; as many as above where another outline is
-  /// so near that a corner could reach its growth. So both leave the same passages.
+  /// Corners at most the margin outside of the arc, so that lines are few; but `many` where another
+  /// outline is so near that a corner could reach its growth. So no passage is lost.
   few,
 };
 

@@ -68,7 +68,7 @@ Arrangement::Arrangement(const Geos& geos, const Geos::Geometry& boundary,
     for (const Ring* ring : rings_of(face)) {
       const bool outer = ring == &face.outer, turned = (doubled_area(*ring) > 0) != outer;
       for (std::size_t i = 0; i < ring->size(); ++i) {
-        Way way{rounded((*ring)[i]), rounded((*ring)[i + 1 < ring->size() ? i + 1 : 0])};
+        DirectedEdge way{rounded((*ring)[i]), rounded((*ring)[i + 1 < ring->size() ? i + 1 : 0])};
         if (turned) std::swap(way.first, way.second);
         along_[way] = outer;
       }

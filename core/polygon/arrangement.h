@@ -14,8 +14,7 @@ namespace lasius::polygon {
 /// touched touches still, so nothing slips between them. Each edge bars the way, whatever it was.
 class Arrangement {
  public:
-  /// All in grid units, rounded or not. `boundary` is an area, perhaps in several parts; so are
-  /// `obstacles`.
+  /// All in grid units, rounded or not; `boundary` and `obstacles` areas, perhaps in several parts.
   Arrangement(const Geos& geos, const Geos::Geometry& boundary, const Geos::Geometry& obstacles,
               const Geos::Geometry& walls);
 
@@ -23,11 +22,11 @@ class Arrangement {
   const std::vector<Polygon>& pieces() const noexcept { return pieces_; }
   /// The two sides of each edge, a ring of two corners each.
   std::vector<Corner> sides() const;
-  /// Of such sides, joined to rings where edges meet: those of free space, numbered anew.
+  /// Those of `sides` that bound free space, joined to rings where edges meet, numbered anew.
   std::vector<Corner> free_sides(const std::vector<Corner>& sides) const;
 
  private:
-  using Way = std::pair<LatticePoint, LatticePoint>;
+  using DirectedEdge = std::pair<LatticePoint, LatticePoint>;
   using Prepared = Geos::Owned<const GEOSPreparedGeometry, GEOSPreparedGeom_destroy_r>;
 
   Prepared prepared(const Geos::Geometry& area) const;
@@ -35,11 +34,12 @@ class Arrangement {
   bool inside(LatticePoint p) const;
 
   const Geos& geos_;
-  std::vector<Way> edges_;
+  std::vector<DirectedEdge> edges_;
   std::vector<Polygon> pieces_;
   std::vector<Geos::Geometry> areas_;  // of the pieces
-  std::vector<Prepared> prepared_;     // likewise
-  std::map<Way, bool> along_;  // edges of pieces, free space on their left; true: an outer ring's
+  std::vector<Prepared> prepared_;     // of areas_
+  // Edges of pieces, free space on their left; true: an outer ring's.
+  std::map<DirectedEdge, bool> along_;
 };
 
 }  // namespace lasius::polygon

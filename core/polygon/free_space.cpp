@@ -132,8 +132,8 @@ void remember(FreeSpace& space, const Polygon& p) {
   for (const Ring* ring : rings_of(p)) remember(space, *ring);
 }
 
-/// As far as they are near the boundary's box. Clipped point by point: what touches is noded once
-/// only, later.
+/// The lines as far as they are near the boundary's box. Clipped point by point: what touches is
+/// noded later, and once.
 Geos::Geometry clipped_lines(const Geos& geos, std::vector<Ring> lines, const Ring& boundary,
                              double margin) {
   std::vector<Geos::Geometry> parts;

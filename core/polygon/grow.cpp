@@ -30,7 +30,7 @@ Geos::Geometry buffered(const Geos& geos, const Geos::Geometry& area, double mar
 }
 
 /// What a ring grows by on its right, an edge at a time: the strip along the edge, with the sectors
-/// that are swept around its ends where the way turns left. It reaches to the left, too: pieces
+/// that are swept around its ends where the way turns left. It reaches to the left as well: pieces
 /// that only shared an edge would leave slivers between them where corners are rounded.
 void append_strips(const Ring& ring, const std::vector<Ring>& arcs, double margin, const Geos& geos,
                    std::vector<Geos::Geometry>& parts) {

@@ -9,7 +9,7 @@
 
 namespace lasius::polygon {
 
-/// What the margin leaves.
+/// Obstacles grown and the boundary shrunk by the margin, in grid units.
 struct Grown {
   Geos::Geometry obstacles;
   Geos::Geometry boundary;  ///< its inside, perhaps in several pieces, or nothing

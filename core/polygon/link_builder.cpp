@@ -21,13 +21,13 @@ LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
       poller_(poller),
       fans_(space.corners.size()),
       edges_(space.corners.size()),
-      corner_cells_(net()),
-      edge_cells_(corner_cells_),
-      link_cells_(corner_cells_) {
+      corner_index_(empty_index()),
+      edge_index_(corner_index_),
+      link_index_(corner_index_) {
   double longest = 1;
   for (int c = 0; c < static_cast<int>(space.corners.size()); ++c) {
     set_edge(c);
-    corner_cells_.add(c, at(c), at(c));
+    corner_index_.add(c, at(c), at(c));
     const Edge& e = edges_[c];
     longest = std::max(longest, length_of(e.to - e.from));
     if (!space.corners[c].wall || (e.from.x != e.to.x && e.from.y != e.to.y)) continue;
@@ -44,7 +44,7 @@ LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
 }
 
 /// A net over all corners, empty.
-Cells LinkBuilder::net() const {
+SpatialIndex LinkBuilder::empty_index() const {
   LatticePoint low, high;
   if (!space_.corners.empty()) low = high = at(0);
   for (const Corner& c : space_.corners) {
@@ -121,9 +121,9 @@ bool LinkBuilder::clear(LatticePoint from, LatticePoint to, const Edge* ignored)
     ++looked_at;
     return &e == ignored || !crossed(from, to, e);
   };
-  const bool free = edge_cells_.near(from, to, [&](int corner) {
+  const bool free = edge_index_.near(from, to, [&](int corner) {
     return passes(edges_[corner]);
-  }) && link_cells_.near(from, to, [&](int link) {
+  }) && link_index_.near(from, to, [&](int link) {
     return passes(edge_between(at(links_[link].a), at(links_[link].b)));
   });
   return !poller_.stop_after(looked_at) && free;
@@ -135,7 +135,7 @@ LinkBuilder::Edge LinkBuilder::edge_between(LatticePoint a, LatticePoint b) {
 
 void LinkBuilder::set_edge(int corner) {
   edges_[corner] = edge_between(at(corner), at(space_.corners[corner].next));
-  edge_cells_.add(corner, edges_[corner].from, edges_[corner].to);
+  edge_index_.add(corner, edges_[corner].from, edges_[corner].to);
 }
 
 LatticePoint LinkBuilder::foot(int corner, int wall) const {
@@ -153,7 +153,7 @@ std::vector<LinkBuilder::Candidate> LinkBuilder::candidates(double above, double
       const double length = length_of(target - at(i));
       if (length > above && length <= upto) list.push_back({length, i, to, wall});
     };
-    corner_cells_.within(at(i), upto, [&](int j) {
+    corner_index_.within(at(i), upto, [&](int j) {
       ++looked_at;
       if (j != i) consider(at(j), j, false);
     });
@@ -200,7 +200,7 @@ void LinkBuilder::try_wall(int from, int wall) {
   space_.corners[next].previous = fresh;
   fans_.emplace_back();
   edges_.emplace_back();
-  corner_cells_.add(fresh, f, f);
+  corner_index_.add(fresh, f, f);
   set_edge(corner);
   set_edge(fresh);
   add(from, fresh);
@@ -209,7 +209,7 @@ void LinkBuilder::try_wall(int from, int wall) {
 void LinkBuilder::add(int a, int b) {
   const int link = static_cast<int>(links_.size());
   links_.push_back({a, b});
-  link_cells_.add(link, at(a), at(b));
+  link_index_.add(link, at(a), at(b));
   for (const int corner : {a, b}) {
     auto& fan = fans_[corner];
     const LatticePoint first = at(space_.corners[corner].next) - at(corner);

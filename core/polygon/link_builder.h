@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "core/base/poller.h"
-#include "core/polygon/cells.h"
 #include "core/polygon/free_space.h"
+#include "core/polygon/spatial_index.h"
 
 namespace lasius::polygon {
 
-/// A free line between two corners.
+/// A free line between two corners, indices of FreeSpace::corners.
 struct Link {
   int a = 0;
   int b = 0;
@@ -49,7 +49,7 @@ class LinkBuilder {
   Sector sector(int corner, LatticePoint direction) const;
   bool clear(LatticePoint from, LatticePoint to, const Edge* ignored) const;
   bool crossed(LatticePoint from, LatticePoint to, const Edge& edge) const;
-  Cells net() const;
+  SpatialIndex empty_index() const;
 
   static Edge edge_between(LatticePoint a, LatticePoint b);
   void draw(double longest);
@@ -68,7 +68,7 @@ class LinkBuilder {
   std::vector<Link> links_;
   std::vector<std::vector<int>> fans_;
   std::vector<Edge> edges_;  // from each corner to its next
-  Cells corner_cells_, edge_cells_, link_cells_;
+  SpatialIndex corner_index_, edge_index_, link_index_;
   std::vector<int> walls_;  // corners whose edge is a wall along an axis, before any foot
   std::vector<LatticePoint> wall_ends_;
 };

@@ -57,7 +57,7 @@ class MidpointSearch {
       const auto [key, node] = queue_.top();
       queue_.pop();
       if (best_[node] < key) continue;
-      const int region = entered(node);
+      const int region = region_entered(node);
       finish(middle(node / 2), key, region, node);
       spread(middle(node / 2), key, region, node, closed);
     }
@@ -65,7 +65,7 @@ class MidpointSearch {
     Way way{reached.first, {}, {last_region}};
     for (int node = last; node >= 0; node = before_[node]) {
       way.links.push_back(node / 2);
-      way.regions.push_back(left_by(node));
+      way.regions.push_back(region_left(node));
     }
     std::ranges::reverse(way.links);
     std::ranges::reverse(way.regions);
@@ -79,11 +79,11 @@ class MidpointSearch {
     const Link& l = regions_.links()[link];
     return regions_.space().point(regions_.at(first ? l.a : l.b));
   }
-  int entered(int node) const {
+  int region_entered(int node) const {
     const auto [left, right] = regions_.beside(node / 2);
     return node % 2 == 1 ? right : left;
   }
-  int left_by(int node) const { return entered(node ^ 1); }
+  int region_left(int node) const { return region_entered(node ^ 1); }
 
   /// Offers the links of a region, all but the one that was just crossed.
   void spread(Point from, Key key, int region, int node, const std::set<int>& closed) {

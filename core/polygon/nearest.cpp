@@ -45,7 +45,7 @@ class Nearest {
 
 }  // namespace
 
-Place place_in(const Regions& regions, Point p, const Admits& admits) {
+Place place_in(const Regions& regions, Point p, const RegionFilter& counts) {
   Place place{p, regions.space().lattice.nearest(p), {}};
   const double limit = std::ldexp(1.0, 44);
   const Point s = regions.space().lattice.scaled(p);
@@ -57,7 +57,7 @@ Place place_in(const Regions& regions, Point p, const Admits& admits) {
         if (std::max(std::abs(dx), std::abs(dy)) != reach) continue;
         const LatticePoint at{place.at.x + dx, place.at.y + dy};
         auto holding = regions.holding(at);
-        if (admits) std::erase_if(holding, [&](int region) { return !admits(region); });
+        if (counts) std::erase_if(holding, [&](int region) { return !counts(region); });
         if (!holding.empty()) return {p, at, std::move(holding)};
       }
     }
@@ -84,13 +84,13 @@ std::optional<Point> nearest_point(const FreeSpace& space, const Ring& boundary,
 }
 
 Place nearest_joined(const Regions& regions, const Ring& boundary, const Place& from, Point p) {
-  const auto admits = [&](int region) {
+  const auto counts = [&](int region) {
     return std::ranges::any_of(
         from.regions, [&](int mine) { return regions.piece(mine) == regions.piece(region); });
   };
   Nearest nearest(boundary, p);
   for (std::size_t r = 0; r < regions.regions().size(); ++r) {
-    if (!admits(static_cast<int>(r))) continue;
+    if (!counts(static_cast<int>(r))) continue;
     const auto& sides = regions.regions()[r].sides;
     const auto at = [&](std::size_t i) {
       return regions.space().point(regions.at(sides[i].corner));
@@ -98,7 +98,7 @@ Place nearest_joined(const Regions& regions, const Ring& boundary, const Place& 
     for (std::size_t i = 0; i < sides.size(); ++i)
       if (sides[i].link < 0) nearest.look(at(i), at(i + 1 < sides.size() ? i + 1 : 0));
   }
-  return place_in(regions, *nearest.best(), admits);
+  return place_in(regions, *nearest.best(), counts);
 }
 
 }  // namespace lasius::polygon

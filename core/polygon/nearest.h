@@ -9,12 +9,12 @@
 
 namespace lasius::polygon {
 
-/// Whether a region counts.
-using Admits = std::function<bool(int region)>;
+/// True for regions that count; empty: all do.
+using RegionFilter = std::function<bool(int region)>;
 
 /// A point's place, no region where it is not free. On the grid a point of the border may fall just
 /// outside: then the free point of the grid that is nearest to it stands for it.
-Place place_in(const Regions& regions, Point p, const Admits& admits = {});
+Place place_in(const Regions& regions, Point p, const RegionFilter& counts = {});
 
 /// Whether two places lie in one piece of free space.
 bool joined(const Regions& regions, const Place& start, const Place& goal);
@@ -23,8 +23,8 @@ bool joined(const Regions& regions, const Place& start, const Place& goal);
 /// where all is blocked.
 std::optional<Point> nearest_point(const FreeSpace& space, const Ring& boundary, Point p);
 
-/// That of the pieces of free space that `from` lies in, as a place there. Precondition: `from`
-/// lies in some, and p in none of them.
+/// The point nearest to p of the pieces of free space that hold `from`, as a place. Precondition:
+/// `from` lies in some, and p in none of them.
 Place nearest_joined(const Regions& regions, const Ring& boundary, const Place& from, Point p);
 
 }  // namespace lasius::polygon

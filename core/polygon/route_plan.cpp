@@ -21,13 +21,13 @@ RoutePlan::RoutePlan(const Regions& regions, const Ends& ends, const Params& par
       poller_(request.stop) {}
 
 void RoutePlan::run(const Place& start, const Place& goal, double optimum, Result& result) {
-  beside_ = distance(ends_.start, start.given) + distance(goal.given, ends_.goal);
-  const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
+  end_pieces_ = distance(ends_.start, start.given) + distance(goal.given, ends_.goal);
+  const double good_enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
   StopCondition::Cause cause = StopCondition::Cause::none;
   midpoint_routes(regions_, start, goal, parameters_.routes, poller_, [&](const Route& route) {
-    cause = asked_;  // though there is another route
-    if (cause == StopCondition::Cause::none) cause = search(route, enough, result);
-    return cause == StopCondition::Cause::none && result.crossing.length > enough;
+    cause = observer_cause_;  // though there is another route
+    if (cause == StopCondition::Cause::none) cause = search(route, good_enough, result);
+    return cause == StopCondition::Cause::none && result.crossing.length > good_enough;
   });
   if (cause == StopCondition::Cause::none) cause = poller_.cause();
   end_run(result, cause, Status::solved);
@@ -36,13 +36,13 @@ void RoutePlan::run(const Place& start, const Place& goal, double optimum, Resul
 }
 
 /// Says why the run on the route was cut short, or that it was not.
-StopCondition::Cause RoutePlan::search(const Route& route, double enough, Result& result) {
+StopCondition::Cause RoutePlan::search(const Route& route, double good_enough, Result& result) {
   const Crossing dijkstra = cross_at(route, std::vector<double>(route.gates.size(), 0.5));
   CrossingRun run{.best = dijkstra, .curves = {}};
   if (!route.gates.empty()) {
-    const RunControl control{request_.stop, enough - beside_,
+    const RunControl control{request_.stop, good_enough - end_pieces_,
                              [&](const Convergence& now, const std::function<Crossing()>& best) {
-                               return asked_ = observe(now, best, result);
+                               return observer_cause_ = observe(now, best, result);
                              }};
     run = find_algorithm(parameters_.algorithm()).kind == Algorithm::Kind::genetic
               ? run_crossing_ga(route, dijkstra, parameters_, control)
@@ -60,9 +60,9 @@ StopCondition::Cause RoutePlan::search(const Route& route, double enough, Result
   return run.cause;
 }
 
-/// From end to end.
+/// The crossing with the straight pieces from and to the ends that are asked for.
 Crossing RoutePlan::whole(Crossing crossing) const {
-  if (!(beside_ > 0)) return crossing;
+  if (!(end_pieces_ > 0)) return crossing;
   auto& path = crossing.path;
   if (path.front() != ends_.start) path.insert(path.begin(), ends_.start);
   if (path.back() != ends_.goal) path.push_back(ends_.goal);
@@ -87,10 +87,10 @@ StopCondition::Cause RoutePlan::observe(const Convergence& run,
 
 void RoutePlan::append(const Convergence& run, Result& result) const {
   for (const double best : run.best) {
-    const double length = best + beside_;
+    const double length = best + end_pieces_;
     result.best.push_back(result.dijkstra ? std::min(length, result.crossing.length) : length);
   }
-  for (const double mean : run.mean) result.mean.push_back(mean + beside_);
+  for (const double mean : run.mean) result.mean.push_back(mean + end_pieces_);
   result.arrived.insert(result.arrived.end(), run.arrived.begin(), run.arrived.end());
   result.iterations += run.iterations;
 }

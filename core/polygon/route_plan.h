@@ -14,8 +14,8 @@ struct Ends {
   Point start, goal;
 };
 
-/// Those of a request, the world's where it names none. @throws Error(invalid_parameter) where
-/// neither does, and for coordinates that are no finite numbers.
+/// Start and goal of a request, the world's where it names none. @throws Error(invalid_parameter)
+/// where neither does, and for coordinates that are no finite numbers.
 Ends ends_of(const Request& request, const World& world);
 
 /// Dijkstra's route and what runs over it, route by route; the best one is kept. Paths go straight
@@ -30,7 +30,7 @@ class RoutePlan {
   void run(const Place& start, const Place& goal, double optimum, Result& result);
 
  private:
-  StopCondition::Cause search(const Route& route, double enough, Result& result);
+  StopCondition::Cause search(const Route& route, double good_enough, Result& result);
   Crossing whole(Crossing crossing) const;
   StopCondition::Cause observe(const Convergence& run, const std::function<Crossing()>& best,
                                const Result& result) const;
@@ -38,12 +38,12 @@ class RoutePlan {
 
   const Regions& regions_;
   const Ends ends_;
-  double beside_ = 0;  // length of the straight pieces at the ends
+  double end_pieces_ = 0;  // length of the straight pieces from and to ends_
   const Params& parameters_;
   const Request& request_;
   const Observer& observer_;
-  Poller poller_;                                            // of what is not left to the runs
-  StopCondition::Cause asked_ = StopCondition::Cause::none;  // for the end, by an observer
+  Poller poller_;  // of what is not left to the runs
+  StopCondition::Cause observer_cause_ = StopCondition::Cause::none;
 };
 
 }  // namespace lasius::polygon

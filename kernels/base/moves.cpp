@@ -21,7 +21,7 @@ Move make_move(int dx, int dy) noexcept {
   };
   // Along the segment from centre to centre, cell by cell.
   while (x < ax || y < ay) {
-    // The next grid line along x is crossed at (2x + 1) / (2 ax) of the way, along y likewise.
+    // Of the way, the next grid line is at (2x + 1) / (2 ax) along x, (2y + 1) / (2 ay) along y.
     const int next_x = ax == 0 ? 1 : (2 * x + 1) * ay;
     const int next_y = ay == 0 ? 1 : (2 * y + 1) * ax;
     const bool along_x = ay == 0 || (ax != 0 && next_x <= next_y);

@@ -50,8 +50,8 @@ namespace lasius::kernels {
                                (std::bit_cast<std::uint64_t>(rounded) << 52));
 }
 
-/// Angle between two vectors of whole numbers, in radians, in [0, pi]; 0 if one is zero. Likewise
-/// from IEEE operations only; error below 1e-13.
+/// Angle between two vectors of whole numbers, in radians, in [0, pi]; 0 if one is zero. From
+/// IEEE operations only; error below 1e-13.
 inline double angle_between(double ax, double ay, double bx, double by) noexcept {
   constexpr double kPi = 3.14159265358979323846;
   double along = ax * bx + ay * by, across = ax * by - ay * bx;

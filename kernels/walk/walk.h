@@ -79,7 +79,7 @@ struct WalkWorld {
   void* context = nullptr;
 
   std::array<std::int32_t, kMaxMoves> delta{};      ///< PackedCell difference of a move
-  std::array<std::int32_t, kMaxMoves> tile_step{};  ///< the same in cells of a tile, row-major
+  std::array<std::int32_t, kMaxMoves> tile_step{};  ///< of a move's cell index in a tile, row-major
   std::array<std::int32_t, kMaxMoves> row_step{};   ///< rows that a move goes down
   std::uint64_t window = 0;  ///< more than 8 moves: their bits in 7 x 7 cells, row by row
   /// Factor on what the row holds (in a mixture, of pheromone), by previous move (kMaxMoves: none
@@ -128,7 +128,7 @@ constexpr int numbers_of_block(Draw draw) noexcept { return draw == Draw::discar
 
 /// One ant under way. Block b of ant a in iteration q is Philox4x32-10 with key = seed and counter
 /// (b, a, q, 0). A roulette takes one of its four words a step. Draw::discard takes a number for
-/// each move of the row, eight of a block: the four words, then the same rotated by 16 bits. (What
+/// each move of the row, eight of a block: the four words, then these rotated by 16 bits. (What
 /// two of them share stands behind the sixteenth binary place.)
 struct WalkSlot {
   static constexpr int kNumbers = 64;

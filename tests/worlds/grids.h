@@ -52,7 +52,7 @@ inline Grid random_grid(int width, int height, int percent, std::mt19937& random
                  [&](int, int) { return static_cast<int>(random() % 100) < percent; });
 }
 
-/// The same above the middle row, and its mirror image below.
+/// A random grid whose lower half mirrors the upper one.
 inline Grid mirrored_grid(int width, int height, int percent, std::mt19937& random) {
   Grid grid = random_grid(width, height, percent, random);
   for (const Cell c : cells_of({0, 0, width, height / 2})) {

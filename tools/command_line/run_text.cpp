@@ -230,7 +230,7 @@ PlanCommand make_plan(const EndsText& ends, RunOptions run) {
 }
 
 DriveCommand make_drive(const DriveText& text) {
-  if (is_world(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
+  if (is_polygon_file(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
   if (!text.tracks.empty())
     throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   DriveCommand drive{make_plan(text.ends, make_run(text, kDriveEndings))};

@@ -24,7 +24,7 @@ Values files(std::vector<std::string> endings) {
 /// Files that a bitmap is read from, and those of polygon worlds.
 std::vector<std::string> map_endings(bool with_worlds) {
   std::vector<std::string> all{".map", ".pbm", ".pgm", ".png", ".yaml", ".yml"};
-  if (with_worlds) all.insert(all.end(), kWorldEndings.begin(), kWorldEndings.end());
+  if (with_worlds) all.insert(all.end(), kPolygonFileEndings.begin(), kPolygonFileEndings.end());
   return all;
 }
 

@@ -63,7 +63,7 @@ std::pair<std::string, std::vector<std::string>> factor_of(
 
 ShortStudy short_study(const ShortText& text) {
   if (text.map.empty()) throw UsageError("study run: MAP is required; see --help");
-  if (is_world(text.map))
+  if (is_polygon_file(text.map))
     throw UsageError("study run: " + text.map +
                      " is a polygon world; own studies plan on bitmaps alone");
   if (text.start.empty()) throw UsageError("study run: --start is required; see --help");

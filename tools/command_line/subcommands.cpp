@@ -128,7 +128,7 @@ Subcommand add_plan(CLI::App& app) {
   add_world_options(*plan, raw->polygon.world);
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
-            if (is_world(raw->run.map)) {
+            if (is_polygon_file(raw->run.map)) {
               auto polygon = make_polygon(raw->run, text, kPlanEndings);
               if (polygon.ranged) return PolygonBatchCommand{std::move(polygon), ""};
               return polygon;
@@ -183,7 +183,7 @@ Subcommand add_batch(CLI::App& app) {
                         "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen", "FILE")
       ->required();
   return {batch, [raw]() -> Command {
-            if (is_world(raw->run.map))
+            if (is_polygon_file(raw->run.map))
               return PolygonBatchCommand{make_polygon(raw->run, {raw->world, {}}), raw->queries};
             refuse_world_options(raw->world);
             auto run = make_run(raw->run);
@@ -219,7 +219,7 @@ Subcommand add_info(CLI::App& app) {
             auto corners = Corners::forbid;
             if (!raw->corners.empty())
               corners = static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
-            if (is_world(raw->map)) {
+            if (is_polygon_file(raw->map)) {
               if (raw->prepare) throw UsageError("--prepare is for bitmaps");
               if (!raw->frame.empty() || !raw->start.empty() || !raw->goal.empty())
                 throw UsageError("--frame, --start and --goal of info are for bitmaps");

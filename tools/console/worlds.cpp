@@ -69,8 +69,8 @@ std::string_view algorithm_of(World::Kind kind, std::string_view name) {
   return known[choice_value("--algorithm", name, known)];
 }
 
-bool is_world(std::string_view file) {
-  return std::ranges::any_of(kWorldEndings,
+bool is_polygon_file(std::string_view file) {
+  return std::ranges::any_of(kPolygonFileEndings,
                              [&](std::string_view ending) { return has_ending(file, ending); });
 }
 

@@ -32,9 +32,9 @@ std::span<const World> worlds();
 /// one that plans elsewhere, and for an unknown one, with the nearest.
 std::string_view algorithm_of(World::Kind kind, std::string_view name);
 
-/// Endings of the files that are polygon worlds.
-inline constexpr std::array<std::string_view, 3> kWorldEndings{".geojson", ".json", ".wkt"};
-/// True for those files.
-bool is_world(std::string_view file);
+/// Endings of the names of files that hold polygon worlds.
+inline constexpr std::array<std::string_view, 3> kPolygonFileEndings{".geojson", ".json", ".wkt"};
+/// True for a name with one of these endings.
+bool is_polygon_file(std::string_view file);
 
 }  // namespace lasius::tool

@@ -84,7 +84,7 @@ bool concerns(const Typed& typed, World::Kind kind) {
   const bool polygons = kind == World::Kind::polygon;
   if (!command.on_polygons || typed.arguments.empty())
     return polygons ? command.on_polygons : command.on_bitmaps;
-  return is_world(typed.arguments.front()) == polygons;
+  return is_polygon_file(typed.arguments.front()) == polygons;
 }
 
 class Completer {

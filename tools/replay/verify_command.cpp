@@ -190,7 +190,7 @@ std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
   const std::string format = text_of(recorded.result, "format");
   if (format == kArmFormat) return recorded_arm(recorded);
   if (format == kDriveFormat) return recorded_drive(recorded);
-  const bool world = is_world(tool::recorded<std::string>(recorded.result, "map/file"));
+  const bool world = is_polygon_file(tool::recorded<std::string>(recorded.result, "map/file"));
   return world ? recorded_polygon(recorded, last.world) : recorded_bitmap(recorded, last.map);
 }
 
@@ -198,7 +198,7 @@ std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
 bool radius_has_changed(const Json& result, const std::string& version) {
   if (version_of(version) >= Version{0, 4, 0} || !result.contains("map")) return false;
   const Json radius = result.value(Json::json_pointer("/parameters/radius"), Json());
-  return !is_world(text_of(result["map"], "file")) && radius.is_number() && radius != 0;
+  return !is_polygon_file(text_of(result["map"], "file")) && radius.is_number() && radius != 0;
 }
 
 /// True where no clock took part: the number of questions, or of ticks, was what ended it.

@@ -69,10 +69,10 @@ Params params_of(const Contender& contender) {
 }
 
 std::optional<double> true_optimum(const Planner& planner, const Question& question,
-                                   const Truth& truth, const StopCondition& stop) {
-  if (truth.kind == Truth::Kind::moves)
-    return shortest_walk(planner.passable(), question.start, question.goal, truth.neighbours,
-                         truth.corners, stop);
+                                   const Optimum& optimum, const StopCondition& stop) {
+  if (optimum.kind == Optimum::Kind::moves)
+    return shortest_walk(planner.passable(), question.start, question.goal, optimum.neighbours,
+                         optimum.corners, stop);
   const Result result = planner.plan({question.start, question.goal, stop}, Params(kExact));
   if (!result.optimal) return std::nullopt;
   return result.length;
@@ -86,18 +86,18 @@ Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
                           Planner(load_map(question.map, maps), Disc{question.radius}));
 }
 
-Task Bitmaps::task(const Question& question, const Contender& contender) const {
+PreparedRun Bitmaps::prepare(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.ground());
   const Grid& grid = planner.passable();
-  Task task =
-      task_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
-              params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());
+  PreparedRun prepared =
+      run_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
+             params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());
   if (std::isfinite(contender.budget.steps))
-    task.work = std::min(task.work, static_cast<std::int64_t>(contender.budget.steps));
-  task.run = [&planner, &question, params, limit = shortest(question, params),
-              budget = contender.budget](std::uint64_t seed, bool pilot,
-                                         const std::stop_token& stop, Workspace& workspace) {
+    prepared.work = std::min(prepared.work, static_cast<std::int64_t>(contender.budget.steps));
+  prepared.run = [&planner, &question, params, limit = shortest(question, params),
+                  budget = contender.budget](std::uint64_t seed, bool pilot,
+                                             const std::stop_token& stop, Workspace& workspace) {
     Params seeded = params;
     seeded.seed = seed;
     if (pilot && find_algorithm(params.algorithm()).has("iterations"))
@@ -124,7 +124,7 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
     run.path = std::move(result.path);
     return run;
   };
-  return task;
+  return prepared;
 }
 
 /// The shortest walk of the contender's own moves.
@@ -134,9 +134,9 @@ double Bitmaps::shortest(const Question& question, const Params& params) const {
       .value_or(kUnknown);
 }
 
-std::optional<double> Bitmaps::optimum(const Question& question, const Truth& truth,
+std::optional<double> Bitmaps::optimum(const Question& question, const Optimum& optimum,
                                        const StopCondition& stop) const {
-  return true_optimum(planners_.at(question.ground()), question, truth, stop);
+  return true_optimum(planners_.at(question.ground()), question, optimum, stop);
 }
 
 }  // namespace lasius::study

@@ -14,15 +14,15 @@ Params params_of(const Contender& contender);
 /// The question's optimum, or nothing where it is not known: the any-angle one is asked of the
 /// library's algorithm `exact`.
 std::optional<double> true_optimum(const Planner& planner, const Question& question,
-                                   const Truth& truth, const StopCondition& stop);
+                                   const Optimum& optimum, const StopCondition& stop);
 
 class Bitmaps final : public Domain {
  public:
   /// Reads or makes the maps of the study's questions. @throws Error as `load_map`.
   Bitmaps(const Study& study, const std::filesystem::path& maps);
 
-  Task task(const Question& question, const Contender& contender) const override;
-  std::optional<double> optimum(const Question& question, const Truth& truth,
+  PreparedRun prepare(const Question& question, const Contender& contender) const override;
+  std::optional<double> optimum(const Question& question, const Optimum& optimum,
                                 const StopCondition& stop) const override;
 
  private:

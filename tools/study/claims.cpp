@@ -64,8 +64,8 @@ Measured measure(const Claim& claim, const Findings& findings) {
   return all;
 }
 
-/// All runs of both do the same: nothing can be told apart here.
-bool level(const Pair& pair) {
+/// True where all runs of both have one value: nothing can be told apart.
+bool all_equal(const Pair& pair) {
   const double first = pair.a.front();
   const auto same = [&](double v) {
     return v == first ||
@@ -142,7 +142,7 @@ std::string medians_text(const std::vector<Pair>& pairs) {
 }
 
 void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, Evidence& evidence) {
-  const auto levels = std::erase_if(pairs, level);
+  const auto equal = std::erase_if(pairs, all_equal);
   evidence.questions = static_cast<int>(pairs.size());
   if (pairs.empty()) {
     evidence.obstacle =
@@ -177,8 +177,8 @@ void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, E
   evidence.figures += medians_text(pairs);
   if (std::isfinite(ratio))
     evidence.figures += ", ratio " + fixed(ratio, 3) + interval_text(ratios, 3);
-  if (levels > 0)
-    evidence.figures += "; " + std::to_string(levels) + " more where all runs do the same";
+  if (equal > 0)
+    evidence.figures += "; " + std::to_string(equal) + " more where all runs do the same";
   evidence.figures += success_text(claim, all, true) + success_text(claim, all, false);
 }
 

@@ -65,7 +65,7 @@ std::vector<Level> factor_levels(const Findings& findings, const Experiment& exp
   return levels;
 }
 
-/// Both levels' gaps on the questions that both have.
+/// The gaps of two levels of a factor, on questions that both have.
 std::vector<Pair> pairs_of(const Level& a, const Level& b) {
   std::vector<Pair> pairs;
   for (const auto& [question, gaps] : a.gaps)

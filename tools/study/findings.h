@@ -62,18 +62,18 @@ struct Sample {
 };
 
 /// A contender that could not run, and why.
-struct Absent {
+struct SkippedContender {
   std::string experiment, contender, reason;
 };
 
 class Findings {
  public:
   std::vector<Sample> samples;  ///< with the runs that were done
-  std::vector<Absent> absent;
+  std::vector<SkippedContender> skipped;
   bool whole = true;  ///< false after an interruption
   std::map<std::pair<const Experiment*, const Question*>, double> optima;  ///< where known
 
-  /// Null where the contender is absent. What is asked for question by question is looked up, not
+  /// Null where the contender was skipped. What is asked for question by question is looked up, not
   /// searched for: a study may have 100 000 of them.
   const Sample* find(std::string_view experiment, std::string_view question,
                      std::string_view contender) const;

@@ -20,10 +20,10 @@ bool is_generated(const std::string& source) {
   return size > 0 && by != std::string::npos && by > size && source[by] == 'x';
 }
 
-MadeMap made_map(const std::string& source) {
+GeneratedMap generated_map(const std::string& source) {
   std::istringstream in(source);
   const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
-  MadeMap made;
+  GeneratedMap made;
   GenerateOptions& options = made.options;
   const auto is_made = [&] {
     if (words.size() != 4) return false;
@@ -50,7 +50,7 @@ MadeMap made_map(const std::string& source) {
 
 Map load_framed_map(const std::string& source, const std::filesystem::path& folder) {
   if (!is_generated(source)) return read_any_map((folder / source).string());
-  const MadeMap made = made_map(source);
+  const GeneratedMap made = generated_map(source);
   return {generate(made.kind, made.options), std::nullopt};
 }
 

@@ -14,7 +14,7 @@ namespace lasius::study {
 /// kind of `lasius generate`, whose own density is "default". @throws Error for a missing or broken
 /// file, or a map that cannot be made.
 Grid load_map(const std::string& source, const std::filesystem::path& folder);
-/// The same with the frame that a ROS map has.
+/// load_map() with the frame that a ROS map has.
 Map load_framed_map(const std::string& source, const std::filesystem::path& folder);
 /// The map of a question, its obstacles grown by the radius, in cells.
 Grid load_map(const Question& question, const std::filesystem::path& folder);
@@ -24,10 +24,10 @@ bool is_generated(const std::string& source);
 
 /// What the words of a generated map say. @throws Error(invalid_parameter) for other words; whether
 /// the map can be made is not looked at.
-struct MadeMap {
+struct GeneratedMap {
   MapKind kind{};
   GenerateOptions options = {};
 };
-MadeMap made_map(const std::string& source);
+GeneratedMap generated_map(const std::string& source);
 
 }  // namespace lasius::study

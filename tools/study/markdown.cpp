@@ -72,7 +72,7 @@ std::string report_page(const Study& study, const Findings& findings,
             std::to_string(findings.samples.size() * static_cast<std::size_t>(seeds.count)) +
             " runs; no verdicts.**\n\n";
   }
-  for (const Absent& a : findings.absent)
+  for (const SkippedContender& a : findings.skipped)
     text += "Not run: " + a.contender + " in `" + a.experiment + "` (" + a.reason + ").\n\n";
   if (!evidence.empty())
     text += (study.file.empty() ? "## What the source claims\n\n" : "## Claims\n\n") +

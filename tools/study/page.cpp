@@ -101,12 +101,12 @@ class Views {
     for (const Question& question : experiment.questions) {
       if (drawn(input_.findings, experiment, question).empty()) continue;
       add(views, [&] {
-        return Json{
-            {"name", question.name},
-            {"map", input_.study.world == World::bitmap ? map_json(input_, experiment, question)
-                                                        : Json(nullptr)},
-            {"charts",
-             charts_json(convergence_charts(input_.study, input_.findings, experiment, question))}};
+        return Json{{"name", question.name},
+                    {"map", input_.study.kind == ProblemKind::bitmap
+                                ? map_json(input_, experiment, question)
+                                : Json(nullptr)},
+                    {"charts", charts_json(convergence_charts(input_.study, input_.findings,
+                                                              experiment, question))}};
       });
     }
     return views;

@@ -147,7 +147,7 @@ std::vector<tool::LineChart> convergence_charts(const Study& study, const Findin
                                                 const Question& question) {
   tool::LineChart chart = chart_of("Best length so far on " + question.name, study);
   const auto optimum = findings.optimum(experiment, question);
-  if (optimum) chart.levels = {{optimum_text(experiment.truth), *optimum}};
+  if (optimum) chart.levels = {{optimum_text(experiment.optimum), *optimum}};
   const auto samples = drawn(findings, experiment, question);
   for (const Sample* sample : samples)
     chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
@@ -189,7 +189,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
     for (const Question& question : experiment.questions) {
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;
-      if (study.world == World::bitmap) {
+      if (study.kind == ProblemKind::bitmap) {
         const Grid grid = load_map(question, maps);
         draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
         figures.push_back(

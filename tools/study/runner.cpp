@@ -18,8 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// One run that is left to do.
 struct Job {
-  std::shared_ptr<const Task> task;
+  std::shared_ptr<const PreparedRun> prepared;
   Sample* sample;
   std::size_t run;
   std::uint64_t seed;
@@ -27,9 +28,9 @@ struct Job {
 };
 
 /// Takes the kept runs of a sample from their files, and adds the jobs that are left.
-void list_jobs(const std::shared_ptr<const Task>& task, const RunnerOptions& options,
+void list_jobs(const std::shared_ptr<const PreparedRun>& prepared, const RunnerOptions& options,
                Sample& sample, std::vector<Job>& jobs) {
-  sample.paths_an_iteration = task->paths_an_iteration;
+  sample.paths_an_iteration = prepared->paths_an_iteration;
   sample.runs.resize(static_cast<std::size_t>(options.seeds));  // seed 0: not done
   const fs::path folder = options.folder / "runs" / sample.experiment->name /
                           sample.question->name / sample.contender->name;
@@ -37,10 +38,10 @@ void list_jobs(const std::shared_ptr<const Task>& task, const RunnerOptions& opt
   for (std::size_t r = 0; r < sample.runs.size(); ++r) {
     const std::uint64_t seed = options.first_seed + r;
     const fs::path file = folder / (std::to_string(seed) + ".json");
-    if (auto kept = read_run(file, task->key, seed))
+    if (auto kept = read_run(file, prepared->key, seed))
       sample.runs[r] = std::move(*kept);
     else
-      jobs.push_back({task, &sample, r, seed, file});
+      jobs.push_back({prepared, &sample, r, seed, file});
   }
 }
 
@@ -57,44 +58,44 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
           findings.whole = false;
           return jobs;
         }
-        std::shared_ptr<const Task> task;
+        std::shared_ptr<const PreparedRun> prepared;
         try {
-          task = std::make_shared<Task>(domain.task(question, contender));
+          prepared = std::make_shared<PreparedRun>(domain.prepare(question, contender));
         } catch (const Error& fault) {
-          findings.absent.push_back({experiment.name, contender.label, fault.what()});
+          findings.skipped.push_back({experiment.name, contender.label, fault.what()});
           break;
         }
         findings.samples.push_back({&experiment, &question, &contender});
-        list_jobs(task, options, findings.samples.back(), jobs);
+        list_jobs(prepared, options, findings.samples.back(), jobs);
       }
     }
   }
   return jobs;
 }
 
-/// Processor seconds of a unit of work, by contender, from a part of its first job; nothing where
-/// nobody wants to know.
-std::map<const Contender*, double> paces(const std::vector<Job>& jobs,
-                                         const RunnerOptions& options) {
-  std::map<const Contender*, double> paces;
-  if (!options.estimate) return paces;
+/// Processor seconds of a unit of PreparedRun::work, by contender, from a part of its first job;
+/// empty where no estimate is asked for.
+std::map<const Contender*, double> seconds_a_unit(const std::vector<Job>& jobs,
+                                                  const RunnerOptions& options) {
+  std::map<const Contender*, double> seconds_a_unit;
+  if (!options.estimate) return seconds_a_unit;
   Workspace workspace;
   for (const Job& job : jobs) {
-    auto& pace = paces[job.sample->contender];
+    auto& pace = seconds_a_unit[job.sample->contender];
     if (pace > 0 || options.stop.stop_requested()) continue;
-    const double seconds = job.task->run(job.seed, true, options.stop, workspace).seconds;
-    pace = std::max(8 * seconds, 1e-6) / static_cast<double>(job.task->work);
+    const double seconds = job.prepared->run(job.seed, true, options.stop, workspace).seconds;
+    pace = std::max(8 * seconds, 1e-6) / static_cast<double>(job.prepared->work);
   }
-  return paces;
+  return seconds_a_unit;
 }
 
 /// Works through the jobs over threads.
 void work(std::vector<Job>& jobs, const RunnerOptions& options) {
-  const auto pace = paces(jobs, options);
+  const auto pace = seconds_a_unit(jobs, options);
   const auto microseconds = [&](const Job& job) {
     const auto found = pace.find(job.sample->contender);
     return static_cast<std::int64_t>(1e6 * (found == pace.end() ? 1e-6 : found->second) *
-                                     static_cast<double>(job.task->work)) +
+                                     static_cast<double>(job.prepared->work)) +
            1;
   };
   // Long runs first: no thread is left alone with one at the end.
@@ -107,10 +108,10 @@ void work(std::vector<Job>& jobs, const RunnerOptions& options) {
   std::vector<Workspace> workspaces(static_cast<std::size_t>(options.threads));
   const auto run_job = [&](const Job& job, Workspace& workspace) {
     if (options.stop.stop_requested()) return;
-    Run run = job.task->run(job.seed, false, options.stop, workspace);
+    Run run = job.prepared->run(job.seed, false, options.stop, workspace);
     if (options.stop.stop_requested()) return;
     run.seed = job.seed;
-    write_run(job.file, job.task->key, run);
+    write_run(job.file, job.prepared->key, run);
     const std::scoped_lock lock(mutex);
     job.sample->runs[job.run] = std::move(run);
     done += microseconds(job);
@@ -125,7 +126,7 @@ void work(std::vector<Job>& jobs, const RunnerOptions& options) {
 
 }  // namespace
 
-std::optional<double> Domain::optimum(const Question&, const Truth&, const StopCondition&) const {
+std::optional<double> Domain::optimum(const Question&, const Optimum&, const StopCondition&) const {
   return std::nullopt;
 }
 
@@ -140,7 +141,7 @@ Findings run_study(const Study& study, const Domain& domain, const RunnerOptions
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions) {
       if (options.stop.stop_requested()) break;
-      if (const auto length = domain.optimum(question, experiment.truth, {.token = options.stop}))
+      if (const auto length = domain.optimum(question, experiment.optimum, {.token = options.stop}))
         findings.optima.emplace(std::pair(&experiment, &question), *length);
     }
   auto jobs = list_jobs(study, domain, options, findings);

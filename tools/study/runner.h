@@ -14,8 +14,8 @@
 
 namespace lasius::study {
 
-/// One contender on one question, ready to run with any seed.
-struct Task {
+/// Runs of one contender on one question, made ready for any seed.
+struct PreparedRun {
   std::string key;             ///< all that decides a run but its seed and the library's version
   int paths_an_iteration = 1;  ///< ants, or the population
   std::int64_t work = 1;       ///< of one run, an estimate: path cells
@@ -30,9 +30,9 @@ class Domain {
   virtual ~Domain() = default;
   /// May refer to the domain. @throws Error(invalid_parameter) where the library does not have the
   /// contender's algorithm or a setting.
-  virtual Task task(const Question& question, const Contender& contender) const = 0;
+  virtual PreparedRun prepare(const Question& question, const Contender& contender) const = 0;
   /// Length of the question's shortest path, or nothing where it is not known, as here.
-  virtual std::optional<double> optimum(const Question& question, const Truth& truth,
+  virtual std::optional<double> optimum(const Question& question, const Optimum& optimum,
                                         const StopCondition& stop) const;
 };
 
@@ -47,28 +47,27 @@ AnyParams configured(AnyParams params, const Contender& contender) {
   return params;
 }
 
-/// The task of a contender but for its run: `about` tells the question from others, `parameters`
+/// The prepared run but for `run` itself: `about` tells the question from others, `parameters`
 /// are those of the algorithm, and a path is about `cells` long.
 template <class AnyParams>
-Task task_of(std::string about, const AnyParams& params, std::span<const Parameter> parameters,
-             std::int64_t cells) {
-  Task task{.key = std::move(about), .run = {}};
+PreparedRun run_of(std::string about, const AnyParams& params,
+                   std::span<const Parameter> parameters, std::int64_t cells) {
+  PreparedRun prepared{.key = std::move(about), .run = {}};
   for (const Parameter& p : parameters) {
     const std::string value = get_parameter(params, p.name);
-    task.key += ' ' + std::string(p.name) + '=' + value;
-    if (p.name == "population" || p.name == "ants") task.paths_an_iteration = std::stoi(value);
+    prepared.key += ' ' + std::string(p.name) + '=' + value;
+    if (p.name == "population" || p.name == "ants") prepared.paths_an_iteration = std::stoi(value);
   }
   // Runs of any number of iterations have a budget.
   const std::int64_t iterations = std::clamp(params.iterations, 1, 1'000'000);
-  task.work = task.paths_an_iteration * iterations * cells;
-  return task;
+  prepared.work = prepared.paths_an_iteration * iterations * cells;
+  return prepared;
 }
 
 /// Iterations of a pilot, of so many.
 inline int pilot_part(int iterations) { return (iterations + 7) / 8; }
 
-/// Processor time of the calling thread: unlike the clock on the wall, it does not depend on what
-/// else runs.
+/// Processor time of the calling thread, seconds: unlike wall time, whatever else runs.
 double thread_seconds();
 
 struct RunnerOptions {

@@ -40,7 +40,7 @@ struct RankTest {
 };
 RankTest rank_test(std::span<const Pair> questions);
 
-/// That effect alone.
+/// RankTest::effect alone.
 double share_less(std::span<const Pair> questions);
 
 /// The least two-sided p that the test can give, for samples of `seeds` without ties.

@@ -48,16 +48,15 @@ struct Published {
   double seconds = kUnknown;
 };
 
-/// Starts and goals that are drawn once the map is there: joined cells, the same for the same
-/// numbers and map.
+/// Starts and goals that are drawn once the map is there: joined cells; equal draws on equal
+/// maps give equal ones.
 struct Draw {
   int count = 1;
   std::uint64_t seed = 1;
   double apart = 0.5;  ///< at least, as a share of the map's diagonal
 };
 
-/// One start and goal on one map, among the polygons of one world, of an arm in one scene, or of a
-/// drive.
+/// One start and goal on a map, among the polygons of a world, of an arm in a scene, or of a drive.
 struct Question {
   std::string name;  ///< of files
   std::string map;   ///< a file of maps/, or what is generated
@@ -73,8 +72,8 @@ struct Question {
   std::pair<std::string, double> ground() const { return {map, radius}; }  ///< what it is asked on
 };
 
-/// The paths among which a question's optimum is the shortest.
-struct Truth {
+/// What a question's optimum is: the shortest of all paths, or of all walks by these moves.
+struct Optimum {
   enum class Kind { any_angle, moves } kind = Kind::any_angle;
   Neighbours neighbours = Neighbours::eight;  ///< of `moves`
   Corners corners = Corners::forbid;
@@ -85,7 +84,7 @@ struct Experiment {
   std::string name;   ///< of files
   std::string title;  ///< of the report's section
   std::string text;   ///< what is repeated, and on what
-  Truth truth = {};
+  Optimum optimum = {};
   std::vector<Contender> contenders =
       {};  ///< the first is the one that the others are compared with
   std::vector<Question> questions = {};
@@ -130,7 +129,8 @@ struct Claim {
   std::vector<Claim> baseline = {};
 };
 
-enum class World { bitmap, polygon, arm, online };
+/// What a study's questions are about: `world` in its file. online: drives.
+enum class ProblemKind { bitmap, polygon, arm, online };
 
 /// Runs of every contender: seeds `first` to `first` + `count` - 1.
 inline constexpr int kMostSeeds = 100000;
@@ -145,7 +145,7 @@ struct Study {
   std::string summary;
   std::string source;
   std::string text;  ///< what is ours: maps, readings of the text
-  World world = World::bitmap;
+  ProblemKind kind = ProblemKind::bitmap;
   std::string unit = "cells";
   Seeds seeds = {};  ///< by default
   std::vector<Experiment> experiments = {};

@@ -174,7 +174,7 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
     if (const auto optimum = findings.optimum(experiment, question)) {
       std::vector<std::string> row(table.header.size(), "");
       row[0] = question.name;
-      row[1] = optimum_text(experiment.truth);
+      row[1] = optimum_text(experiment.optimum);
       row[3] = row[4] = length_text(*optimum);
       table.rows.push_back(std::move(row));
     }

@@ -16,33 +16,34 @@ using tool::fixed;
 
 using Curve = std::vector<double>;
 
-struct Named {
+/// A value or budget of a claim, and what tables call it.
+struct Label {
   std::string_view name, text;
 };
 constexpr std::array kValues{
-    Named{"length", "length of the best path"},
-    Named{"gap", "gap of the best path to the optimum"},
-    Named{"gain", "length of the best path / that of the path it begins with"},
-    Named{"spread", "distance of the best length from its median over the runs"},
-    Named{"raw", "mean raw tour of the last 10 iterations / shortest walk"},
-    Named{"cut", "mean cut tour of the last 10 iterations / shortest walk"},
-    Named{"cut-best", "shortest cut tour so far / shortest walk"},
-    Named{"band", "share of steps within 10% of the distance of the straight line"},
-    Named{"band-rise", "share of steps near the straight line / that of iteration 10"},
-    Named{"contraction", "mean raw tour of the last 10 iterations / of the first 10"},
-    Named{"last-gain", "iteration of the last improvement of the best path"},
-    Named{"last-cut-gain", "iteration of the last improvement of the shortest cut tour"},
-    Named{"frozen", "iteration from which the mean tour never changes"},
-    Named{"rises", "share of iterations whose best tour is longer than the one before"},
-    Named{"answer-rises", "share of iterations whose own answer is longer than the one before"},
-    Named{"effort", ""},
-    Named{"spent", ""}};
-constexpr std::array kBudgets{Named{"end", "iterations"}, Named{"iterations", "iterations"},
-                              Named{"steps", "steps"}, Named{"time", "seconds"},
-                              Named{"paths", "paths"}};
+    Label{"length", "length of the best path"},
+    Label{"gap", "gap of the best path to the optimum"},
+    Label{"gain", "length of the best path / that of the path it begins with"},
+    Label{"spread", "distance of the best length from its median over the runs"},
+    Label{"raw", "mean raw tour of the last 10 iterations / shortest walk"},
+    Label{"cut", "mean cut tour of the last 10 iterations / shortest walk"},
+    Label{"cut-best", "shortest cut tour so far / shortest walk"},
+    Label{"band", "share of steps within 10% of the distance of the straight line"},
+    Label{"band-rise", "share of steps near the straight line / that of iteration 10"},
+    Label{"contraction", "mean raw tour of the last 10 iterations / of the first 10"},
+    Label{"last-gain", "iteration of the last improvement of the best path"},
+    Label{"last-cut-gain", "iteration of the last improvement of the shortest cut tour"},
+    Label{"frozen", "iteration from which the mean tour never changes"},
+    Label{"rises", "share of iterations whose best tour is longer than the one before"},
+    Label{"answer-rises", "share of iterations whose own answer is longer than the one before"},
+    Label{"effort", ""},
+    Label{"spent", ""}};
+constexpr std::array kBudgets{Label{"end", "iterations"}, Label{"iterations", "iterations"},
+                              Label{"steps", "steps"}, Label{"time", "seconds"},
+                              Label{"paths", "paths"}};
 
-std::string_view text_of(std::span<const Named> list, const std::string& name) {
-  const auto found = std::ranges::find(list, name, &Named::name);
+std::string_view text_of(std::span<const Label> list, const std::string& name) {
+  const auto found = std::ranges::find(list, name, &Label::name);
   if (found == list.end()) throw std::invalid_argument("no value or budget " + name);
   return found->text;
 }
@@ -131,8 +132,8 @@ double effort(const Sample& sample, const Run& run, const Value& value, std::siz
 
 }  // namespace
 
-std::vector<std::string_view> value_names() { return tool::names_of<Named>(kValues); }
-std::vector<std::string_view> budget_names() { return tool::names_of<Named>(kBudgets); }
+std::vector<std::string_view> value_names() { return tool::names_of<Label>(kValues); }
+std::vector<std::string_view> budget_names() { return tool::names_of<Label>(kBudgets); }
 
 std::string target_text(double target, bool own_limit) {
   return (target > 0 ? "within " + fixed(100 * target, 1) + "% of " : std::string("at ")) +
@@ -206,9 +207,9 @@ double value_of(const Sample& sample, const Run& run, const Value& value, double
   return std::isfinite(own) ? std::abs(own - quantile(all, 0.5)) : kInfinity;
 }
 
-std::string optimum_text(const Truth& truth) {
-  if (truth.kind != Truth::Kind::moves) return "true optimum";
-  return std::string("optimum of ") + (truth.neighbours == Neighbours::four ? "4" : "8") + " moves";
+std::string optimum_text(const Optimum& which) {
+  if (which.kind != Optimum::Kind::moves) return "true optimum";
+  return std::string("optimum of ") + (which.neighbours == Neighbours::four ? "4" : "8") + " moves";
 }
 
 }  // namespace lasius::study

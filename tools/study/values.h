@@ -34,6 +34,6 @@ double value_of(const Sample& sample, const Run& run, const Value& value, double
                 std::optional<double> optimum);
 
 /// What an optimum is called: "true optimum", or "optimum of 8 moves".
-std::string optimum_text(const Truth& truth);
+std::string optimum_text(const Optimum& optimum);
 
 }  // namespace lasius::study

@@ -8,7 +8,7 @@
 
 namespace lasius::arm {
 
-/// What a file says of a joint; NaN for what it does not say.
+/// What a file says of a joint, in radians or metres and seconds; NaN for what it does not say.
 struct JointLimits {
   double low, high, velocity, acceleration;
 };

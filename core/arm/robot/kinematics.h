@@ -72,8 +72,8 @@ class Kinematics {
   bool reach_for(Vec3 target, std::span<const double> rest, std::span<double> q,
                  bool quick = false) const noexcept;
 
-  /// Brings the tip's frame to `target`, likewise: no pull, from whatever `q` it starts, and done
-  /// as soon as it is within the tolerances.
+  /// Brings the tip's frame to within the tolerances of `target`, starting from `q`, which is
+  /// overwritten; false where it does not get there. No pull towards rest values.
   bool reach_pose(const TipTarget& target, std::span<double> q) const noexcept;
   /// True when the tip's frame is within the tolerances.
   bool is_at(const TipTarget& target, std::span<const double> q) const noexcept;

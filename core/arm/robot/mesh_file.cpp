@@ -117,8 +117,8 @@ Triangles read_mesh(const std::string& path) {
   return import_mesh(text, path, ending.c_str() + 1);
 }
 
-void doubt_size(const Triangles& mesh, const std::string& file, double most,
-                std::vector<std::string>& warnings) {
+void warn_of_size(const Triangles& mesh, const std::string& file, double most,
+                  std::vector<std::string>& warnings) {
   Eigen::AlignedBox3d box;
   for (const auto& triangle : mesh) {
     for (const Eigen::Vector3d& corner : triangle) box.extend(corner);

@@ -99,7 +99,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
     if (const auto& mesh = scene.obstacles.back().triangles) {
       triangles += mesh->size();
       if (!fields.has("scale"))
-        doubt_size(*mesh, scene.obstacles.back().file, kMostMetres, scene.warnings);
+        warn_of_size(*mesh, scene.obstacles.back().file, kMostMetres, scene.warnings);
     }
     if (triangles > kMostTriangles) {
       fields.fail("file",

@@ -91,8 +91,8 @@ class RobotMaker {
   void allow_contacts();
   void read_states(const Srdf& srdf);
   void check_set(const urdf::Joint& joint, double value) const;
-  double standing(const urdf::Joint& joint);
-  Placement stand(const urdf::Joint& joint);
+  double fixed_value(const urdf::Joint& joint);
+  Placement placement_of(const urdf::Joint& joint);
   bool in_chain(const std::string& joint) const {
     return std::ranges::any_of(robot_.joints, [&](const Joint& j) { return j.name == joint; });
   }
@@ -188,7 +188,7 @@ void RobotMaker::check_set(const urdf::Joint& joint, double value) const {
 }
 
 /// The value of a joint beside the chain.
-double RobotMaker::standing(const urdf::Joint& joint) {
+double RobotMaker::fixed_value(const urdf::Joint& joint) {
   const urdf::Joint* at = &joint;
   double times = 1, plus = 0;  // of the value of `at`
   for (std::size_t step = 0;; ++step) {
@@ -216,10 +216,10 @@ double RobotMaker::standing(const urdf::Joint& joint) {
 }
 
 /// Where the child of a joint beside the chain is in the frame of its parent.
-Placement RobotMaker::stand(const urdf::Joint& joint) {
+Placement RobotMaker::placement_of(const urdf::Joint& joint) {
   const Placement at = placement(joint.parent_to_joint_origin_transform);
   if (joint.type == urdf::Joint::FIXED) return at;
-  const double value = moves(joint) ? standing(joint) : 0;
+  const double value = moves(joint) ? fixed_value(joint) : 0;
   if (!std::isfinite(value)) {
     broken(source_.joint(joint.name), "joint \"" + joint.name + "\" has limits that are no numbers",
            "give it a <limit> with lower below upper");
@@ -242,12 +242,12 @@ void RobotMaker::place_rest() {
     const Place place = places_.at(link->name);
     for (const auto& child : link->child_links) {
       if (places_.contains(child->name)) continue;
-      places_[child->name] = {place.body, place.at * stand(*child->parent_joint)};
+      places_[child->name] = {place.body, place.at * placement_of(*child->parent_joint)};
       reached.push_back(child);
     }
     const LinkPtr parent = link->getParent();
     if (parent == nullptr || places_.contains(parent->name)) continue;
-    places_[parent->name] = {place.body, place.at * inverse(stand(*link->parent_joint))};
+    places_[parent->name] = {place.body, place.at * inverse(placement_of(*link->parent_joint))};
     reached.push_back(parent);
   }
 }

@@ -21,20 +21,20 @@ namespace {
 
 constexpr std::size_t kMostLinks = 2000;  // urdfdom lets go of a chain by recursion
 
-/// What urdfdom would print: its first complaint is our reason, and comes of the part after those
-/// that it has told to be in.
-class Complaints final : public console_bridge::OutputHandler {
+/// Catches what urdfdom would print: its first message is our reason, and comes of the part that
+/// follows those which it has told to be read.
+class UrdfdomMessages final : public console_bridge::OutputHandler {
  public:
-  Complaints()
+  UrdfdomMessages()
       : thread_(std::this_thread::get_id()),
         handler_(console_bridge::getOutputHandler()),
         level_(console_bridge::getLogLevel()) {
     console_bridge::useOutputHandler(this);
     console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_DEBUG);
   }
-  Complaints(const Complaints&) = delete;
-  Complaints& operator=(const Complaints&) = delete;
-  ~Complaints() override {
+  UrdfdomMessages(const UrdfdomMessages&) = delete;
+  UrdfdomMessages& operator=(const UrdfdomMessages&) = delete;
+  ~UrdfdomMessages() override {
     console_bridge::setLogLevel(level_);
     console_bridge::useOutputHandler(handler_);
   }
@@ -173,14 +173,14 @@ void UrdfFile::parse(const std::string& text) {
   std::string fault, complaint;
   std::size_t part = 0;
   {
-    Complaints complaints;
+    UrdfdomMessages messages;
     try {
       model_ = urdf::parseURDF(text);
     } catch (const std::exception& e) {
       fault = e.what();
     }
-    complaint = complaints.first();
-    part = complaints.added();
+    complaint = messages.first();
+    part = messages.added();
   }
   const std::int64_t row =
       broken_line_ < 0 && part < part_lines_.size() ? part_lines_[part] : broken_line_;

@@ -56,7 +56,7 @@ Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link, Robot& 
   }
   robot.files.push_back(file);
   if (mesh.scale.x == 1 && mesh.scale.y == 1 && mesh.scale.z == 1)
-    doubt_size(triangles, file, kMostMetres, robot.warnings);
+    warn_of_size(triangles, file, kMostMetres, robot.warnings);
   Solid solid;
   solid.shape = Solid::Shape::mesh;
   solid.triangles = std::make_shared<const Triangles>(std::move(triangles));

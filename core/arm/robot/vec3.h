@@ -105,7 +105,7 @@ inline Placement inverse(const Placement& p) noexcept {
           rotate_back(r, -1.0 * p.position)};
 }
 
-/// The same for the border, and back, without arithmetic.
+/// A placement as the public type, and back, without arithmetic.
 inline Pose to_eigen(const Placement& placement) {
   Pose pose = Pose::Identity();
   for (int i = 0; i < 3; ++i) {

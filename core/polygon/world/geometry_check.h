@@ -18,7 +18,7 @@ inline constexpr double kLeastExtent = 1e-100;
 /// 1"), or nothing. Ring 0 is the outer one, points count from 0.
 std::optional<std::string> fault(const Geos& geos, const Polygon& polygon);
 
-/// The same of a wall.
+/// The first fault of a wall, or nothing; points count from 0.
 std::optional<std::string> wall_fault(const Ring& line);
 
 /// Takes out points that repeat the one before.

@@ -44,7 +44,7 @@ class Repairer {
     polygon.holes = std::move(holes);
     const auto taken = merged(std::move(parts));
     const auto left = geos_.own(GEOSDifference_r(context_, outer.get(), taken.get()));
-    // Where GEOS means the same, it is taken in its words: so did results that are to replay.
+    // Where GEOS makes areas equal to ours, its own are taken: recorded results have those.
     const auto valid = geos_.own(GEOSMakeValid_r(context_, geos_.polygon(polygon).get()));
     repair_.areas = geos_.polygons(valid.get());
     const bool same = GEOSEquals_r(context_, merged_of(repair_.areas).get(), left.get()) == 1;

@@ -117,7 +117,7 @@ TEST(Spline, OneSpanByHand) {
 
 TEST(Spline, PassesItsPointsSmoothly) {
   const Robot robot = two_links();
-  const Course course{
+  const TimedWaypoints course{
       {joints({0, 0}), joints({0.5, -1}), joints({0.4, 0.3}), joints({1, 1}), joints({1.5, 0})},
       {0.3, 0.8, 0.2, 0.5}};
   const Trajectory t = spline_through(course);
@@ -141,7 +141,7 @@ TEST(Spline, PassesItsPointsSmoothly) {
 }
 
 TEST(Spline, ExtremesBetweenKnots) {
-  const Course course{{joints({0}), joints({1}), joints({0})}, {1, 1}};
+  const TimedWaypoints course{{joints({0}), joints({1}), joints({0})}, {1, 1}};
   const Trajectory t = spline_through(course);
   for (std::size_t i = 0; i + 1 < t.knots().size(); ++i) {
     const auto [low, high] = values_between(t, i, 0);

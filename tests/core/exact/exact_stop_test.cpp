@@ -123,7 +123,7 @@ TEST(ExactStop, ExpansionsAreWorkToo) {
 // On very long ways most corners wait beyond the buckets, and are looked at again each time these
 // start anew.
 TEST(ExactStop, APollerIsToldOfTheItemsThatAFrontierDealsOut) {
-  struct Recorder final : Alternate {
+  struct Recorder final : InterleavedWork {
     StopCondition::Cause turn(std::int64_t work) override {
       told += work;
       return StopCondition::Cause::none;

@@ -62,7 +62,7 @@ void expect_range(const Parameter& parameter) {
   }
 }
 
-/// The same for every parameter of some algorithms, for seed and threads.
+/// Checks the ends of every parameter of some algorithms, of seed and threads.
 template <class Params>
 void expect_ranges(std::span<const Algorithm> algorithms) {
   int parameters = 0;

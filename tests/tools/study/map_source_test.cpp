@@ -7,19 +7,19 @@
 namespace lasius::study {
 namespace {
 
-TEST(MadeMap, IsReadWholeOrRefused) {
-  const MadeMap made = made_map("blobs 30x20 0.25 7");
+TEST(GeneratedMap, IsReadWholeOrRefused) {
+  const GeneratedMap made = generated_map("blobs 30x20 0.25 7");
   EXPECT_EQ(made.options.width, 30);
   EXPECT_EQ(made.options.height, 20);
   EXPECT_EQ(made.options.density, 0.25);
   EXPECT_EQ(made.options.seed, 7u);
-  EXPECT_EQ(made_map("maze 9x9 default 1").options.density, GenerateOptions{}.density);
+  EXPECT_EQ(generated_map("maze 9x9 default 1").options.density, GenerateOptions{}.density);
   for (const char* source :
        {"blobs 20x20 0,3 1", "blobs 20x20 nan 1", "blobs 20x20 inf 1", "blobs 20x20 -1 1",
         "blobs 20x20 defualt 1", "blobs 20x20 0.3abc 1", "blobs 20x20z 0.1 1",
         "blobs 20x20x5 0.1 1", "blobs 20x20 0.1 -1", "blobs 20x20 0.1 1x", "blobs 20x20 0.1 1 9",
         "blobs 20x20 0.1", "blob 20x20 0.1 1", "blobs 20 0.1 1", ""}) {
-    EXPECT_THROW((void)made_map(source), Error) << source;
+    EXPECT_THROW((void)generated_map(source), Error) << source;
   }
 }
 

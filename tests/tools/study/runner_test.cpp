@@ -35,7 +35,7 @@ class StudyRunner : public Files {
     Experiment e{.name = "walls",
                  .title = "Walls",
                  .text = "One wall.",
-                 .truth = {Truth::Kind::moves, Neighbours::eight, Corners::forbid},
+                 .optimum = {Optimum::Kind::moves, Neighbours::eight, Corners::forbid},
                  .contenders = {slow, ga, more, none},
                  .questions = {{"wall", "wall.map", {2, 10}, {17, 10}, {{"as", 23.5, 4, 2}}}}};
     Study study{.name = "test", .summary = "a test", .source = "Nobody", .text = {}};
@@ -61,8 +61,8 @@ TEST_F(StudyRunner, RunsEveryContenderForEverySeed) {
   const auto findings = run(s, options());
   EXPECT_TRUE(findings.whole);
   ASSERT_EQ(findings.samples.size(), 3u);
-  ASSERT_EQ(findings.absent.size(), 1u);
-  EXPECT_EQ(findings.absent[0].contender, "none such");
+  ASSERT_EQ(findings.skipped.size(), 1u);
+  EXPECT_EQ(findings.skipped[0].contender, "none such");
   const Sample* as = findings.find("walls", "wall", "as");
   const Sample* more = findings.find("walls", "wall", "ga-x10");
   ASSERT_TRUE(as && more);

@@ -20,8 +20,8 @@ struct Placed {
   const Node* place;
 };
 
-/// One that a file describes, before a sweep makes several of it.
-struct Described {
+/// A contender as a file describes it, before a sweep makes several of it.
+struct Entry {
   Contender contender;
   std::vector<Placed> settings = {};
   const Node* place = nullptr;
@@ -42,13 +42,13 @@ class Reader {
   Reader(const Node& study, const Words& words, std::filesystem::path folder, bool checked)
       : study_(study), words_(words), folder_(std::move(folder)), checked_(checked) {}
 
-  Described described(const std::string& name, const Node& asked, int depth = 0) const {
+  Entry described(const std::string& name, const Node& asked, int depth = 0) const {
     const Node& found = node_of(name, asked);
     found.allow({"name", "label", "algorithm", "preset", "set", "like", "budget", "sweep"});
     const Node* const like = found.find("like");
     if (depth > 20 || (like != nullptr && like->text() == name))
       found.fail("is like itself", "name another contender");
-    Described d = like != nullptr ? described(like->text(), *like, depth + 1) : Described{};
+    Entry d = like != nullptr ? described(like->text(), *like, depth + 1) : Entry{};
     take(d, found, like == nullptr);
     d.contender.name = name;
     d.contender.label = found.text_or("label", name);
@@ -57,7 +57,7 @@ class Reader {
   }
 
   /// What a map says of a contender; `named`: of its algorithm, too.
-  void take(Described& d, const Node& from, bool named) const {
+  void take(Entry& d, const Node& from, bool named) const {
     d.place = &from;
     if (named) {
       d.algorithm = &from.at("algorithm");
@@ -73,7 +73,7 @@ class Reader {
   }
 
   /// With the budget's settings, tried where that can be.
-  Contender finished(Described d, const Settings& point, const Node* sweep) const {
+  Contender finished(Entry d, const Settings& point, const Node* sweep) const {
     Contender& c = d.contender;
     const Node* const budget = d.budget != nullptr ? d.budget : study_.find("budget");
     if (budget != nullptr && !checked_) budget->fail("is for bitmaps", "set iterations instead");
@@ -97,7 +97,7 @@ class Reader {
     asked.fail("names no contender \"" + name + "\"", did_you_mean(name, names));
   }
 
-  void take_preset(Described& d, const Node& preset) const {
+  void take_preset(Entry& d, const Node& preset) const {
     if (!tool::is_document(preset.text())) {
       d.contender.preset = static_cast<Preset>(preset.choice(kPresetNames));
       return;
@@ -112,13 +112,13 @@ class Reader {
   }
 
   /// The contender has iterations, and says nothing of them itself.
-  bool takes_iterations(const Described& d) const {
+  bool takes_iterations(const Entry& d) const {
     const auto said = [](const Placed& s) { return s.name == "iterations"; };
     return find_algorithm(d.contender.algorithm).has("iterations") &&
            std::ranges::none_of(d.settings, said);
   }
 
-  static void try_settings(const Described& d) {
+  static void try_settings(const Entry& d) {
     Params params = tool::known_params(d.contender.algorithm, d.contender.preset, *d.algorithm);
     for (const Placed& s : d.settings) tool::try_setting(params, s.name, s.value, *s.place);
     reset_unread(params);
@@ -175,8 +175,8 @@ void check_algorithms(const Node& study, bool bitmaps) {
     sweep->fail("is for bitmaps", "write a contender for each value");
 }
 
-/// One for each point of the sweep, or as it is.
-void add_swept(const Reader& reader, const Node& study, const Described& d,
+/// Adds a contender for each point of the sweep; without a sweep the contender itself.
+void add_swept(const Reader& reader, const Node& study, const Entry& d,
                std::vector<Contender>& to) {
   const Node* const sweep = study.find("sweep");
   std::vector<Settings> points;
@@ -189,7 +189,7 @@ void add_swept(const Reader& reader, const Node& study, const Described& d,
   }
   if (points.empty()) to.push_back(reader.finished(d, {}, nullptr));
   for (const Settings& point : points) {
-    Described one = d;
+    Entry one = d;
     one.contender.name += '-' + std::to_string(&point - points.data() + 1);
     for (const auto& [name, value] : point) one.contender.label += ", " + name + ' ' + value;
     to.push_back(reader.finished(std::move(one), point, &sweep->at("factors")));
@@ -227,7 +227,7 @@ Contender described_contender(const Node& map, const std::string& name, const Se
   const Words none;
   const Reader reader(map, none, folder, true);
   (void)tool::known_params(map.at("algorithm").text(), Preset::usual, map.at("algorithm"));
-  Described d{.contender = {.name = name, .label = name}};
+  Entry d{.contender = {.name = name, .label = name}};
   reader.take(d, map, true);
   return reader.finished(std::move(d), point, place);
 }

@@ -32,7 +32,7 @@ std::string name_of(const std::string& text) {
 /// A map's source, refused where it can never be made.
 void check_made(const std::string& source, const Node& place) {
   try {
-    const MadeMap made = made_map(source);
+    const GeneratedMap made = generated_map(source);
     const auto side = [](int n) { return n >= 1 && n <= Grid::kMaxSide; };
     if (!side(made.options.width) || !side(made.options.height))
       place.fail("has a size out of range", "sides are 1 to " + std::to_string(Grid::kMaxSide));

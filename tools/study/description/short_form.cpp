@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using json::Json;
 
-/// As it is found from the study's folder, too.
+/// A file's absolute path: found from the study's folder, too.
 std::string absolute(const std::string& file) {
   return fs::absolute(file).lexically_normal().string();
 }

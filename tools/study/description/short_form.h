@@ -8,7 +8,7 @@
 
 namespace lasius::study {
 
-/// The file that says the same, with these seeds unless there are 0 of them: every algorithm at
+/// The study as the text of a file, with `seeds` unless there are 0 of them: every algorithm at
 /// every combination of values. @throws tool::UsageError for a name that is not UTF-8.
 std::string study_text(const tool::ShortStudy& run, const Seeds& seeds);
 

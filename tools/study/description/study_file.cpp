@@ -24,7 +24,7 @@ class StudyReader {
   StudyReader(const Node& root, fs::path folder)
       : root_(root),
         folder_(std::move(folder)),
-        bitmap_(world_of(root.find("world")) == World::bitmap),
+        bitmap_(kind_of(root.find("world")) == ProblemKind::bitmap),
         maps_(bitmap_ ? root.find("maps") : nullptr, folder_) {}
 
   Study read(const std::string& name) const {
@@ -36,7 +36,7 @@ class StudyReader {
                 .summary = root_.text_or("summary", ""),
                 .source = root_.joined_or_empty("source"),
                 .text = root_.joined_or_empty("text"),
-                .world = world_of(root_.find("world")),
+                .kind = kind_of(root_.find("world")),
                 .unit = root_.text_or("unit", "cells"),
                 .seeds = seeds_of(root_.find("seeds"), {})};
     if (const Node* const experiments = root_.find("experiments"))
@@ -52,9 +52,9 @@ class StudyReader {
   }
 
  private:
-  static World world_of(const Node* world) {
+  static ProblemKind kind_of(const Node* world) {
     static constexpr std::string_view kNames[] = {"bitmap", "polygon", "arm", "online"};
-    return world == nullptr ? World::bitmap : static_cast<World>(world->choice(kNames));
+    return world == nullptr ? ProblemKind::bitmap : static_cast<ProblemKind>(world->choice(kNames));
   }
 
   Experiment experiment_of(const Node& node) const {
@@ -85,7 +85,7 @@ class StudyReader {
     const Node* const questions = own_or_root(node, "questions");
     if (questions == nullptr) (void)node.at("questions");
     Experiment e{.name = {}, .title = {}, .text = filled(node.joined_or_empty("text"), words)};
-    e.truth = truth_of(own_or_root(node, "optimum"));
+    e.optimum = optimum_of(own_or_root(node, "optimum"));
     e.contenders = contenders_of(root_, node.find("compare"), words, folder_, bitmap_);
     e.questions = questions_of(*questions, bitmap_ ? &maps_ : nullptr);
     e.portrait = node.flag_or("portrait", false);
@@ -117,13 +117,13 @@ class StudyReader {
 
 }  // namespace
 
-Truth truth_of(const Node* optimum) {
+Optimum optimum_of(const Node* optimum) {
   static constexpr std::string_view kNames[] = {"any-angle", "4 moves", "8 moves"};
   switch (optimum == nullptr ? 0 : optimum->choice(kNames)) {
     case 1:
-      return {Truth::Kind::moves, Neighbours::four};
+      return {Optimum::Kind::moves, Neighbours::four};
     case 2:
-      return {Truth::Kind::moves, Neighbours::eight};
+      return {Optimum::Kind::moves, Neighbours::eight};
     default:
       return {};
   }

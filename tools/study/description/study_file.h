@@ -53,7 +53,7 @@ Study make_study(std::string_view name);
 /// @throws Error(file_broken) for anything else, naming line and key, with the nearest known one.
 Study parse_study(std::string_view text, const std::string& file = "study");
 
-/// The same from a file. @throws Error(file_missing), too
+/// parse_study() of a file's text. @throws Error(file_missing), too
 Study read_study(const std::string& file);
 
 }  // namespace lasius::study

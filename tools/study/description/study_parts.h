@@ -29,7 +29,7 @@ class MapNames {
 
   /// The sources of a question's map (see load_map): of a name, else what the text says itself.
   std::vector<std::string> sources(const Node& map) const;
-  /// Those of all names.
+  /// Every name with the sources of its maps.
   std::vector<std::pair<std::string, std::vector<std::string>>> all() const { return named_; }
 
  private:
@@ -70,7 +70,7 @@ Seeds seeds_of(const Node* seeds, Seeds usual);
 Value value_of_claim(const Node& claim);
 
 /// "any-angle", "4 moves", "8 moves"; the first where it is null.
-Truth truth_of(const Node* optimum);
+Optimum optimum_of(const Node* optimum);
 
 /// One test, or one for each control of `b` and each experiment of `in_each`.
 std::vector<Claim> claims_of(const Node& claim, const std::vector<Experiment>& experiments);

@@ -12,8 +12,7 @@
 
 namespace lasius::tool {
 
-/// Maps are looked for in the option's folder, else beside the installed program, else in the
-/// source tree.
+/// The folder of maps: the option's, else beside the installed program, else in the source tree.
 std::filesystem::path find_maps(const std::string& option);
 
 /// Says once which settings none of these contenders, of bitmaps, reads.

@@ -78,13 +78,13 @@ const ArmGround& ArmScenes::ground(const Question& question) const {
   return cases_.at(question.map)->ground;
 }
 
-Task ArmScenes::task(const Question& question, const Contender& contender) const {
+PreparedRun ArmScenes::prepare(const Question& question, const Contender& contender) const {
   const Case& scene = *cases_.at(question.map);
   const arm::Params params = configured(scene.parameters, contender);
-  Task task =
-      task_of(question.map, params, arm::find_algorithm(params.algorithm()).parameters, 3 * kSide);
-  task.run = [this, &scene, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
-                                    Workspace&) {
+  PreparedRun prepared =
+      run_of(question.map, params, arm::find_algorithm(params.algorithm()).parameters, 3 * kSide);
+  prepared.run = [this, &scene, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
+                                        Workspace&) {
     arm::Params seeded = params;
     seeded.seed = seed;
     if (pilot) seeded.iterations = pilot_part(params.iterations);
@@ -105,10 +105,10 @@ Task ArmScenes::task(const Question& question, const Contender& contender) const
       for (double& length : *curve) length /= scene.ground.optimum;
     return run;
   };
-  return task;
+  return prepared;
 }
 
-std::optional<double> ArmScenes::optimum(const Question&, const Truth&,
+std::optional<double> ArmScenes::optimum(const Question&, const Optimum&,
                                          const StopCondition&) const {
   return 1;  // lengths are shares of it
 }

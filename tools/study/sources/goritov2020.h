@@ -28,8 +28,8 @@ class ArmScenes final : public Domain {
   ArmScenes(const Study& study, const std::filesystem::path& maps);
   ~ArmScenes() override;
 
-  Task task(const Question& question, const Contender& contender) const override;
-  std::optional<double> optimum(const Question& question, const Truth& truth,
+  PreparedRun prepare(const Question& question, const Contender& contender) const override;
+  std::optional<double> optimum(const Question& question, const Optimum& optimum,
                                 const StopCondition& stop) const override;
   const ArmGround& ground(const Question& question) const;
 

@@ -14,12 +14,12 @@ MaklinkWorld::MaklinkWorld(const Study& study, const std::filesystem::path& maps
     : planner_(
           polygon::read_world((maps / study.experiments.front().questions.front().map).string())) {}
 
-Task MaklinkWorld::task(const Question& question, const Contender& contender) const {
+PreparedRun MaklinkWorld::prepare(const Question& question, const Contender& contender) const {
   const auto params = configured(polygon::Params(contender.algorithm), contender);
-  Task task = task_of(question.map + ' ' + contender.algorithm, params,
-                      polygon::find_algorithm(contender.algorithm).parameters, kCrossed);
-  task.run = [this, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
-                            Workspace&) {
+  PreparedRun prepared = run_of(question.map + ' ' + contender.algorithm, params,
+                                polygon::find_algorithm(contender.algorithm).parameters, kCrossed);
+  prepared.run = [this, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
+                                Workspace&) {
     auto seeded = params;
     seeded.seed = seed;
     if (pilot) seeded.iterations = pilot_part(params.iterations);
@@ -41,10 +41,10 @@ Task MaklinkWorld::task(const Question& question, const Contender& contender) co
                .limit = limit ? limit->length : kUnknown,
                .reference = result.dijkstra ? result.dijkstra->length : kUnknown};
   };
-  return task;
+  return prepared;
 }
 
-std::optional<double> MaklinkWorld::optimum(const Question&, const Truth&,
+std::optional<double> MaklinkWorld::optimum(const Question&, const Optimum&,
                                             const StopCondition&) const {
   return planner_.plan().length;
 }

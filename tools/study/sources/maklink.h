@@ -15,9 +15,9 @@ class MaklinkWorld final : public Domain {
  public:
   MaklinkWorld(const Study& study, const std::filesystem::path& maps);
 
-  Task task(const Question& question, const Contender& contender) const override;
-  /// Of the whole world.
-  std::optional<double> optimum(const Question& question, const Truth& truth,
+  PreparedRun prepare(const Question& question, const Contender& contender) const override;
+  /// Of the whole world, whichever is asked for.
+  std::optional<double> optimum(const Question& question, const Optimum& optimum,
                                 const StopCondition& stop) const override;
 
  private:

@@ -42,7 +42,7 @@ Policy policy_of(Contender contender) {
   Policy policy{.dstar_lite = contender.algorithm == kDStarLite};
   std::erase_if(contender.settings,
                 [&](const auto& setting) { return take(policy, setting.first, setting.second); });
-  if (policy.dstar_lite) contender.algorithm = "exact";  // the same corner rule
+  if (policy.dstar_lite) contender.algorithm = "exact";  // whose corner rule it has
   policy.navigator.params = configured(Params(contender.algorithm, contender.preset), contender);
   return policy;
 }
@@ -79,21 +79,21 @@ OnlineDrives::OnlineDrives(const Study& study, std::filesystem::path maps)
       (void)make_online_world(question.map, 1, maps_);  // faults are told before the first run
 }
 
-Task OnlineDrives::task(const Question& question, const Contender& contender) const {
+PreparedRun OnlineDrives::prepare(const Question& question, const Contender& contender) const {
   const Policy policy = policy_of(contender);
   const Params& params = policy.navigator.params;
   constexpr std::int64_t kTicks = 200;
-  Task task = task_of(question.map + ' ' + contender.algorithm, params,
-                      find_algorithm(params.algorithm()).parameters, kTicks);
-  for (const auto& [name, value] : contender.settings) task.key += ' ' + name + '=' + value;
-  task.run = [this, &question, policy](std::uint64_t seed, bool pilot, const std::stop_token& stop,
-                                       Workspace&) {
+  PreparedRun prepared = run_of(question.map + ' ' + contender.algorithm, params,
+                                find_algorithm(params.algorithm()).parameters, kTicks);
+  for (const auto& [name, value] : contender.settings) prepared.key += ' ' + name + '=' + value;
+  prepared.run = [this, &question, policy](std::uint64_t seed, bool pilot,
+                                           const std::stop_token& stop, Workspace&) {
     Policy seeded = policy;
     seeded.navigator.params.seed = seeded.options.seed = seed;
     if (pilot) seeded.options.max_ticks = pilot_part(static_cast<int>(kTicks));
     return drive_once(make_online_world(question.map, seed, maps_), seeded, stop);
   };
-  return task;
+  return prepared;
 }
 
 }  // namespace lasius::study

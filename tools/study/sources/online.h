@@ -19,7 +19,7 @@ class OnlineDrives final : public Domain {
  public:
   OnlineDrives(const Study& study, std::filesystem::path maps);
 
-  Task task(const Question& question, const Contender& contender) const override;
+  PreparedRun prepare(const Question& question, const Contender& contender) const override;
 
  private:
   std::filesystem::path maps_;

@@ -22,9 +22,8 @@ struct OnlineWorld {
 ///   rooms      doors shut while the robot drives, and open again
 ///   warehouse  pallets stand in the aisles between shelves, forklifts drive there
 ///   noise      of a map of 15% noise one cell in 16 is otherwise
-///   file       streets closed and doors that shut, on a map of `maps`; at most 200 cells a side,
-///   those of
-///              a larger map stand for squares of its cells
+///   file       streets closed and doors that shut, on a map of `maps`; at most 200 cells a side:
+///              those of a larger map stand for squares of its cells
 /// Start and goal are joined on the map, in the truth, and where all doors are shut at once.
 /// @throws Error(invalid_parameter) for other words; what a map's file throws.
 OnlineWorld make_online_world(const std::string& words, std::uint64_t seed,

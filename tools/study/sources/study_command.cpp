@@ -40,26 +40,26 @@ using study::Evidence;
 using study::Findings;
 using study::Study;
 
-bool was_built(study::World world) {
-  bool built = world == study::World::bitmap || world == study::World::online;
+bool was_built(study::ProblemKind kind) {
+  bool built = kind == study::ProblemKind::bitmap || kind == study::ProblemKind::online;
 #ifdef LASIUS_WITH_POLYGON
-  built = built || world == study::World::polygon;
+  built = built || kind == study::ProblemKind::polygon;
 #endif
 #ifdef LASIUS_WITH_ARM
-  built = built || world == study::World::arm;
+  built = built || kind == study::ProblemKind::arm;
 #endif
   return built;
 }
 
 std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& maps) {
 #ifdef LASIUS_WITH_POLYGON
-  if (study.world == study::World::polygon)
+  if (study.kind == study::ProblemKind::polygon)
     return std::make_unique<study::MaklinkWorld>(study, maps);
 #endif
 #ifdef LASIUS_WITH_ARM
-  if (study.world == study::World::arm) return std::make_unique<study::ArmScenes>(study, maps);
+  if (study.kind == study::ProblemKind::arm) return std::make_unique<study::ArmScenes>(study, maps);
 #endif
-  if (study.world == study::World::online)
+  if (study.kind == study::ProblemKind::online)
     return std::make_unique<study::OnlineDrives>(study, maps);
   return std::make_unique<study::Bitmaps>(study, maps);
 }
@@ -67,15 +67,15 @@ std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& m
 std::vector<Study> studies() {
   std::vector<Study> all;
   for (const auto name : study::study_names())
-    if (Study study = study::make_study(name); was_built(study.world))
+    if (Study study = study::make_study(name); was_built(study.kind))
       all.push_back(std::move(study));
   return all;
 }
 
 /// Runs studies one after another, until a signal comes.
-class Conduct {
+class Session {
  public:
-  explicit Conduct(const StudyCommand& command)
+  explicit Session(const StudyCommand& command)
       : command_(command), maps_(find_maps(command.maps)) {}
 
   bool interrupted() const { return signals_.token().stop_requested(); }
@@ -91,13 +91,13 @@ class Conduct {
     for (const char* name : {"report.md", "report.html", "runs.csv", "results.csv", "claims.csv"})
       check_outputs({(folder / name).string()}, {});  // before hours of work
     const auto domain = make_domain(study, maps_);
-    Findings findings = conduct(study, *domain, folder);
+    Findings findings = run_remaining(study, *domain, folder);
     write(study, findings, folder);
     return findings;
   }
 
  private:
-  Findings conduct(const Study& study, const study::Domain& domain, const fs::path& folder) {
+  Findings run_remaining(const Study& study, const study::Domain& domain, const fs::path& folder) {
     const auto tell = [&](std::size_t runs, double seconds) {
       if (!command_.messages.quiet)
         message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
@@ -145,14 +145,14 @@ class Conduct {
 };
 
 /// All studies, each in a folder of its own, and the pages of their claims.
-fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const StudyCommand& command) {
+fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCommand& command) {
   const fs::path folder = command.folder;
   std::vector<Evidence> evidence;
   std::vector<Findings> findings;
   findings.reserve(all.size());
   for (const Study& study : all) {
-    if (conduct.interrupted()) break;
-    findings.push_back(conduct.run(study, folder / study.name));
+    if (session.interrupted()) break;
+    findings.push_back(session.run(study, folder / study.name));
     std::ranges::move(study::weigh(study, findings.back()), std::back_inserter(evidence));
   }
   study::decide(evidence);
@@ -167,8 +167,8 @@ fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const Stud
   return folder / "claims.md";
 }
 
-int finished(const Conduct& conduct, const fs::path& page) {
-  if (conduct.interrupted()) {
+int finished(const Session& session, const fs::path& page) {
+  if (session.interrupted()) {
     message("interrupted: " + page.string() + " is partial; the same command goes on from here");
     return kInterrupted;
   }
@@ -194,10 +194,11 @@ int run_users_study(const StudyCommand& command) {
       is_short ? study::study_text(command.run, {command.first_seed, command.seeds}) : "";
   const std::string file = (fs::path(command.folder) / "study.yaml").string();
   Study study = is_short ? short_study(text, file) : study::read_study(command.name);
-  if (!was_built(study.world))
+  if (!was_built(study.kind))
     throw UsageError(study.file + ": this lasius was built without that world");
   try {
-    if (study.world == study::World::bitmap) study::draw_questions(study, find_maps(command.maps));
+    if (study.kind == study::ProblemKind::bitmap)
+      study::draw_questions(study, find_maps(command.maps));
   } catch (const Error& fault) {
     if (!is_short || fault.place().file != study.file) throw;
     if (fault.code() != ErrorCode::file_broken)
@@ -212,10 +213,10 @@ int run_users_study(const StudyCommand& command) {
   std::vector<study::Contender> contenders;
   for (const study::Experiment& e : study.experiments)
     contenders.insert(contenders.end(), e.contenders.begin(), e.contenders.end());
-  if (study.world == study::World::bitmap && !command.messages.quiet) tell_unread(contenders);
-  Conduct conduct(command);
-  (void)conduct.run(study, command.folder);
-  return finished(conduct, fs::path(command.folder) / "report.md");
+  if (study.kind == study::ProblemKind::bitmap && !command.messages.quiet) tell_unread(contenders);
+  Session session(command);
+  (void)session.run(study, command.folder);
+  return finished(session, fs::path(command.folder) / "report.md");
 }
 
 /// -o FILE.html: the page is written there, all else into a folder of the same name without ending.
@@ -248,13 +249,13 @@ int run_command(const StudyCommand& asked) {
     throw UsageError("unknown study \"" + command.name + "\"; " +
                      did_you_mean(command.name, known));
   const fs::path folder = command.folder;
-  Conduct conduct(command);
+  Session session(command);
   fs::path page = folder / "report.md";
   if (command.name == "all")
-    page = conduct_all(conduct, all, command);
+    page = run_all(session, all, command);
   else
-    (void)conduct.run(*std::ranges::find(all, command.name, &Study::name), folder);
-  return finished(conduct, page);
+    (void)session.run(*std::ranges::find(all, command.name, &Study::name), folder);
+  return finished(session, page);
 }
 
 }  // namespace lasius::tool

@@ -62,7 +62,7 @@ class Race {
   /// Precondition: candidates > 0.
   Race(std::size_t candidates, RaceRules rules) : rules_(rules), runners_(candidates) {}
 
-  /// Those that are still there, in their order.
+  /// The candidates still in the race, in their order.
   std::vector<std::size_t> left() const;
   int blocks() const { return blocks_; }
   const std::vector<Runner>& runners() const { return runners_; }
@@ -75,8 +75,8 @@ class Race {
   /// one with the least median, then the first.
   std::size_t best() const;
 
-  /// The best but for candidate 0, likewise; where no other is left, of those that left last the
-  /// one with the least median. Precondition: at least 2 candidates and 1 block.
+  /// The first but candidate 0 in the order of best(); where no other is left, of those that left
+  /// last the one with the least median. Precondition: at least 2 candidates and 1 block.
   std::size_t rival() const;
 
   /// Mean ranks of those that are left, by block among themselves, and the interval of each one's

@@ -30,8 +30,8 @@ std::vector<Contender> candidates_of(const Node& root, const fs::path& folder) {
   return all;
 }
 
-/// The same question on a map of another seed.
-Question elsewhere(Question question, const Node& training) {
+/// The question on a map of another seed.
+Question on_another_map(Question question, const Node& training) {
   if (!question.draw || !is_generated(question.map))
     training.fail("has \"" + question.name + "\", which there is not elsewhere",
                   "name `judging` maps, or train on generated ones with ends that are drawn");
@@ -48,7 +48,7 @@ Study study_of(const Tuning& tuning, const char* name, std::vector<Question> que
   study.file = tuning.file;
   Experiment& e = study.experiments.emplace_back();
   e.name = name;
-  e.truth = tuning.truth;
+  e.optimum = tuning.optimum;
   e.questions = std::move(questions);
   return study;
 }
@@ -77,7 +77,7 @@ Tuning read_tuning(const std::string& file) {
         (set != nullptr && set->find(setting.first)))
       tuning.fixed.push_back(setting);
   tuning.value = value_of_claim(root);
-  tuning.truth = truth_of(root.find("optimum"));
+  tuning.optimum = optimum_of(root.find("optimum"));
   if (const Node* const race = root.find("race")) {
     race->allow({"first_test", "blocks", "level"});
     tuning.rules.first_test = static_cast<int>(race->integer_or("first_test", 6, 2, 1000));
@@ -91,7 +91,7 @@ Tuning read_tuning(const std::string& file) {
     judging = questions_of(*node, &maps);
     check_apart(training, judging, *node);
   } else {
-    for (const Question& q : training) judging.push_back(elsewhere(q, root.at("training")));
+    for (const Question& q : training) judging.push_back(on_another_map(q, root.at("training")));
   }
   tuning.training = study_of(tuning, "race", training);
   tuning.training.experiments.front().contenders = tuning.candidates;

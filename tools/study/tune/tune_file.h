@@ -15,7 +15,7 @@ struct Tuning {
   std::vector<Contender> candidates = {};
   Settings fixed = {};  ///< over the algorithm's defaults, in all candidates
   Value value = {};     ///< of a run, the less the better
-  Truth truth = {};
+  Optimum optimum = {};
   RaceRules rules = {};
   int blocks = 40;      ///< at most
   Study training = {};  ///< one experiment, "race", of all candidates

@@ -60,7 +60,7 @@ Table family_table(const Tuning& tuning, const Tuned& tuned) {
   return table;
 }
 
-/// Those that are left first, by rank; then those that left, the last first.
+/// Candidates: first those still in the race, by rank; then those that left, the last first.
 std::vector<std::size_t> order_of(const Race& race) {
   std::vector<std::size_t> order;
   for (const auto& s : race.standings()) order.push_back(s.candidate);

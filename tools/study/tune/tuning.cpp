@@ -32,9 +32,9 @@ Study part_of(const Study& study, std::vector<Contender> contenders,
   return part;
 }
 
-class Conductor {
+class TuningRun {
  public:
-  Conductor(Tuning& tuning, const TuneOptions& options)
+  TuningRun(Tuning& tuning, const TuneOptions& options)
       : tuning_(tuning), options_(options), training_(tuning.training, options.maps) {}
 
   Tuned run() {
@@ -61,9 +61,9 @@ class Conductor {
   }
 
   static void check_all_ran(const Findings& findings) {
-    if (findings.absent.empty()) return;
-    const Absent& absent = findings.absent.front();
-    throw Error(ErrorCode::invalid_parameter, absent.contender + " cannot run: " + absent.reason,
+    if (findings.skipped.empty()) return;
+    const SkippedContender& skipped = findings.skipped.front();
+    throw Error(ErrorCode::invalid_parameter, skipped.contender + " cannot run: " + skipped.reason,
                 "change the parameters or their ranges");
   }
 
@@ -139,7 +139,7 @@ Tuned tune(Tuning& tuning, const TuneOptions& options) {
     draw_questions(tuning.training, options.maps);
     draw_questions(tuning.judging, options.maps);
   }
-  return Conductor(tuning, options).run();
+  return TuningRun(tuning, options).run();
 }
 
 std::vector<Family> judge(const Findings& findings, const Tuning& tuning,

@@ -44,8 +44,8 @@ struct Tuned {
   std::vector<Family> families = {};  ///< of it and the default, all first; none: not judged yet
 };
 
-/// The same for the same tuning and maps, whatever the threads, and wherever an earlier call was
-/// stopped: runs are kept. Draws the tuning's questions.
+/// The race, then the winner's judgement. Equal tunings and maps give equal results, whatever the
+/// threads, and wherever an earlier call was stopped: runs are kept. Draws the tuning's questions.
 /// @throws as draw_questions(), run_study().
 Tuned tune(Tuning& tuning, const TuneOptions& options);
 

@@ -21,7 +21,7 @@ TEST(Catalogue, EveryQuestionHasAWay) {
   for (const std::string_view name : study_names()) {
     const Study study = make_study(name);
     EXPECT_EQ(study.name, name);
-    if (study.world != World::bitmap) continue;
+    if (study.kind != ProblemKind::bitmap) continue;
     std::set<std::string> experiments;
     for (const Experiment& e : study.experiments) {
       EXPECT_TRUE(experiments.insert(e.name).second) << e.name;

@@ -116,10 +116,10 @@ TEST(OnlineDrives, EveryContenderArrivesAndDoesTheSameAgain) {
   ASSERT_EQ(unhurried.name, "unhurried");
   std::set<std::string> keys;
   for (const Contender& contender : unhurried.contenders) {
-    const Task task = drives.task(unhurried.questions.front(), contender);
-    EXPECT_TRUE(keys.insert(task.key).second) << contender.name;
+    const PreparedRun made = drives.prepare(unhurried.questions.front(), contender);
+    EXPECT_TRUE(keys.insert(made.key).second) << contender.name;
     Workspace workspace;
-    const auto run = task.run(1, false, {}, workspace), again = task.run(1, false, {}, workspace);
+    const auto run = made.run(1, false, {}, workspace), again = made.run(1, false, {}, workspace);
     EXPECT_EQ(run.status, Status::solved) << contender.name;
     EXPECT_GE(run.length, 1 - 1e-9) << contender.name;  // in a city nothing opens
     EXPECT_GT(run.iterations, 1) << contender.name;
@@ -132,9 +132,9 @@ TEST(OnlineDrives, RefusesAnAlgorithmAndASettingThatItDoesNotKnow) {
   const Study study = make_study("online");
   const OnlineDrives drives(study, LASIUS_MAPS_DIR);
   const Question& question = study.experiments.front().questions.front();
-  EXPECT_THROW((void)drives.task(question, {.name = "a", .algorithm = "no-such"}), Error);
+  EXPECT_THROW((void)drives.prepare(question, {.name = "a", .algorithm = "no-such"}), Error);
   EXPECT_THROW(
-      (void)drives.task(question, {.name = "a", .algorithm = "ras", .settings = {{"ant", "3"}}}),
+      (void)drives.prepare(question, {.name = "a", .algorithm = "ras", .settings = {{"ant", "3"}}}),
       Error);
 }
 

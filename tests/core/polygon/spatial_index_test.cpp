@@ -1,4 +1,4 @@
-#include "core/polygon/cells.h"
+#include "core/polygon/spatial_index.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 namespace lasius::polygon {
 namespace {
 
-TEST(Cells, ShowWhatSegmentsMeetAndWhatLiesAround) {
+TEST(SpatialIndex, ShowWhatSegmentsMeetAndWhatLiesAround) {
   Dice dice(3);
   for (const int side : {1, 40, 1 << 30}) {
     const auto place = [&] { return LatticePoint{dice.whole(0, side), dice.whole(0, side)}; };
     std::vector<std::pair<LatticePoint, LatticePoint>> segments;
-    Cells cells({0, 0}, {side, side}, 60);
+    SpatialIndex cells({0, 0}, {side, side}, 60);
     for (int i = 0; i < 60; ++i) {
       segments.emplace_back(place(), i % 3 == 0 && i > 0 ? segments[0].first : place());
       cells.add(i, segments[i].first, segments[i].second);

@@ -1,4 +1,4 @@
-// A coarse net of cells over the grid of a world: what lies near a point or along a segment.
+// What lies near a point or along a segment, in grid units: bins over the grid of a world.
 #pragma once
 
 #include <algorithm>
@@ -9,33 +9,33 @@
 
 namespace lasius::polygon {
 
-/// Numbers of things, each in the cells that it passes.
-class Cells {
+/// Numbers of segments, each in the bins that it passes.
+class SpatialIndex {
  public:
-  /// A net over the box from `low` to `high`, of some `count` cells.
-  Cells(LatticePoint low, LatticePoint high, std::size_t count) : low_(low) {
+  /// Over the box from `low` to `high`, of about `count` square bins.
+  SpatialIndex(LatticePoint low, LatticePoint high, std::size_t count) : low_(low) {
     const auto wide = static_cast<double>(high.x - low.x) + 1;
     const auto tall = static_cast<double>(high.y - low.y) + 1;
     side_ = std::max(std::sqrt(wide * tall / static_cast<double>(count + 1)),
                      std::max(wide, tall) / kMostAcross);
     columns_ = static_cast<int>(wide / side_) + 1;
     rows_ = static_cast<int>(tall / side_) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * rows_);
+    bins_.resize(static_cast<std::size_t>(columns_) * rows_);
   }
 
   void add(int number, LatticePoint a, LatticePoint b) {
-    along(a, b, [&](std::size_t cell) {
-      cells_[cell].push_back(number);
+    along(a, b, [&](std::size_t bin) {
+      bins_[bin].push_back(number);
       return true;
     });
   }
-  /// Shows what lies in the cells that a segment passes, some of it again and again, until `visit`
-  /// says false. True where it never did.
+  /// Calls visit(number) for what lies in the bins that a segment passes, maybe several times for
+  /// one number, until it returns false. True where it never did.
   template <class Visit>
   bool near(LatticePoint a, LatticePoint b, const Visit& visit) const {
-    return along(a, b, [&](std::size_t cell) { return std::ranges::all_of(cells_[cell], visit); });
+    return along(a, b, [&](std::size_t bin) { return std::ranges::all_of(bins_[bin], visit); });
   }
-  /// Shows what lies in the cells of the box around a point.
+  /// Calls visit(number) for what lies in the bins of the square of half side `reach` around p.
   template <class Visit>
   void within(LatticePoint p, double reach, const Visit& visit) const {
     const auto x = static_cast<double>(p.x - low_.x), y = static_cast<double>(p.y - low_.y);
@@ -43,7 +43,7 @@ class Cells {
     const int top = row(y + reach);
     for (int r = row(y - reach); r <= top; ++r) {
       for (int c = first; c <= last; ++c) {
-        for (const int number : cells_[index(c, r)]) visit(number);
+        for (const int number : bins_[index(c, r)]) visit(number);
       }
     }
   }
@@ -80,9 +80,9 @@ class Cells {
   }
 
   LatticePoint low_;
-  double side_ = 1;
+  double side_ = 1;  // of a bin
   int columns_ = 1, rows_ = 1;
-  std::vector<std::vector<int>> cells_;
+  std::vector<std::vector<int>> bins_;  // row by row
 };
 
 }  // namespace lasius::polygon

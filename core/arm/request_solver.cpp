@@ -1,4 +1,4 @@
-#include "core/arm/inquiry.h"
+#include "core/arm/request_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -77,8 +77,8 @@ void append(Result more, Result& result) {
 
 }  // namespace
 
-Inquiry::Inquiry(const Robot& robot, const Sensor& sensor, const Request& request,
-                 const Params& given)
+RequestSolver::RequestSolver(const Robot& robot, const Sensor& sensor, const Request& request,
+                             const Params& given)
     : robot_(robot), sensor_(sensor), request_(request), parameters_(given) {
   validate(robot);
   validate(given);
@@ -91,7 +91,7 @@ Inquiry::Inquiry(const Robot& robot, const Sensor& sensor, const Request& reques
   parameters_.threads = given.max_questions > 0 ? 1 : thread_count(given.threads);
 }
 
-Result Inquiry::answer(const Search& search) {
+Result RequestSolver::solve(const Search& search) {
   const std::string fault = values_fault(robot_, request_.start, "start");
   if (!fault.empty()) return invalid(Fault::start_outside, fault);
   arm_.emplace(robot_);
@@ -99,20 +99,20 @@ Result Inquiry::answer(const Search& search) {
   Kinematics::Poses poses;
   arm_->place(as_span(request_.start), poses);
   from_ = arm_->tip(poses);
-  Result result = to_goals(search);
-  if (result.points[0] == 0 && !goals_.empty()) tell_lattice(result);
+  Result result = reach_goals(search);
+  if (result.points[0] == 0 && !goals_.empty()) fill_lattice_fields(result);
   result.notes = notes_;
   result.questions.positions = std::max(result.questions.positions, asked_.positions);
   result.questions.motions = std::max(result.questions.motions, asked_.motions);
   if (result.status == Status::limit || result.status == Status::interrupted) result.error.clear();
   if (result.status != Status::limit)
     result.limit = Limit::none;
-  else if (questions_ended_it_)
+  else if (out_of_questions_)
     result.limit = Limit::questions;
   return result;
 }
 
-Result Inquiry::to_goals(const Search& search) {
+Result RequestSolver::reach_goals(const Search& search) {
   std::string faults = request_.goals.empty() ? "no goal is given" : "";
   for (int g = 0; g < static_cast<int>(request_.goals.size()); ++g) {
     std::string one = goal_fault(robot_, *arm_, as_span(request_.start), request_.goals[g]);
@@ -128,13 +128,13 @@ Result Inquiry::to_goals(const Search& search) {
                                              (contact.empty() ? "" : ": " + contact));
   }
   for (const int g : goals_) {
-    if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay(g);
+    if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay_at_goal(g);
   }
   if (auto done = find_targets()) return *std::move(done);
   return search_lattices(search);
 }
 
-Result Inquiry::stay(int goal) const {
+Result RequestSolver::stay_at_goal(int goal) const {
   auto result = already_there<Result>();
   result.joints = request_.start;
   result.tips = Eigen::Vector3d(from_);
@@ -142,18 +142,18 @@ Result Inquiry::stay(int goal) const {
   return result;
 }
 
-bool Inquiry::position_free(const JointVector& q) {
+bool RequestSolver::position_free(const JointVector& q) {
   ++asked_.positions;
   return sensor_.position_free(q);
 }
-StopCondition::Cause Inquiry::cause() {
+StopCondition::Cause RequestSolver::cause() {
   const int most = parameters_.max_questions;
   if (most == 0 || asked_.positions + asked_.motions < most) return request_.stop.poll();
-  questions_ended_it_ = true;
+  out_of_questions_ = true;
   return StopCondition::Cause::deadline;
 }
 
-std::optional<Result> Inquiry::find_targets() {
+std::optional<Result> RequestSolver::find_targets() {
   std::vector<int> wanted;
   const auto points = targets_at(parameters_.pitch).points;
   for (const int g : goals_) {
@@ -165,13 +165,13 @@ std::optional<Result> Inquiry::find_targets() {
   const int most = std::max(4, 4 * parameters_.postures);
   ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, 0, kAttempts, most);
   const std::vector<End> first = ends_;
-  if (auto line = keep_free()) return line;
+  if (auto line = drop_blocked_ends()) return line;
   if (!ends_.empty() || ended()) return std::nullopt;
   // Where all of them touch something, more are looked for before that is said.
   ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, kAttempts, 3 * kAttempts,
                     3 * most, first);
   const std::size_t found = first.size() + ends_.size();
-  if (auto line = keep_free()) return line;
+  if (auto line = drop_blocked_ends()) return line;
   if (!ends_.empty() || first.empty() || wanted.size() < goals_.size() || ended() ||
       (parameters_.postures == 1 && is_point(wanted.front()))) {
     return std::nullopt;
@@ -184,13 +184,13 @@ std::optional<Result> Inquiry::find_targets() {
           " found" + (contact.empty() ? "" : ": " + contact));
 }
 
-std::optional<Result> Inquiry::keep_free() {
+std::optional<Result> RequestSolver::drop_blocked_ends() {
   std::vector<End> free;
   for (End& end : ends_) {
     if (ended() || !position_free(end.q)) continue;
     if (parameters_.direct && !ended()) {
       ++asked_.motions;
-      if (sensor_.motion_free(request_.start, end.q)) return along_line(end);
+      if (sensor_.motion_free(request_.start, end.q)) return straight_line_result(end);
     }
     free.push_back(std::move(end));
   }
@@ -198,14 +198,14 @@ std::optional<Result> Inquiry::keep_free() {
   return std::nullopt;
 }
 
-bool Inquiry::all_touch() {
+bool RequestSolver::every_posture_blocked() {
   const std::vector<End> ends =
       find_ends(robot_, *arm_, request_, goals_, parameters_.seed, 0, kAttempts, kAttempts);
   const auto free = [&](const End& end) { return ended() || position_free(end.q); };
   return std::ranges::none_of(ends, free) && !ended();
 }
 
-Result Inquiry::along_line(const End& end) const {
+Result RequestSolver::straight_line_result(const End& end) const {
   Result result;
   result.status = Status::solved;
   result.goal = end.goal;
@@ -232,7 +232,7 @@ Result Inquiry::along_line(const End& end) const {
   return result;
 }
 
-Targets Inquiry::targets_at(double pitch) const {
+Targets RequestSolver::targets_at(double pitch) const {
   Targets targets{{}, ends_};
   for (const int g : goals_) {
     if (!is_point(g)) continue;
@@ -245,7 +245,7 @@ Targets Inquiry::targets_at(double pitch) const {
   return targets;
 }
 
-Result Inquiry::search_lattices(const Search& search) {
+Result RequestSolver::search_lattices(const Search& search) {
   Result result;
   for (int level = 0; level <= parameters_.refine; ++level) {
     const double pitch = std::ldexp(parameters_.pitch, -level);
@@ -285,8 +285,8 @@ Result Inquiry::search_lattices(const Search& search) {
                      lattice.larger();
     }
     asked_ = lattice.questions();
-    questions_ended_it_ |= lattice.questions_ended_it();
-    if (result.fault == Fault::goal_blocked && !all_touch()) {
+    out_of_questions_ |= lattice.out_of_questions();
+    if (result.fault == Fault::goal_blocked && !every_posture_blocked()) {
       result.fault = Fault::none;
       end_run(result, cause(), Status::no_path);
       result.error = lattice.not_found() +
@@ -301,7 +301,7 @@ Result Inquiry::search_lattices(const Search& search) {
   return result;
 }
 
-void Inquiry::tell_lattice(Result& result) const {
+void RequestSolver::fill_lattice_fields(Result& result) const {
   const Goal& goal = request_.goals[goals_.front()];
   const bool joints = goal.kind == Goal::Kind::joints;
   const Vec3 to = joints ? from_ : Vec3(goal.target.translation().eval());
@@ -312,7 +312,7 @@ void Inquiry::tell_lattice(Result& result) const {
   for (int i = 0; box && i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
 }
 
-void Inquiry::add_postures(Lattice& lattice) const {
+void RequestSolver::add_postures(Lattice& lattice) const {
   if (parameters_.postures == 1) return;
   for (const End& end : ends_) lattice.add_posture(end.q);
   Request here{.start = request_.start, .goals = {Goal(Eigen::Vector3d(from_))}};
