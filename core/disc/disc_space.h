@@ -91,8 +91,6 @@ class DiscSpace {
     const std::uint32_t* list = passing_.data() + (cell - kSeveral);
     return {list + 1, *list};
   }
-  /// The cells of the band, as a bitmap.
-  const Grid& band_cells() const noexcept { return band_; }
   /// A bit for each 8 x 8 cells: set where one of them is not free.
   const Grid& crowded() const noexcept { return crowded_; }
   /// Rows of bits, of the cells that arcs pass: of types 0 and 3, or 1 and 2. Laid out as a Grid's,

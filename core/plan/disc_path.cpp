@@ -118,7 +118,7 @@ std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& 
     return row.data();
   };
   std::function<bool(Cell)> joined;
-  if (other) joined = [&](Cell at) { return space.joined(centre(at), centre(*other)); };
+  if (other) joined = [&](Cell at) { return space.joined(centre(at), *other); };
   return nearest_free(blocked, c, poller, joined, clear_row);
 }
 
