@@ -10,8 +10,6 @@ namespace {
 
 // Ends of pieces in neighbouring cells are the same numbers but for rounding.
 constexpr double kRounding = 1e-12;
-// How far off, in cells, a circle is that surely covers nothing.
-constexpr double kFar = 1e-8;
 
 // Grows with the angle of a vector in (-pi, pi]: y / (|x| + |y|) and its like, from -2 to 2.
 double fraction_of(double x, double y) noexcept {
@@ -26,7 +24,10 @@ BandCells::BandCells(DiscSpace& space, const Words& part)
       radius_(space.radius()),
       least_square_((radius_ - kMadeSlack) * (radius_ - kMadeSlack)),
       covered_(Reach(radius_).covered),
-      corners_(space.map(), part) {}
+      corners_(space.map(), part) {
+  // Room that is not used is not mapped.
+  pieces_.reserve(4 * corners_.corners().size());
+}
 
 BandCells::Bits BandCells::add_word(const GrownRows& grown, int word, int y, std::uint64_t cells) {
   Bits bits{.blocked = grown.covered(word, y) & cells};
@@ -99,17 +100,12 @@ BandCells::Span BandCells::span_in(const Circle& circle, const DiscSpace::Box& b
   return {fraction_of(low_x, low_y), fraction_of(high_x, high_y)};
 }
 
-// Takes off what another circle covers. `first` and `last` are the ends of all spans.
-void BandCells::cut(const Circle& circle, const Circle& other, Normal first, Normal last) {
+// Takes off what another circle covers.
+void BandCells::cut(const Circle& circle, const Circle& other) {
   const double x = (circle.type & 1) != 0 ? circle.x - other.x : other.x - circle.x;
   const double y = (circle.type & 2) != 0 ? circle.y - other.y : other.y - circle.y;
   const double square = x * x + y * y;
   if (square == 0 || (x < 0 && y < 0)) return;
-  // Most cover neither end, nor are they straight ahead of what lies between.
-  const double far = square / (2 * radius_) - kFar;
-  if (first.a * x + first.b * y < far && last.a * x + last.b * y < far &&
-      (first.a * y < first.b * x || last.a * y > last.b * x))
-    return;
   // The normals at which the circle is radius_ - kMadeSlack away from the other one's centre.
   const double share = (square + 2 * radius_ * kMadeSlack) / (2 * radius_ * square);
   const double cosine_square = share * share * square;
@@ -132,8 +128,7 @@ bool BandCells::add_pieces(const Circle& circle, const DiscSpace::Box& box) {
   const Span whole = span_in(circle, box);
   if (whole.low > whole.high + kRounding) return false;
   spans_.assign(1, {whole.low, std::max(whole.low, whole.high)});
-  const Normal first = normal_at(spans_[0].low), last = normal_at(spans_[0].high);
-  for (const Circle& other : circles_) cut(circle, other, first, last);
+  for (const Circle& other : circles_) cut(circle, other);
   if (spans_.empty()) return false;
   const std::uint32_t number = corners_.number(circle.x, circle.y);
   for (const Span& span : spans_) pieces_.push_back({number, 0, span.low, span.high});

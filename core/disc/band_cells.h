@@ -61,7 +61,7 @@ class BandCells {
   bool outside_circles(Point p) const noexcept;
   bool add_pieces(const Circle& circle, const DiscSpace::Box& box);
   Span span_in(const Circle& circle, const DiscSpace::Box& box) const noexcept;
-  void cut(const Circle& circle, const Circle& other, Normal first, Normal last);
+  void cut(const Circle& circle, const Circle& other);
 
   DiscSpace& space_;
   const double radius_;

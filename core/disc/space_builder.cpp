@@ -49,6 +49,10 @@ SpaceBuilder::SpaceBuilder(DiscSpace& space, const Rectangle& core, const Rectan
 bool SpaceBuilder::run(Poller& poller) {
   if (!look_at_core(poller)) return false;
   if (window_.width > 0) look_around();
+  if (joined_anew_.empty()) {
+    space_.arcs_.reserve(cells_.corners().corners().size());
+    space_.cells_.reserve(cells_.size());
+  }
   std::ranges::sort(spare_, std::greater());
   spare_.erase(std::ranges::unique(spare_).begin(), spare_.end());
   cells_.join(joined_anew_, spare_);
