@@ -21,7 +21,7 @@ constexpr double kWeight = 1.2;
 constexpr std::int64_t kFirstWeighted = 16;
 constexpr std::int64_t kWeightedShare = 8;
 constexpr double kHorizon = 1.0 / 1024;
-constexpr double kHorizonOfRise = 4;
+constexpr double kHorizonOfRise = 2;
 constexpr int kMostScans = 4;
 // Labels that are asked whether they see the goal before the goal takes a look.
 constexpr std::int64_t kGlance = 16;
@@ -33,30 +33,31 @@ struct DiscSearch::Sink {
   DiscSearch& search;
   const Label from;
 
-  // A line that is not certain is looked along when its label is the best one.
+  // Lines of a view are looked along when their labels are the best ones.
   void take(const Seen& seen) {
-    take(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length, seen.arrives,
-         Label::Line::unknown);
+    Label found = label(seen.arc, seen.rising, seen.normal.angle(), seen.length);
+    if (search.dominated(found)) return;
+    found.normal = seen.normal;
+    add(found, seen.arrives);
   }
-  void take(std::uint32_t arc, bool rising, Normal normal, double angle, double way, Point arrives,
-            Label::Line line) {
+  Label label(std::uint32_t arc, bool rising, double angle, double way) const noexcept {
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
       length += search.space_->radius() * std::abs(angle - from.angle);
-    const double to_goal = distance(arrives, search.goal_);
-    if (length + to_goal >= search.upper_) return;
-    const Label found{.length = length,
-                      .to_goal = to_goal,
-                      .angle = angle,
-                      .normal = normal,
-                      .arc = arc,
-                      .parent = search.in_hand_,
-                      .rising = rising,
-                      .line = line};
-    if (search.dominated(found)) return;
+    return {.length = length,
+            .angle = angle,
+            .arc = arc,
+            .parent = search.in_hand_,
+            .rising = rising};
+  }
+  void add(Label& found, Point arrives) {
+    found.to_goal = distance(arrives, search.goal_);
+    const double key = found.length + found.to_goal;
+    if (key >= search.upper_) return;
     const std::uint32_t number = search.labels_.add(found);
-    search.frontier_.push(number, length + to_goal);
-    if (search.weighted_on_) search.weighted_frontier_.push(number, length + kWeight * to_goal);
+    search.frontier_.push(number, key);
+    if (search.weighted_on_)
+      search.weighted_frontier_.push(number, found.length + kWeight * found.to_goal);
   }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
@@ -168,27 +169,29 @@ bool DiscSearch::follow(std::uint32_t number) {
   Sink sink{*this, label};
   const double radius = space_->radius(), across = 4 * radius * radius;
   const double to_goal_x = goal_.x - root.x, to_goal_y = goal_.y - root.y;
-  const double most = horizon_ + radius - label.length;
   bool cut_off = false;
   for (const GraphEdge& edge : graph_->edges(label.arc, label.rising)) {
     if (label.rising ? edge.angle < label.angle - kSlack : edge.angle > label.angle + kSlack) break;
     if (label.rising ? edge.angle > last : edge.angle < last) continue;
-    // The least that a path over it can have: to the target's circle, and from its centre.
     const double x = edge.dx, y = edge.dy;
     const double square = std::max(0.0, x * x + y * y - (edge.across() ? across : 0));
-    const double least = radius * std::abs(edge.angle - label.angle) + std::sqrt(square) +
-                         distance({x, y}, {to_goal_x, to_goal_y});
-    if (least > most) {
+    Label found = sink.label(edge.to(), edge.rising(), edge.angle, std::sqrt(square));
+    // What a path over it has left from the target's centre on.
+    const double left = horizon_ + radius - found.length;
+    const double goal_x = to_goal_x - x, goal_y = to_goal_y - y;
+    if (!(left > 0 && goal_x * goal_x + goal_y * goal_y <= left * left)) {
       cut_off = true;
       continue;
     }
+    if (dominated(found)) continue;
     const Tangent line = tangent(root.heading.right * edge.dx, root.heading.down * edge.dy,
                                  edge.across() ? 2 * root.offset : 0);
     const Normal n = line.normal;
     const Point leaves = root.leaves(n);
-    const Point arrives{leaves.x + root.heading.right * (n.b * line.length),
-                        leaves.y + root.heading.down * (n.a * line.length)};
-    sink.take(edge.to(), edge.rising(), n, edge.angle, line.length, arrives, Label::Line::free);
+    found.normal = n;
+    found.line = Label::Line::free;
+    sink.add(found, {leaves.x + root.heading.right * (n.b * line.length),
+                     leaves.y + root.heading.down * (n.a * line.length)});
   }
   return cut_off;
 }
