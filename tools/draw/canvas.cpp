@@ -110,11 +110,10 @@ void Canvas::curve(std::span<const CurvePiece> pieces, Colour colour, double wid
   cairo_new_path(c);
   for (const CurvePiece& piece : pieces) {
     cairo_line_to(c, piece.from.x, piece.from.y);
-    const Point middle = piece.centre;
-    const auto angle = [&](Point p) { return std::atan2(p.y - middle.y, p.x - middle.x); };
-    const double from = angle(piece.from), to = angle(piece.to);
-    if (piece.turn > 0) cairo_arc(c, middle.x, middle.y, piece.radius, from, to);
-    if (piece.turn < 0) cairo_arc_negative(c, middle.x, middle.y, piece.radius, from, to);
+    const auto [x, y] = piece.centre;
+    const double from = std::atan2(piece.from.y - y, piece.from.x - x);
+    if (piece.turn > 0) cairo_arc(c, x, y, piece.radius, from, from + piece.angle);
+    if (piece.turn < 0) cairo_arc_negative(c, x, y, piece.radius, from, from - piece.angle);
     cairo_line_to(c, piece.to.x, piece.to.y);
   }
   stroke_path(colour, width, opacity);

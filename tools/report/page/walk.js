@@ -7,15 +7,16 @@
 //                                    `part` of the way along its segment
 
 export function arcAngles(curve, i) {
-  const [x, y] = curve[i].centre;
-  return [curve[i - 1], curve[i + 1]].map((end) => Math.atan2(end[1] - y, end[0] - x));
+  const { centre: [x, y], turn } = curve[i], round = 2 * Math.PI;
+  const [from, to] = [curve[i - 1], curve[i + 1]].map((end) => Math.atan2(end[1] - y, end[0] - x));
+  const angle = ((turn * (to - from)) % round + round) % round;
+  return [from, from + turn * (angle > Math.PI ? 0 : angle)];  // at most a quarter, or less than nothing by rounding
 }
 
 export function pointsOf(curve) {
   return curve.flatMap((entry, i) => {
     if (Array.isArray(entry)) return [entry];
-    const { centre, radius, turn } = entry, [from, to] = arcAngles(curve, i), round = 2 * Math.PI;
-    const angle = turn * (((turn * (to - from)) % round + round) % round), count = Math.ceil(64 * Math.abs(angle));
+    const { centre, radius } = entry, [from, to] = arcAngles(curve, i), angle = to - from, count = Math.ceil(64 * Math.abs(angle));
     return Array.from({ length: Math.max(0, count - 1) }, (_, k) => {
       const at = from + (angle * (k + 1)) / count;
       return [centre[0] + radius * Math.cos(at), centre[1] + radius * Math.sin(at)];
