@@ -159,7 +159,9 @@ void expect_same(const DiscSpace& one, const DiscSpace& other, std::mt19937& ran
   for (int i = 0; i < 20; ++i) {
     const Point a = random_point(one.map(), random), b = random_point(one.map(), random);
     ASSERT_EQ(one.joined(a, b), other.joined(a, b));
-    ASSERT_EQ(one.way_out(a), other.way_out(a));
+    const StopCondition never;
+    Poller poller(never);
+    ASSERT_EQ(one.way_out(a, poller), other.way_out(a, poller));
   }
 }
 

@@ -8,10 +8,10 @@
 
 #include "core/plan/disc_path.h"
 #include "lasius/batch.h"
-#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "tests/core/disc/disc_worlds.h"
 #include "tests/oracle/disc_paths.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -80,8 +80,9 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
     const Planner planner(grid, Disc{radius});
     const Planner prepared(grid, Disc{radius}, PrepareOptions{.threads = 1 + round % 5});
     EXPECT_EQ(planner.grid(), grid);
-    EXPECT_EQ(planner.passable(), grow_obstacles(grid, radius));
     const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
+    for (const Cell c : cells_of(grid))
+      ASSERT_EQ(planner.passable().free(c), grid.free(c) && judge.clear(centre(c)));
     for (int i = 0; i < 3; ++i) {
       const Request request{random_cell(grid, random), random_cell(grid, random)};
       const Result exact = planner.plan(request);
@@ -256,17 +257,18 @@ TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {
   const Planner planner(Grid(20, 9), Disc{1.5});
   const Request request{{1, 4}, {18, 4}};
   EXPECT_TRUE(planner.clear({1, 4}));
-  EXPECT_TRUE(planner.passable().blocked({1, 4}));
+  EXPECT_TRUE(planner.passable().free({1, 4}));
   EXPECT_EQ(planner.plan(request).length, 17);
-  const Result led = planner.plan({{1, 4}, {16, 4}}, small("as"));
+  EXPECT_EQ(planner.plan(request, small("as")).way_out, std::nullopt);
+  const Result led = planner.plan({{0, 4}, {16, 4}}, small("as"));
   EXPECT_EQ(led.status, Status::solved);
-  EXPECT_EQ(led.way_out, (Point{2.5, 4.5}));
+  EXPECT_EQ(led.way_out, (Point{1.5, 4.5}));
   EXPECT_EQ(led.best.back(), led.length);
-  const Result refused = planner.plan({{16, 4}, {1, 4}}, small("as"));
-  EXPECT_EQ(refused.error,
-            "goal (1, 4) is nearer to what is blocked than the radius of 1.5, though its centre is "
-            "not: exact plans from there, other algorithms on cells that keep the radius all over; "
-            "the nearest free cell is (2, 4)");
+  const Result refused = planner.plan({{16, 4}, {0, 4}}, small("as"));
+  EXPECT_EQ(
+      refused.error,
+      "goal (0, 4) is nearer to what is blocked than the radius of 1.5; the nearest free cell "
+      "is (1, 4)");
   const Result outside = planner.plan({{18, 4}, {0, 4}});
   EXPECT_EQ(outside.nearest_free, (Cell{1, 4}));
   EXPECT_EQ(outside.nearest_reachable, (Cell{1, 4}));
