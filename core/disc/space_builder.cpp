@@ -54,7 +54,7 @@ bool SpaceBuilder::run(Poller& poller) {
     space_.cells_.reserve(cells_.size());
   }
   std::ranges::sort(spare_, std::greater());
-  spare_.erase(std::ranges::unique(spare_).begin(), spare_.end());
+  spare_.erase(std::unique(spare_.begin(), spare_.end()), spare_.end());
   cells_.join(joined_anew_, spare_);
   write_core();
   write_planes();

@@ -161,13 +161,13 @@ class Drive {
 
   Found find_way() {
     ask();
-    const bool no_way = way_->path.empty() && proven();
+    const bool no_way = !goes() && proven();
     const bool short_of = way_->goal_reached && *way_->goal_reached != pilot_.goal();
     if ((no_way || short_of) && doubt()) {
       look();
       ask();
     }
-    if (!way_->path.empty()) {
+    if (goes()) {
       waited_ = attempts_ = 0;
       retreat_.clear();
       return Found::way;
@@ -180,9 +180,15 @@ class Drive {
     }
     return Found::none;
   }
+  /// There is a way. Of a disc's path there may be no walk: then there is none.
+  bool goes() const noexcept {
+    return !way_->path.empty() && (pilot_.radius() == 0 || way_->walk.size() > 1 ||
+                                   robot_ == way_->goal_reached.value_or(pilot_.goal()));
+  }
   /// That no way leads to the goal, on what is known.
   bool proven() const noexcept {
-    return way_->status == Status::unreachable || way_->status == Status::invalid;
+    return way_->status == Status::unreachable || way_->status == Status::invalid ||
+           (!way_->path.empty() && !goes());
   }
 
   /// Nothing that is learned, or that is to come, can make a way. To ask what is there spares the

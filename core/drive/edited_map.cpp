@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/held_bytes.h"
+#include "core/disc/disc_cells.h"
 #include "core/grid/grid_view.h"
-#include "lasius/clearance.h"
 
 namespace lasius {
 namespace {
@@ -26,19 +26,22 @@ Rectangle round(std::span<const Cell> cells) noexcept {
 
 }  // namespace
 
-EditedMap::EditedMap(Grid map, double radius) : map_(std::move(map)), growth_(map_, radius) {
-  if (radius > 0) grown_ = grow_obstacles(map_, radius);
+EditedMap::EditedMap(Grid map, double radius)
+    : map_(std::move(map)), growth_(disc::growth(map_, radius)) {
+  if (radius > 0) grown_ = grow_obstacles(map_, growth_, {});
 }
 
-void EditedMap::set(std::span<const Cell> cells, bool blocked, const OnChange& changed) {
+void EditedMap::set(std::span<const Cell> cells, bool blocked, const OnChange& changed,
+                    const OnChange& edited) {
   differing_.clear();
   for (const Cell c : cells) {
     if (map_.contains(c) && map_.blocked(c) != blocked) differing_.push_back(c);
   }
-  apply(blocked, changed);
+  apply(blocked, changed, edited);
 }
 
-void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed) {
+void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed,
+                    const OnChange& edited) {
   if (part.width <= 0 || part.height <= 0) return;
   differing_.clear();
   const int right =
@@ -51,13 +54,13 @@ void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed
       if (map_.blocked({x, y}) != blocked) differing_.push_back({x, y});
     }
     if ((y & 63) == 63 || y + 1 == bottom) {
-      apply(blocked, changed);
+      apply(blocked, changed, edited);
       differing_.clear();
     }
   }
 }
 
-void EditedMap::apply(bool blocked, const OnChange& changed) {
+void EditedMap::apply(bool blocked, const OnChange& changed, const OnChange& edited) {
   std::ranges::sort(differing_, [](Cell a, Cell b) {
     return std::tuple(part_of(a), a.y, a.x) < std::tuple(part_of(b), b.y, b.x);
   });
@@ -67,6 +70,7 @@ void EditedMap::apply(bool blocked, const OnChange& changed) {
                                   [&](Cell c) { return part_of(c) != part_of(*begin); });
     const std::span<const Cell> cells(&*begin, static_cast<std::size_t>(end - begin));
     for (const Cell c : cells) map_.set_blocked(c, blocked);
+    if (edited) edited(round(cells), cells);
     if (grown_) {
       grow(round(cells), blocked, changed);
     } else {

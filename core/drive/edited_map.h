@@ -20,21 +20,24 @@ class EditedMap {
   EditedMap(Grid map, double radius);
 
   const Grid& map() const noexcept { return map_; }
-  /// The map, its obstacles grown by the radius; the same grid where that is 0.
+  /// The cells that a disc of the radius may walk on (disc::growth); the same grid where that is 0.
   const Grid& passable() const noexcept { return grown_ ? *grown_ : map_; }
   const Growth& growth() const noexcept { return growth_; }
 
   /// Cells of passable() that changed, and a rectangle round them, at most 64 x 64 and what a cell
   /// in it reaches. Called when passable() has them already.
   using OnChange = std::function<void(const Rectangle&, std::span<const Cell>)>;
-  /// Blocks or frees cells, those outside the map ignored; tells of what changed, part by part.
-  void set(std::span<const Cell> cells, bool blocked, const OnChange& changed);
-  void set(const Rectangle& part, bool blocked, const OnChange& changed);
+  /// Blocks or frees cells, those outside the map ignored; tells of what changed, part by part,
+  /// first `edited` of cells of map(), if it is given.
+  void set(std::span<const Cell> cells, bool blocked, const OnChange& changed,
+           const OnChange& edited = {});
+  void set(const Rectangle& part, bool blocked, const OnChange& changed,
+           const OnChange& edited = {});
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
-  void apply(bool blocked, const OnChange& changed);
+  void apply(bool blocked, const OnChange& changed, const OnChange& edited);
   void grow(const Rectangle& part, bool blocked, const OnChange& changed);
 
   Grid map_;

@@ -53,8 +53,8 @@ class LiveComponents {
 /// A colony and what it was not told yet: changes beside each other in one, since each is repaired.
 class LiveColony {
  public:
-  LiveColony(const Grid& grid, Cell goal, const Params& params)
-      : colony_(grid, goal, params), goal_(goal), iterations_(params.iterations) {}
+  LiveColony(const Grid& grid, Cell goal, const Params& params, const disc::DiscSpace* disc)
+      : colony_(grid, goal, params, disc), goal_(goal), iterations_(params.iterations) {}
 
   Cell goal() const noexcept { return goal_; }
 

@@ -79,8 +79,10 @@ struct PathWalker::Lines {
   int count;
 };
 
-void PathWalker::begin(std::vector<Point> path) {
+void PathWalker::begin(std::vector<Point> path, bool of_disc) {
   path_ = std::move(path);
+  beside_ = of_disc ? 1 : 0;
+  for (Point& p : path_) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
   segment_ = begun_segment_ = 0;
   line_ = 0;
 }
@@ -113,7 +115,10 @@ bool PathWalker::gather(const Grid& grid, Cell from) {
     for (; line < lines.count; ++line, --left) {
       if (left == 0) return false;
       last_line_.clear();
-      lines.visit(line, [&](Cell cell) { add(grid, cell); });
+      lines.visit(line, [&](Cell cell) {
+        for (int y = -beside_; y <= beside_; ++y)
+          for (int x = -beside_; x <= beside_; ++x) add(grid, {cell.x + x, cell.y + y});
+      });
       segment_ = segment;
       line_ = line;
     }

@@ -24,8 +24,9 @@ bool touches(Point a, Point b, Cell cell) noexcept;
 /// that the path touches.
 class PathWalker {
  public:
-  /// Begins a path with vertices at multiples of 0.5.
-  void begin(std::vector<Point> path);
+  /// Begins a path with vertices at multiples of 0.5, or of a disc: with any. A disc's walk may go
+  /// over the cells beside those that the path touches, too.
+  void begin(std::vector<Point> path, bool of_disc = false);
   /// The next piece: the shortest walk from `from`, on which the last piece ended, to a cell that
   /// the path touches some dozens of columns or rows further on, or to the path's end. `from` comes
   /// first; it is alone at the path's end, and where the path is not valid.
@@ -40,7 +41,7 @@ class PathWalker {
   /// The columns of a segment, rows where it is steeper than a diagonal: a line of cells each.
   struct Lines;
   static constexpr int kLines = 48;            // in a piece
-  static constexpr int kBox = 2 * kLines + 5;  // cells of a piece lie in a square of this side
+  static constexpr int kBox = 2 * kLines + 9;  // cells of a piece lie in a square of this side
 
   struct Node {
     Cell cell;
@@ -55,6 +56,7 @@ class PathWalker {
   void search(const Grid& grid, Corners corners);
 
   std::vector<Point> path_;
+  int beside_ = 0;                               // so many cells to each side
   std::size_t segment_ = 0, begun_segment_ = 0;  // where the next piece begins, and the last one
   int line_ = 0;                                 // of segment_, from its first
   Cell corner_;                                  // of the box

@@ -5,7 +5,6 @@
 
 #include "core/drive/changes_check.h"
 #include "core/grid/components.h"
-#include "lasius/clearance.h"
 
 namespace lasius {
 namespace {
@@ -22,7 +21,7 @@ void for_each_cell(const Rectangle& part, const Visit& visit) {
 }  // namespace
 
 World::World(const Grid& truth, const Changes& changes, double radius)
-    : still_(truth), map_(truth, radius), radius_(radius), changes_(changes.cells) {
+    : still_(truth), map_(truth, radius), changes_(changes.cells) {
   check_changes(changes, truth.width(), truth.height());
   std::ranges::stable_sort(changes_, {}, &Change::tick);
   for (const MovingObstacle& o : changes.obstacles) movers_.push_back({o, o.track.front()});
@@ -157,7 +156,7 @@ bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
     if (moves && without == Without::those_that_move) continue;
     grid.fill(mover.cells(mover.at), true);
   }
-  if (radius_ > 0) grid = grow_obstacles(grid, radius_);
+  if (growth().reach() > 0) grid = *grow_obstacles(grid, growth(), {});
   return Components(grid, connectivity_of(corners)).connected(grid, from, to);
 }
 

@@ -85,9 +85,8 @@ class World {
     return static_cast<std::uint32_t>(c.y) << 16 | static_cast<std::uint32_t>(c.x);
   }
 
-  Grid still_;     // without moving obstacles
-  EditedMap map_;  // with them
-  double radius_;
+  Grid still_;                   // without moving obstacles
+  EditedMap map_;                // with them
   std::vector<Change> changes_;  // by tick
   std::size_t next_ = 0;
   std::vector<Mover> movers_;                      // by the tick in which they appear

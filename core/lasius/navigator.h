@@ -20,10 +20,13 @@ namespace lasius {
 /// How a Navigator plans.
 struct NavigatorOptions {
   Params params = {};  ///< the algorithm: `exact`, or any other
-  /// Of the robot, in cells: path and walk keep this far from blocked cells and from the outside,
-  /// on the cells that grow_obstacles() leaves free. 0: a point.
+  /// Of the robot, a Disc, in cells: path and walk keep this far from blocked cells and from the
+  /// outside. Paths are those of a Planner for it; walks go over cells whose centres keep the
+  /// radius (for `exact` out of [0.05, 54] both are on the cells that grow_obstacles() leaves
+  /// free). 0: a point.
   double radius = 0;
-  /// Prepares the map, see Planner; the visibility graph is then kept up to date. For `exact` only.
+  /// Prepares the map, see Planner; the visibility graph is then kept up to date, but that of a
+  /// disc goes with the first edit. For `exact` only.
   std::optional<PrepareOptions> prepare = {};
   double target_gap = 0;  ///< as in Request
   /// step() searches on every time; else only where the way has to be planned anew. For colonies
@@ -44,9 +47,11 @@ struct Way : Result {
   /// moved nothing is certified; what else a Result tells is of the plan.
   bool replanned = false;
   /// The next cells, by moves to one of the eight neighbours, the robot's own first. They are cells
-  /// that the planned path touches. Some dozens of moves; the rest comes with later steps. Empty
-  /// without a path. Eight directions make it up to 8.3% longer than the path, which goes at any
-  /// angle: a robot that can, follows `path`.
+  /// that the planned path touches, or of a disc's path beside those. Some dozens of moves; the
+  /// rest comes with later steps. Empty without a path. A disc's path may pass a door that no walk
+  /// does, between centres of cells: then the path is the fewest moves over cells that lead to the
+  /// goal, and where there are none, the robot's cell is alone here. Eight directions make it up
+  /// to 8.3% longer than the path, which goes at any angle: a robot that can, follows `path`.
   std::vector<Cell> walk;
   /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
   std::int64_t doubted = 0;
@@ -70,7 +75,7 @@ class LASIUS_EXPORT Pilot {
   virtual Cell goal() const noexcept = 0;  ///< where it leads
   /// The map as it is known now, the robot a point on it: obstacles are not grown here.
   virtual const Grid& map() const noexcept = 0;
-  /// Where the robot's centre may be: the map with its obstacles grown.
+  /// The cells that the robot may walk on: those whose centres keep its radius.
   virtual const Grid& passable() const noexcept = 0;
   /// True when the robot could get from one cell to the other, as far as is known.
   virtual bool connected(Cell a, Cell b) = 0;

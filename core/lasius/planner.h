@@ -77,8 +77,10 @@ class LASIUS_EXPORT Planner {
   /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers
   /// have a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and
   /// start and goal may be cells whose centres alone keep the radius. Its radii are those of [0.05,
-  /// 54] cells; for any other it refuses every request. All other algorithms plan on `passable()`:
-  /// their paths keep the radius, too, but not every door is open to them.
+  /// 54] cells; for any other it refuses every request. All other algorithms walk over
+  /// `passable()`: their paths keep the radius, too, but a door whose middle is no centre of a cell
+  /// may be closed to them. Params::corners has no effect: diagonal moves are those that keep the
+  /// radius, or between four passable cells; a knight's move needs all of its 2 x 3 cells then.
   /// @throws Error(invalid_parameter) for a radius that is negative or not finite.
   Planner(Grid grid, Disc robot);
   /// The same; the graph that is made is that of the disc's curves. @throws as both.
@@ -100,8 +102,10 @@ class LASIUS_EXPORT Planner {
 
   const Grid& grid() const noexcept;  ///< the map; holds as long as the planner
   Disc robot() const noexcept;        ///< whom it plans for
-  /// The cells that colonies plan on, and what components, `connected`, `nearest_free` and
-  /// `nearest_reachable` are about: grow_obstacles(grid(), radius). Holds as long as the planner.
+  /// The cells that colonies walk over, and what components, `connected`, `nearest_free` and
+  /// `nearest_reachable` are about, of a disc by its own rule of corners: those whose centres keep
+  /// the radius; of one that is not in [0.05, 54] grow_obstacles(grid(), radius). Holds as long as
+  /// the planner.
   const Grid& passable() const noexcept;
   /// May the robot's centre be at the centre of a cell, for `exact`?
   bool clear(Cell c) const noexcept;

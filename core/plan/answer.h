@@ -35,6 +35,7 @@ struct PlanningMap {
   std::function<Result(const Request&, const Observer&)> colony = {};
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
+  bool leads_out = true;  ///< a disc that stands too near is led out; false: it is refused
 };
 
 /// What Planner::plan answers, and throws. `own`: the caller's, if any.

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
 #include "tools/bitmap/answer.h"
@@ -286,11 +285,11 @@ class DriveTask : public MapTask {
   }
   /// By the corners that the robot's moves may pass, whatever its paths are made of.
   void look_for_optimum(const Grid& world, const StopCondition& stop) {
-    const Corners corners = squeezes(options().params) ? Corners::allow : Corners::forbid;
-    const auto grown = grow_obstacles(world, map().radius, stop);
-    if (grown)
-      answer_.optimum = shortest_walk(*grown, start().cell, goal_reached().value_or(goal().cell),
-                                      Neighbours::eight, corners, stop);
+    const Navigator robot(Grid(world), goal().cell, {.radius = map().radius});
+    const bool all = squeezes(options().params) || robot.corners() == Corners::allow;
+    answer_.optimum =
+        shortest_walk(robot.passable(), start().cell, goal_reached().value_or(goal().cell),
+                      Neighbours::eight, all ? Corners::allow : Corners::forbid, stop);
   }
   std::vector<Point> centres_in_metres() const {
     std::vector<Point> points;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
+#include "lasius/planner.h"
 #include "tools/console/values.h"
 
 namespace lasius::study {
@@ -59,7 +59,7 @@ Grid load_map(const std::string& source, const std::filesystem::path& folder) {
 }
 
 Grid load_map(const Question& question, const std::filesystem::path& folder) {
-  return grow_obstacles(load_map(question.map, folder), question.radius);
+  return Planner(load_map(question.map, folder), Disc{question.radius}).passable();
 }
 
 }  // namespace lasius::study

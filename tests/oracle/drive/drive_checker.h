@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -78,11 +79,11 @@ class DriveChecker {
     if (truth_.blocked(c)) return true;
     return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& m) { return m.covers(c); });
   }
-  /// Is a point of one cell nearer than the radius to the square of another?
+  /// Is the centre of one cell nearer than the radius to the square of another?
   bool near(Cell held, Cell square) const {
-    const double dx = std::max(0, std::abs(held.x - square.x) - 1);
-    const double dy = std::max(0, std::abs(held.y - square.y) - 1);
-    return dx * dx + dy * dy < radius_ * radius_;
+    const double dx = std::max(0.0, std::abs(held.x - square.x) - 0.5);
+    const double dy = std::max(0.0, std::abs(held.y - square.y) - 0.5);
+    return std::sqrt(dx * dx + dy * dy) < radius_ - 1e-9;
   }
   bool touches(Cell robot) const {
     const int reach = static_cast<int>(radius_) + 1;
@@ -98,7 +99,21 @@ class DriveChecker {
     return false;
   }
   bool touches_any(Cell from, Cell to) const {
-    return touches(to) || touches({from.x, to.y}) || touches({to.x, from.y});
+    if (radius_ == 0) return touches(to) || touches({from.x, to.y}) || touches({to.x, from.y});
+    // Between the centres, sixteen points a move, the middle among them.
+    for (int part = 1; part <= 16; ++part) {
+      const Point p{from.x + 0.5 + (to.x - from.x) * part / 16.0,
+                    from.y + 0.5 + (to.y - from.y) * part / 16.0};
+      const int reach = static_cast<int>(radius_) + 2;
+      for (int y = to.y - reach; y <= to.y + reach; ++y) {
+        for (int x = to.x - reach; x <= to.x + reach; ++x) {
+          const double dx = std::max({0.0, x - p.x, p.x - x - 1});
+          const double dy = std::max({0.0, y - p.y, p.y - y - 1});
+          if (std::sqrt(dx * dx + dy * dy) < radius_ - 1e-9 && occupied({x, y})) return true;
+        }
+      }
+    }
+    return false;
   }
   bool would_hit(const Mover& m, Cell at, Cell before, Cell here) const {
     for (int y = at.y; y < at.y + m.what.height; ++y) {

@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "tools/study/map_source.h"
@@ -55,7 +54,7 @@ std::string cell_text(Cell c) { return std::to_string(c.x) + "," + std::to_strin
 
 void check_end(const Study& study, const Question& question, const Planner& planner,
                const char* name, Cell cell) {
-  const Grid& grid = planner.grid();
+  const Grid& grid = planner.passable();
   const bool outside = !grid.contains(cell);
   if (!outside && grid.free(cell)) return;
   const auto near = planner.nearest_free(cell);
@@ -67,7 +66,7 @@ void check_end(const Study& study, const Question& question, const Planner& plan
 /// A start and a goal, the `number`-th of a draw.
 void draw_ends(const Study& study, const Planner& planner, const Draw& draw, std::uint32_t number,
                Question& question) {
-  const Grid& grid = planner.grid();
+  const Grid& grid = planner.passable();
   const double apart = draw.apart * std::hypot(grid.width(), grid.height());
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(draw.seed), static_cast<std::uint32_t>(draw.seed >> 32)}};
@@ -103,8 +102,7 @@ void draw_questions(Study& study, const std::filesystem::path& maps) {
       auto at = planners.find(question.ground());
       if (at == planners.end())
         at = planners
-                 .emplace(question.ground(),
-                          Planner(grow_obstacles(map->second.grid, question.radius)))
+                 .emplace(question.ground(), Planner(Grid(map->second.grid), Disc{question.radius}))
                  .first;
       const Planner& planner = at->second;
       if (!question.draw) {

@@ -1,0 +1,195 @@
+// Drives, walks and colonies' paths of discs keep the radius, by an independent distance.
+//
+// LASIUS_DISC_DRIVES=N with the shared folder: N drives, and each colony on each of its maps.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lasius/drive.h"
+#include "lasius/map_io.h"
+#include "tests/oracle/near_clearance.h"
+#include "tests/worlds/changing_world.h"
+#include "tests/worlds/planning.h"
+#include "tests/worlds/shared_maps.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kRoom = 1e-9;
+constexpr double kRadii[] = {0.5, 1.7, 4.4, 8, 12.3};
+
+struct NamedMap {
+  std::string name;
+  Grid grid;
+};
+
+int wanted_drives() {
+  const char* const text = std::getenv("LASIUS_DISC_DRIVES");
+  return text != nullptr ? std::atoi(text) : 0;
+}
+
+std::vector<NamedMap> maps() {
+  std::vector<NamedMap> maps;
+  const auto add = [&](const std::filesystem::path& file) {
+    maps.push_back({file.stem().string(), read_map(file.string()).grid});
+  };
+  for (const char* name : {"free-space-complex.map", "fan400x200.map"})
+    add(std::filesystem::path(LASIUS_MAPS_DIR) / name);
+  maps.push_back({"blobs", blobs(160, 120)});
+  if (wanted_drives() == 0) return maps;
+  for (const auto& table : bench_test::shared_tables())
+    add(std::filesystem::path(table).replace_extension(".map"));
+  const auto nav2 = bench_test::shared_dir().parent_path() / "nav2";
+  for (const char* name : {"depot.pgm", "tb3_sandbox.pgm"})
+    if (std::filesystem::exists(nav2 / name)) add(nav2 / name);
+  return maps;
+}
+
+/// Two cells that a walk joins, if some draws find such.
+std::optional<Request> draw_ends(const Planner& planner, Draw& draw) {
+  const Grid& grid = planner.passable();
+  for (int i = 0; i < 2000; ++i) {
+    const Cell start{draw.below(grid.width()), draw.below(grid.height())};
+    const Cell goal{draw.below(grid.width()), draw.below(grid.height())};
+    if (grid.free(start) && grid.free(goal) && start != goal && planner.connected(start, goal))
+      return Request{start, goal};
+  }
+  return std::nullopt;
+}
+
+double least_clearance(const Grid& grid, const std::vector<Point>& path, double most) {
+  double least = most;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    least = std::min(least, oracle::near_clearance(grid, path[i - 1], path[i], most));
+  return least;
+}
+
+TEST(DiscDrives, KeepTheRadius) {
+  const bool all = wanted_drives() > 0;
+  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
+  const std::vector<NamedMap> worlds = maps();
+  const int drives = all ? wanted_drives() : 15;
+  for (const double radius : kRadii) {
+    int driven = 0, arrived = 0, replans = 0;
+    double track = std::numeric_limits<double>::infinity(), paths = track;
+    std::vector<Planner> planners;
+    for (const NamedMap& world : worlds) planners.emplace_back(world.grid, Disc{radius});
+    for (int i = 0; i < drives * 2 && driven < drives / 5; ++i) {
+      Draw draw(static_cast<std::uint64_t>(i));
+      const Planner& planner = planners[static_cast<std::size_t>(i) % worlds.size()];
+      const Grid& truth = planner.grid();
+      const auto ends = draw_ends(planner, draw);
+      if (!ends) continue;
+      // The robot does not know of some walls, and knows of some that are none.
+      Grid known = truth;
+      for (int n = 0; n < 6; ++n) known.fill(draw_part(draw, truth, 8), draw.one_in(2));
+      const Cell goal = ends->goal;
+      const int around = static_cast<int>(radius) + 2;
+      for (const Cell c : {ends->start, goal})
+        for (int y = c.y - around; y <= c.y + around; ++y)
+          for (int x = c.x - around; x <= c.x + around; ++x)
+            if (truth.contains({x, y})) known.set_blocked({x, y}, truth.blocked({x, y}));
+      NavigatorOptions options{.params = Params(i % 10 == 9 ? "acs" : "exact"), .radius = radius};
+      options.params.threads = 1;
+      if (i % 10 == 9) options.params.iterations = 3;
+      const auto result =
+          drive(known, truth, ends->start, goal, {}, {.max_ticks = 4000}, options, {},
+                [&](const DriveTick& tick) {
+                  if (!tick.replanned || tick.way == nullptr || ++replans % 4 != 0) return;
+                  if (tick.way->way_out) return;
+                  paths = std::min(
+                      paths, least_clearance(tick.robot_knows->map(), tick.way->path, radius + 1) -
+                                 radius);
+                });
+      ++driven;
+      arrived += result.status == Status::solved;
+      EXPECT_TRUE(result.status == Status::solved || result.status == Status::limit)
+          << i << " " << worlds[static_cast<std::size_t>(i) % worlds.size()].name << " "
+          << result.error;
+      std::vector<Point> line;
+      for (const Cell c : result.track) line.push_back(centre(c));
+      track = std::min(track, least_clearance(truth, line, radius + 1) - radius);
+    }
+    std::printf("radius %g: %d drives, %d arrived, least clearance - R: tracks %.3g, paths %.3g\n",
+                radius, driven, arrived, track, paths);
+    EXPECT_GE(track, -kRoom) << radius;
+    EXPECT_GE(paths, -kRoom) << radius;
+    EXPECT_GE(arrived, driven * 9 / 10) << radius;
+    EXPECT_TRUE(driven > 1 || radius > 8);
+  }
+}
+
+TEST(DiscDrives, ColoniesKeepTheRadius) {
+  const bool all = wanted_drives() > 0;
+  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
+  const std::vector<NamedMap> worlds = maps();
+  for (const double radius : kRadii) {
+    int plans = 0, n = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const NamedMap& world : worlds) {
+      const Planner planner(world.grid, Disc{radius});
+      Draw draw(7);
+      for (const char* name : colonies()) {
+        const auto ends = draw_ends(planner, draw);
+        if (!ends) continue;
+        for (const Neighbours neighbours : {Neighbours::eight, Neighbours::twenty_four}) {
+          for (const Polish polish : {Polish::local, Polish::taut}) {
+            if (!find_algorithm(name).has("polish") || !find_algorithm(name).has("neighbours"))
+              continue;
+            Params params(name);
+            params.ants = std::min(params.ants, 6);
+            params.iterations = 3;
+            params.threads = 1;
+            const Params usual = params;
+            params.neighbours = neighbours;
+            params.polish = polish;
+            const Result result = planner.plan(*ends, n++ % 2 == 0 ? usual : params);
+            if (result.path.empty()) continue;  // the few ants did not arrive
+            ++plans;
+            least = std::min(least, least_clearance(world.grid, result.path, radius + 1) - radius);
+          }
+        }
+      }
+    }
+    std::printf("radius %g: %d plans of colonies, least clearance - R %.3g\n", radius, plans,
+                least);
+    EXPECT_GE(least, -kRoom) << radius;
+    EXPECT_TRUE(plans > 8 || radius > 8);
+  }
+}
+
+/// The only way leads along a corridor exactly as wide as the disc, over centres of cells.
+TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
+  Grid grid(40, 21);
+  grid.fill({10, 0, 20, 9}, true);
+  grid.fill({10, 12, 20, 9}, true);
+  const Request request{{3, 3}, {36, 17}};
+  for (const auto& [radius, open] : {std::pair{1.5, true}, {1.5 + 1e-6, false}}) {
+    const Planner planner(grid, Disc{radius});
+    for (const char* name : {"fan2004", "as", "acs"}) {
+      Params params(name);
+      params.iterations = 20;
+      EXPECT_EQ(planner.plan(request, params).path.empty(), !open) << name << radius;
+    }
+    const auto result = drive(grid, grid, request.start, request.goal, {}, {}, {.radius = radius});
+    EXPECT_EQ(result.status, open ? Status::solved : Status::unreachable);
+  }
+  // A door of four rows, its middle between two: a path leads through, but no walk.
+  grid.fill({10, 8, 20, 1}, false);
+  Navigator navigator(grid, request.goal, {.radius = 2});
+  const Way& way = navigator.step(request.start);
+  EXPECT_EQ(way.status, Status::solved);
+  EXPECT_FALSE(way.curve.empty());
+  EXPECT_EQ(way.walk, std::vector<Cell>{request.start});
+  const auto result = drive(grid, grid, request.start, request.goal, {}, {}, {.radius = 2});
+  EXPECT_EQ(result.status, Status::unreachable);
+}
+
+}  // namespace
+}  // namespace lasius
