@@ -29,23 +29,26 @@ struct DiscOptions : QueryOptions {
   std::string markdown;
 };
 
-// The least time of so many calls, microseconds of processor time.
+// Microseconds of processor time that a call takes.
 template <class Call>
-double least_microseconds(int rounds, const Call& call) {
-  double least = kInfinity;
-  for (int round = 0; round < rounds; ++round) {
-    const ThreadStopwatch watch;
-    call();
-    least = std::min(least, 1e6 * watch.seconds());
-  }
-  return least;
+double microseconds(const Call& call) {
+  const ThreadStopwatch watch;
+  call();
+  return 1e6 * watch.seconds();
 }
+
+// The least of several rounds.
+struct Least {
+  double value = kInfinity;
+  void add(double time) { value = std::min(value, time); }
+};
 
 struct Times {
   int found = 0, closed = 0;
   double point = 0, scan = 0, graph = 0;  // sums over what was found
 };
 
+// Each round asks all three, so that what else the machine does meets all of them.
 Times measure_queries(const QuerySet& set, const disc::DiscSpace& space,
                       const disc::DiscGraph* graph, int rounds) {
   Times times;
@@ -55,21 +58,25 @@ Times measure_queries(const QuerySet& set, const disc::DiscSpace& space,
     const Point start = centre(query.start), goal = centre(query.goal);
     if (!space.clear(start) || !space.clear(goal)) continue;
     disc::DiscAnswer answer;
+    ExactAnswer of_point;
     const auto ask = [&](const disc::DiscGraph* with) {
-      return least_microseconds(rounds,
-                                [&] { search.search(space, with, start, goal, {}, {}, answer); });
+      return microseconds([&] { search.search(space, with, start, goal, {}, {}, answer); });
     };
-    const double scan = ask(nullptr);
+    Least of_graph, of_scan, without;
+    for (int round = 0; round < rounds; ++round) {
+      without.add(
+          microseconds([&] { point.search(set.grid, query.start, query.goal, {}, {}, of_point); }));
+      if (graph != nullptr) of_graph.add(ask(graph));
+      of_scan.add(ask(nullptr));
+    }
     if (answer.end == ExactEnd::unreachable) {
       ++times.closed;
       continue;
     }
     ++times.found;
-    times.scan += scan;
-    if (graph != nullptr) times.graph += ask(graph);
-    ExactAnswer of_point;
-    times.point += least_microseconds(
-        rounds, [&] { point.search(set.grid, query.start, query.goal, {}, {}, of_point); });
+    times.point += without.value;
+    times.scan += of_scan.value;
+    times.graph += of_graph.value;
   }
   return times;
 }
@@ -102,40 +109,66 @@ EditTimes measure_edits(const Grid& map, const disc::DiscSpace& made, int rounds
         edits.push_back({{x, y}, map.free(at)});
       }
     }
-    in_place.push_back(kInfinity);
+    Least here, anew;
     for (int round = 0; round < rounds; ++round) {
-      const ThreadStopwatch watch;
-      space.update(edited, cells);
-      in_place.back() = std::min(in_place.back(), 1e6 * watch.seconds());
+      here.add(microseconds([&] { space.update(edited, cells); }));
       space.update(map, cells);
+      anew.add(microseconds([&] { (void)planner.edited(edits); }));
     }
-    copied.push_back(least_microseconds(rounds, [&] { (void)planner.edited(edits); }));
+    in_place.push_back(here.value);
+    copied.push_back(anew.value);
   }
   std::ranges::sort(in_place);
   std::ranges::sort(copied);
   return {in_place[kPlaces / 2], copied[kPlaces / 2]};
 }
 
-// Sums over the maps of a radius: logarithms of the two ratios where there were queries, and what
-// their spaces cost.
-struct Sums {
-  double scan = 0, graph = 0;
-  int maps = 0;
-  double nanoseconds = 0, bytes = 0, edit = 0, planner = 0;  // logarithms, the first two of a cell
+// Logarithms of what spaces cost, summed: the first two of a cell.
+struct Costs {
+  double nanoseconds = 0, bytes = 0, edit = 0, planner = 0;
   int spaces = 0;
+
+  std::string text() const {
+    const auto mean = [&](double logarithms) {
+      return short_number(std::exp(logarithms / spaces));
+    };
+    return "; of " + std::to_string(spaces) + " spaces " + mean(nanoseconds) + " ns and " +
+           mean(bytes) + " bytes a cell, an edit of 10 x 10 cells " + mean(edit) +
+           " us, as another Planner " + mean(planner) + " us.\n";
+  }
+};
+
+// The logarithms of the two ratios, summed over what had queries.
+struct Ratios {
+  double scan = 0, graph = 0, worst_scan = -kInfinity, worst_graph = -kInfinity;
+  int maps = 0;
+
+  void add(double of_scan, double of_graph) {
+    scan += std::log(of_scan);
+    graph += std::log(of_graph);
+    worst_scan = std::max(worst_scan, of_scan);
+    worst_graph = std::max(worst_graph, of_graph);
+    ++maps;
+  }
+  std::string text(const std::string& what) const {
+    return what + ": " + std::to_string(maps) + " maps, geometric mean of scan / point " +
+           short_number(std::exp(scan / maps)) + ", worst " + short_number(worst_scan) +
+           "; of graph / point " + short_number(std::exp(graph / maps)) + ", worst " +
+           short_number(worst_graph);
+  }
 };
 
 void measure_map(const QuerySet& set, double radius, const DiscOptions& options, Table& table,
-                 Sums& sums) {
+                 Ratios& ratios, Ratios& all, Costs& costs) {
   std::optional<disc::DiscSpace> space;
-  const double made =
-      least_microseconds(options.rounds, [&] { space = disc::DiscSpace::make(set.grid, radius); });
+  Least made;
+  for (int round = 0; round < options.rounds; ++round)
+    made.add(microseconds([&] { space = disc::DiscSpace::make(set.grid, radius); }));
   std::shared_ptr<disc::DiscGraph> graph;
   Preparation report;
   double prepared = kNaN;
   if (options.prepare) {
-    prepared = least_microseconds(
-        1, [&] { graph = disc::DiscGraph::make(*space, {.threads = 1}, report); });
+    prepared = microseconds([&] { graph = disc::DiscGraph::make(*space, {.threads = 1}, report); });
   }
   const Times times = measure_queries(set, *space, graph.get(), options.rounds);
   const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
@@ -145,43 +178,36 @@ void measure_map(const QuerySet& set, double radius, const DiscOptions& options,
   const EditTimes edit = measure_edits(set.grid, *space, options.rounds);
   table.row(set.name + ' ' + number_text(radius),
             {1.0 * times.found, 1.0 * times.closed, times.point / times.found, scan, with_graph,
-             made / 1000, bytes, edit.space, edit.planner, prepared / 1000,
+             made.value / 1000, bytes, edit.space, edit.planner, prepared / 1000,
              graph != nullptr ? static_cast<double>(graph->edge_count()) : kNaN});
-  ++sums.spaces;
-  sums.nanoseconds += std::log(1000 * made / cells);
-  sums.bytes += std::log(bytes);
-  sums.edit += std::log(edit.space);
-  sums.planner += std::log(edit.planner);
+  ++costs.spaces;
+  costs.nanoseconds += std::log(1000 * made.value / cells);
+  costs.bytes += std::log(bytes);
+  costs.edit += std::log(edit.space);
+  costs.planner += std::log(edit.planner);
   if (times.found == 0) return;
-  sums.scan += std::log(scan);
-  sums.graph += std::log(with_graph);
-  ++sums.maps;
+  ratios.add(scan, with_graph);
+  all.add(scan, with_graph);
 }
 
 void run_discs(const DiscOptions& options) {
   Table table("Discs on " + std::to_string(options.count) +
                   " queries a map, processor time of one thread, least of " +
-                  std::to_string(options.rounds) + " rounds.",
+                  std::to_string(options.rounds) + " rounds in turn.",
               {"map, radius", "found", "closed", "point, us", "scan / point", "graph / point",
                "space, ms", "bytes a cell", "edit, us", "edited, us", "graph, ms", "edges"},
               options.markdown);
   const auto sources = sources_of(options.maps, {options.markdown});
   std::string means;
+  Ratios all;
   for (const double radius : options.radii) {
-    Sums sums;
-    const auto mean = [](double logarithms, int count) {
-      return short_number(std::exp(logarithms / count));
-    };
+    Ratios ratios;
+    Costs costs;
     for (const QuerySource& source : sources)
-      measure_map(load(source, options.count), radius, options, table, sums);
-    means += "Radius " + number_text(radius) + ": geometric mean over " +
-             std::to_string(sums.maps) + " maps " + mean(sums.scan, sums.maps) +
-             ", with the graph " + mean(sums.graph, sums.maps) + "; of all " +
-             std::to_string(sums.spaces) + ": a space in " + mean(sums.nanoseconds, sums.spaces) +
-             " ns and " + mean(sums.bytes, sums.spaces) +
-             " bytes a cell; an edit of 10 x 10 cells in " + mean(sums.edit, sums.spaces) +
-             " us, as another Planner in " + mean(sums.planner, sums.spaces) + " us.\n";
+      measure_map(load(source, options.count), radius, options, table, ratios, all, costs);
+    means += ratios.text("Radius " + number_text(radius)) + costs.text();
   }
+  means += all.text("All") + ".\n";
   table.close(means);
 }
 

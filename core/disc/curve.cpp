@@ -21,9 +21,8 @@ class ArcSides {
     const double half = 0.5 * size;  // the cosine of half the angle
     if (half >= kCoarsest || depth == kDeepest) {
       const Point vertex = on(middle, space_.radius() / half);
-      const bool keeps =
-          depth == kDeepest || (space_.reaches(on(from, space_.radius()), vertex) &&
-                                space_.sees(vertex, on(to, space_.radius())));
+      const bool keeps = depth == kDeepest || (space_.reaches(on(from, space_.radius()), vertex) &&
+                                               space_.sees(vertex, on(to, space_.radius())));
       if (keeps) {
         path_.push_back(vertex);
         return;

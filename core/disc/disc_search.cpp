@@ -44,11 +44,8 @@ struct DiscSearch::Sink {
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
       length += search.space_->radius() * std::abs(angle - from.angle);
-    return {.length = length,
-            .angle = angle,
-            .arc = arc,
-            .parent = search.in_hand_,
-            .rising = rising};
+    return {
+        .length = length, .angle = angle, .arc = arc, .parent = search.in_hand_, .rising = rising};
   }
   void add(Label& found, Point arrives) {
     found.to_goal = distance(arrives, search.goal_);
@@ -78,8 +75,8 @@ struct DiscSearch::GoalSink {
   DiscSearch& search;
 
   void take(const Seen& seen) {
-    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {
-        search.exit_stamp_, false, seen.normal, seen.normal.angle(), seen.length};
+    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, false, seen.normal,
+                                                           seen.normal.angle(), seen.length};
   }
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept {
@@ -282,9 +279,7 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
     if (lower_ >= upper_) return false;
     number = frontier_.pop();
     const Label& label = labels_[number];
-    if (!label.expanded && label.length + label.to_goal < upper_ &&
-        matters(number))
-      return true;
+    if (!label.expanded && label.length + label.to_goal < upper_ && matters(number)) return true;
     if (poller.stop_after(1)) return false;
   }
   if (look_as_far_as(kInfinity, poller)) lower_ = upper_;

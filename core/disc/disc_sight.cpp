@@ -81,8 +81,7 @@ bool DiscSpace::keeps(Point a, Point b, bool clear_ends) const noexcept {
   const double x = b.x - a.x, y = b.y - a.y;
   const double limit = radius_ - kSlack;
   const Segment segment{
-      a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y,
-      clear_ends};
+      a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y, clear_ends};
   const int first = std::clamp(static_cast<int>(a.y), 0, map_.height() - 1);
   const int beyond = static_cast<int>(b.y);
   const int last = std::max(first, std::min(map_.height() - 1, beyond < b.y ? beyond : beyond - 1));

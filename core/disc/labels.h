@@ -71,8 +71,7 @@ class Labels {
       if (i == number || other.line == Label::Line::blocked) continue;
       const double turned = label.rising ? label.angle - other.angle : other.angle - label.angle;
       const double length = other.length + radius_ * std::abs(turned);
-      const bool tie =
-          length == label.length && other.rising == label.rising && turned >= 0;
+      const bool tie = length == label.length && other.rising == label.rising && turned >= 0;
       if ((length < label.length || tie) && reached(i)) return true;
     }
     return false;
@@ -87,8 +86,8 @@ class Labels {
     for (std::uint32_t i = head.stamp == stamp_ ? head.first : 0; i != 0; i = labels_[i].next) {
       const Label& other = labels_[i];
       const double turned = label.rising ? other.angle - label.angle : label.angle - other.angle;
-      if (other.line == Label::Line::blocked || other.rising != label.rising || !(turned > 0) || turned >= nearest ||
-          !(other.length < label.length + radius_ * turned) || !reached(i))
+      if (other.line == Label::Line::blocked || other.rising != label.rising || !(turned > 0) ||
+          turned >= nearest || !(other.length < label.length + radius_ * turned) || !reached(i))
         continue;
       nearest = turned;
       found = i;

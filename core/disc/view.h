@@ -314,7 +314,8 @@ class View {
       if (blocked.blocked({x0, y}) || blocked.blocked({x1, y})) return false;
       if (space_.in_band({x0, y})) meet_cell(root, x0, y);
       if (x1 != x0 && space_.in_band({x1, y})) meet_cell(root, x1, y);
-      if (rows % kRowsAtOnce == 0 && (!sink_.go_on(kRowsAtOnce) || sink_.beyond({start.x, 1.0 * y})))
+      if (rows % kRowsAtOnce == 0 &&
+          (!sink_.go_on(kRowsAtOnce) || sink_.beyond({start.x, 1.0 * y})))
         return true;
     }
   }
