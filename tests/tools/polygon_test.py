@@ -244,7 +244,7 @@ class PolygonTest(WorldTest):
         self.write("full.geojson", collection(obstacles=[WORLD["boundary"]]))
         for world, margin, says in (("full.geojson", [], "blocked; no space is free"),
                                     ("world.geojson", ["--margin", "120"],
-                                     "blocked; no space is free with a margin of 120")):
+                                     "nearer to what is blocked than the margin of 120; no space is free")):
             run = self.ended(self.plan_world(*margin, "--json", world=world), 4)
             self.assertEqual(run.json["status"], "invalid")
             self.assertIn(says, run.json["error"])
