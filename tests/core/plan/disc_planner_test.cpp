@@ -8,7 +8,6 @@
 
 #include "core/plan/disc_path.h"
 #include "lasius/batch.h"
-#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "tests/core/disc/disc_worlds.h"
 #include "tests/oracle/disc_paths.h"
