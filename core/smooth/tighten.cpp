@@ -15,14 +15,16 @@ Point between(Point a, Point b, double share) noexcept {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
 
-/// The largest share in [0, 1] of which `fits`, as far as halving tells; it fits 0.
+/// The largest share in [0, 1] of which `fits`, as far as halving tells, and a step less, since
+/// what just fits may take all of the slack that sight allows; it fits 0.
 template <class Fits>
 double largest(const Fits& fits) {
   if (fits(1.0)) return 1;
   double low = 0;
-  for (double step = 0.5; step > std::ldexp(1.0, -kHalvings); step /= 2)
+  const double last = std::ldexp(1.0, -kHalvings);
+  for (double step = 0.5; step >= last; step /= 2)
     if (fits(low + step)) low += step;
-  return low;
+  return std::max(0.0, low - last);
 }
 
 /// Moves each vertex along the side that follows, and leaves out those that come to its end.
