@@ -322,7 +322,7 @@ def test_a_disc_is_led_out_of_where_it_stands_too_near():
     assert led.status == "solved" and not led.optimal and led.lower_bound is None and led.radius == 2.3
     assert np.allclose(led.way_out, (6.7, 10.5)) and led.path[:2].tolist() == [[8.5, 10.5], list(led.way_out)]
     assert led.curve[0].end == led.way_out and pickle.loads(pickle.dumps(led)) == led
-    assert planner.plan((8, 10), (20, 12), "acs", iterations=2).way_out == (5.5, 10.5)
+    assert planner.plan((8, 10), (20, 12), "acs", iterations=2).way_out == (6.5, 10.5)
     assert planner.plan((2, 3), (20, 12)).way_out is None
     short = planner.plan((2, 3), (8, 10), goal_tolerance=2)
     assert short.goal_reached == (6, 10) and np.allclose(short.path[-1], (6.7, 10.5)) and short.optimal

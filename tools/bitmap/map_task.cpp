@@ -27,8 +27,9 @@ std::string MapTask::error() const {
     text = "start " + place_text(start(), frame) + " and goal " + place_text(goal(), frame) +
            " lie in different regions of free cells";
   if (map().radius > 0)  // why cells that look free are not
-    text += (curved() ? " (for a disc of radius " : " (obstacles grown by ") +
-            length_text(map(), frame, map().radius, 6) + ")";
+    text +=
+        (curved() ? " (for a disc of radius " : " (by walks over cells, for a disc of radius ") +
+        length_text(map(), frame, map().radius, 6) + ")";
   return remedy() ? text + remedy_text(map(), frame, *remedy()) + tolerance_text() : text;
 }
 

@@ -55,9 +55,9 @@ int compare_with_fresh_planners(const NavigatorOptions& options, int worlds, int
         }
         navigator.observe(cells, blocked);
       }
+      const Way& way = navigator.step(robot);  // which may take walls that it doubts away
       const Planner planner(navigator.map(), Disc{options.radius});
       EXPECT_EQ(navigator.passable(), planner.passable());
-      const Way& way = navigator.step(robot);
       const Result fresh = planner.plan({robot, navigator.goal()});
       if (way.way_out) {
         EXPECT_EQ(fresh.fault, Fault::start_blocked);
