@@ -1,5 +1,7 @@
 #include "lasius/planner.h"
 
+#include <utility>
+
 #include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "core/grid/nearest_free.h"
@@ -41,9 +43,9 @@ std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
   }
   auto four = Components::make(grown ? *grown : map, Components::Connectivity::four, stop);
   if (!four) return nullptr;
-  if (disc != nullptr) disc->map = std::move(map);
-  return std::make_shared<Impl>(grown ? std::move(*grown) : std::move(map), std::move(*four),
-                                std::move(excluded), std::move(closed), std::move(disc));
+  if (grown) disc->map = std::exchange(map, *std::move(grown));
+  return std::make_shared<Impl>(std::move(map), std::move(*four), std::move(excluded),
+                                std::move(closed), std::move(disc));
 }
 
 Planner::Planner(Grid grid) : Planner(std::move(grid), Disc{}) {}
