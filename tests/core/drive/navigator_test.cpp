@@ -113,7 +113,7 @@ TEST(Navigator, IsAsGoodAsAFreshPlannerAfterEveryEdit) {
 }
 
 TEST(Navigator, IsAsGoodAsAFreshPlannerForARobotWithARadius) {
-  EXPECT_GT(compare_with_fresh_planners({.radius = 0.6}, 120, 40), 200);
+  EXPECT_GT(compare_with_fresh_planners({.radius = 1.2}, 240, 40), 200);
 }
 
 TEST(Navigator, IsAsGoodOnAPreparedMap) {
