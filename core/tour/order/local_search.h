@@ -1,0 +1,47 @@
+// Or-opt: exchanges of up to three edges, one after another along candidates, and kicks out of what
+// they cannot improve.
+#pragma once
+
+#include <vector>
+
+#include "core/base/poller.h"
+#include "core/tour/order/array_tour.h"
+#include "core/tour/order/candidates.h"
+#include "kernels/base/random_stream.h"
+
+namespace lasius::tour {
+
+/// Improves tours. Keeps its memory from tour to tour.
+class LocalSearch {
+ public:
+  LocalSearch(const Costs& costs, const Candidates& candidates);
+
+  /// Exchanges edges until none of depth 3 is cheaper, beginning at all stops; false if stopped.
+  bool improve(ArrayTour& tour, Poller& poller);
+  /// So often: swaps the outer two of three segments of up to 30 stops at a random place, improves
+  /// there, and goes back where the tour became dearer. False if stopped.
+  bool kick(ArrayTour& tour, std::int64_t times, kernels::RandomStream& random, Poller& poller);
+
+ private:
+  static constexpr int kDepth = 3;
+  bool run(ArrayTour& tour, Poller& poller);
+  bool improve_at(ArrayTour& tour, int stop);
+  bool deepen(ArrayTour& tour, int level, std::int64_t gain);
+  bool close(ArrayTour& tour, int edges);
+  void queue(int stop);
+
+  const Costs* costs_;
+  const Candidates* candidates_;
+  std::vector<int> waiting_;
+  std::vector<char> waits_;
+  int t_[2 * kDepth + 2];
+  std::int64_t work_ = 0;
+};
+
+/// A tour along cheap edges: greedy over the candidates, loose ends joined by the nearest.
+std::vector<int> greedy_order(const Costs& costs, const Candidates& candidates);
+/// A tour that goes on to a candidate by chance, with probability in proportion to 1 / cost^2.
+std::vector<int> random_order(const Costs& costs, const Candidates& candidates,
+                              kernels::RandomStream& random);
+
+}  // namespace lasius::tour

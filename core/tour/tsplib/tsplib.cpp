@@ -1,0 +1,216 @@
+#include "core/tour/tsplib/tsplib.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <istream>
+#include <map>
+#include <sstream>
+
+#include "core/base/number_text.h"
+#include "lasius/error.h"
+
+namespace lasius::tour {
+
+namespace {
+
+constexpr int kMostStops = 20'000;
+
+double radians(double degrees_and_minutes) {
+  constexpr double kPi = 3.141592;  // TSPLIB's own
+  const double degrees = std::trunc(degrees_and_minutes);
+  return kPi * (degrees + 5.0 * (degrees_and_minutes - degrees) / 3.0) / 180.0;
+}
+
+using Rule = double (*)(const Point&, const Point&);
+
+double geographic(const Point& a, const Point& b) {
+  const double lat_a = radians(a.x), lat_b = radians(b.x);
+  const double q1 = std::cos(radians(a.y) - radians(b.y));
+  const double q2 = std::cos(lat_a - lat_b), q3 = std::cos(lat_a + lat_b);
+  return std::floor(6378.388 * std::acos(0.5 * ((1 + q1) * q2 - (1 - q1) * q3)) + 1);
+}
+
+const std::map<std::string, Rule, std::less<>> kRules = {
+    {"EUC_2D", [](const Point& a,
+                  const Point& b) { return std::floor(std::hypot(a.x - b.x, a.y - b.y) + 0.5); }},
+    {"CEIL_2D",
+     [](const Point& a, const Point& b) { return std::ceil(std::hypot(a.x - b.x, a.y - b.y)); }},
+    {"MAN_2D",
+     [](const Point& a, const Point& b) {
+       return std::floor(std::abs(a.x - b.x) + std::abs(a.y - b.y) + 0.5);
+     }},
+    {"MAX_2D",
+     [](const Point& a, const Point& b) {
+       return std::max(std::floor(std::abs(a.x - b.x) + 0.5),
+                       std::floor(std::abs(a.y - b.y) + 0.5));
+     }},
+    {"ATT",
+     [](const Point& a, const Point& b) {
+       const double dx = a.x - b.x, dy = a.y - b.y;
+       return std::ceil(std::sqrt((dx * dx + dy * dy) / 10.0));
+     }},
+    {"GEO", geographic},
+};
+
+class Reader {
+ public:
+  Reader(std::istream& in, const std::string& name) : in_(in), file_(name) {}
+
+  Tsplib read() {
+    std::string line;
+    while (next(line)) {
+      if (line.empty()) continue;
+      if (line == "EOF") break;
+      const std::size_t colon = line.find(':');
+      const std::string key = trimmed(line.substr(0, colon));
+      if (colon != std::string::npos) {
+        head(key, trimmed(line.substr(colon + 1)));
+      } else if (key == "NODE_COORD_SECTION" || key == "DISPLAY_DATA_SECTION") {
+        coordinates();
+      } else if (key == "EDGE_WEIGHT_SECTION") {
+        weights();
+      } else {
+        fail(ErrorCode::file_unsupported, "'" + key + "' is not read",
+             "give a symmetric problem (TSP) or one of sequential ordering (SOP)");
+      }
+    }
+    if (result_.matrix.empty()) by_rule();
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail(ErrorCode code, const std::string& problem, const char* remedy) const {
+    throw Error(code, {file_, line_}, problem, remedy);
+  }
+  static std::string trimmed(const std::string& text) {
+    const auto from = text.find_first_not_of(" \t\r"), to = text.find_last_not_of(" \t\r");
+    return from == std::string::npos ? "" : text.substr(from, to - from + 1);
+  }
+  bool next(std::string& line) {
+    if (!std::getline(in_, line)) return false;
+    ++line_;
+    line = trimmed(line);
+    return true;
+  }
+  void head(const std::string& key, const std::string& value) {
+    if (key == "NAME") result_.name = value;
+    if (key == "TYPE") {
+      result_.ordered = value.starts_with("SOP");
+      if (!value.starts_with("TSP") && !result_.ordered)
+        fail(ErrorCode::file_unsupported, "TYPE " + value + " is not read", "give a TSP or a SOP");
+    }
+    if (key == "EDGE_WEIGHT_TYPE") rule_ = value;
+    if (key == "EDGE_WEIGHT_FORMAT") format_ = value;
+    if (key != "DIMENSION") return;
+    const auto size = number_of<int>(value);
+    if (!size || *size < 1 || *size > kMostStops)
+      fail(ErrorCode::file_broken, "DIMENSION is '" + value + "'", "give 1 to 20000 stops");
+    result_.size = *size;
+  }
+  void need_size() const {
+    if (result_.size == 0)
+      fail(ErrorCode::file_broken, "the data come before DIMENSION",
+           "tell the number of stops first");
+  }
+  double number() {
+    std::string word;
+    while (!(words_ >> word)) {
+      std::string line;
+      if (!next(line))
+        fail(ErrorCode::file_broken, "the file ends among its data",
+             "give as many as DIMENSION says");
+      words_ = std::istringstream(line);
+    }
+    if (word.starts_with('+')) word.erase(0, 1);
+    const auto value = number_of<double>(word);
+    if (!value || !std::isfinite(*value))
+      fail(ErrorCode::file_broken, "'" + word + "' is not a number", "give numbers here");
+    return *value;
+  }
+  void coordinates() {
+    need_size();
+    std::vector<Point> places(result_.size);
+    for (Point& place : places) {
+      number();
+      place.x = number();
+      place.y = number();
+    }
+    result_.places = std::move(places);
+  }
+  Cost cost(double value) const {
+    const double least = result_.ordered ? -1 : 0;
+    if (value != std::floor(value) || value < least || value > kLargest)
+      fail(ErrorCode::file_broken, "the cost " + number_text(value) + " is out of range",
+           "give whole numbers from 0 to 500000000");
+    return static_cast<Cost>(value);
+  }
+  void weights() {
+    need_size();
+    const int n = result_.size;
+    const auto row = [&](int a, int from, int to) {
+      for (int b = from; b < to; ++b) {
+        const Cost value = cost(number());
+        result_.matrix[static_cast<std::size_t>(a) * n + b] = value;
+        if (format_ != "FULL_MATRIX") result_.matrix[static_cast<std::size_t>(b) * n + a] = value;
+      }
+    };
+    if (result_.ordered) {
+      if (number() != n)
+        fail(ErrorCode::file_broken, "the matrix has another size", "repeat DIMENSION");
+      format_ = "FULL_MATRIX";
+    }
+    result_.matrix.assign(static_cast<std::size_t>(n) * n, 0);
+    for (int a = 0; a < n; ++a) {
+      if (format_ == "FULL_MATRIX")
+        row(a, 0, n);
+      else if (format_ == "UPPER_ROW" || format_ == "LOWER_COL")
+        row(a, a + 1, n);
+      else if (format_ == "UPPER_DIAG_ROW" || format_ == "LOWER_DIAG_COL")
+        row(a, a, n);
+      else if (format_ == "LOWER_ROW" || format_ == "UPPER_COL")
+        row(a, 0, a);
+      else if (format_ == "LOWER_DIAG_ROW" || format_ == "UPPER_DIAG_COL")
+        row(a, 0, a + 1);
+      else
+        fail(ErrorCode::file_unsupported, "EDGE_WEIGHT_FORMAT '" + format_ + "' is not read",
+             "give a matrix, full or one half of it");
+    }
+    if (format_ != "FULL_MATRIX" || result_.ordered) return;
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < a; ++b)
+        if (result_.matrix[static_cast<std::size_t>(a) * n + b] !=
+            result_.matrix[static_cast<std::size_t>(b) * n + a])
+          fail(ErrorCode::file_unsupported, "the matrix is not symmetric",
+               "give a symmetric problem");
+  }
+  void by_rule() {
+    need_size();
+    const auto rule = kRules.find(rule_);
+    if (rule == kRules.end())
+      fail(ErrorCode::file_unsupported, "EDGE_WEIGHT_TYPE '" + rule_ + "' is not read",
+           "give EUC_2D, CEIL_2D, MAN_2D, MAX_2D, ATT, GEO or EXPLICIT");
+    if (result_.places.empty())
+      fail(ErrorCode::file_broken, "there are no coordinates", "give a NODE_COORD_SECTION");
+    const int n = result_.size;
+    result_.matrix.assign(static_cast<std::size_t>(n) * n, 0);
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        if (a != b)
+          result_.matrix[static_cast<std::size_t>(a) * n + b] =
+              cost(rule->second(result_.places[a], result_.places[b]));
+  }
+
+  std::istream& in_;
+  std::string file_;
+  std::int64_t line_ = 0;
+  std::istringstream words_;
+  std::string rule_, format_;
+  Tsplib result_;
+};
+
+}  // namespace
+
+Tsplib read_tsplib(std::istream& in, const std::string& name) { return Reader(in, name).read(); }
+
+}  // namespace lasius::tour

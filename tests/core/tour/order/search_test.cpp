@@ -1,0 +1,109 @@
+#include "core/tour/order/search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/tour/order/subset_dp.h"
+#include "lasius/error.h"
+#include "tests/core/tour/order/instances.h"
+
+namespace lasius::tour {
+namespace {
+
+bool ends_kept(const std::vector<int>& order, const Ends& ends) {
+  return (ends.start < 0 || order.front() == ends.start) &&
+         (ends.goal < 0 || order.back() == ends.goal);
+}
+
+void expect_order(const OrderFound& found, const Costs& costs, const Ends& ends) {
+  std::vector<int> sorted = found.order;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<int> all(costs.size());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(sorted, all);
+  EXPECT_TRUE(ends_kept(found.order, ends));
+  EXPECT_EQ(found.cost, cost_of(costs, found.order, ends.open));
+}
+
+TEST(TourOrder, IsTheBestOfAllOrdersOfFewStops) {
+  int cases = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed)
+    for (int size = 3; size <= 8; ++size)
+      for (const Ends& ends : kEnds) {
+        const Instance stops = random_instance(size, seed, seed % 2);
+        std::vector<int> order(size);
+        std::iota(order.begin(), order.end(), 0);
+        std::int64_t best = std::numeric_limits<std::int64_t>::max();
+        do {
+          if (ends_kept(order, ends))
+            best = std::min(best, cost_of(stops.costs(), order, ends.open));
+        } while (std::next_permutation(order.begin(), order.end()));
+        const OrderFound found = find_order(stops.costs(), ends, stops.places, {});
+        expect_order(found, stops.costs(), ends);
+        EXPECT_EQ(found.cost, best) << size << " stops, seed " << seed;
+        EXPECT_TRUE(found.optimal);
+        ++cases;
+      }
+  EXPECT_EQ(cases, 12 * 6 * 6);
+}
+
+TEST(TourOrder, FindsTheBestOfThirteenAndMoreStopsByGenerations) {
+  for (std::uint32_t seed = 1; seed <= 6; ++seed)
+    for (const Ends& ends : kEnds) {
+      const Instance stops = random_instance(13 + static_cast<int>(seed % 2), seed, seed % 3 == 0);
+      OrderOptions options;
+      options.generations = 20;
+      const OrderFound found = find_order(stops.costs(), ends, stops.places, options);
+      expect_order(found, stops.costs(), ends);
+      EXPECT_EQ(found.cost, cost_of(stops.costs(), subset_order(stops.costs(), ends), ends.open))
+          << "seed " << seed;
+    }
+}
+
+TEST(TourOrder, OneAndTwoStopsAreOrders) {
+  for (const int size : {1, 2}) {
+    const Instance stops = random_instance(size, 1);
+    for (const bool open : {false, true})
+      expect_order(find_order(stops.costs(), {open}, {}, {}), stops.costs(), {open});
+  }
+}
+
+TEST(TourOrder, IsTheSameForTheSameSeedAndOnlyGetsCheaper) {
+  const Instance stops = random_instance(120, 5);
+  OrderOptions options;
+  options.generations = 3;
+  std::vector<std::int64_t> told;
+  options.observer = [&](std::span<const int>, std::int64_t cost) {
+    told.push_back(cost);
+    return true;
+  };
+  const OrderFound one = find_order(stops.costs(), {}, stops.places, options);
+  EXPECT_EQ(one.order, find_order(stops.costs(), {}, stops.places, options).order);
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::adjacent_find(told.begin(), told.end(), [](auto a, auto b) { return b == a; }) ==
+              told.end());
+  EXPECT_EQ(told.back(), one.cost);
+}
+
+TEST(TourOrder, StoppedGivesTheBestSoFar) {
+  const Instance stops = random_instance(200, 7);
+  std::stop_source source;
+  source.request_stop();
+  OrderOptions options;
+  options.stop.token = source.get_token();
+  const OrderFound found = find_order(stops.costs(), {true, 3, 5}, stops.places, options);
+  expect_order(found, stops.costs(), {true, 3, 5});
+  EXPECT_EQ(found.cause, StopCondition::Cause::token);
+}
+
+TEST(TourOrder, RefusesEndsThatAreNone) {
+  const Instance stops = random_instance(4, 1);
+  for (const Ends& ends : {Ends{true, 4}, Ends{true, 1, 1}, Ends{false, -1, 2}, Ends{true, -2}})
+    EXPECT_THROW(find_order(stops.costs(), ends, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace lasius::tour
