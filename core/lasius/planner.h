@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
@@ -135,6 +136,15 @@ class LASIUS_EXPORT Planner {
 
   /// The same of the cells that are joined to `from` under a rule; nothing where that is blocked.
   std::optional<Cell> nearest_reachable(Cell c, Cell from, Corners corners = Corners::forbid) const;
+
+  /// The lengths in cells of shortest paths from each source to each target, row by row: by
+  /// `exact`, exact up to rounding, whatever the number of threads; infinite where there is none.
+  /// Where both are the same array, each pair is asked once. Nothing if stopped.
+  /// @throws Error(invalid_parameter) for a cell that is outside or blocked, or where the number of
+  /// threads is out of range.
+  std::optional<std::vector<double>> distances(std::span<const Cell> sources,
+                                               std::span<const Cell> targets, int threads = 0,
+                                               const StopCondition& stop = {}) const;
 
   /// Answers one request.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline

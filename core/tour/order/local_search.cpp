@@ -84,8 +84,10 @@ bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
   for (int i = 0; i < count; ++i) {
     t_[2 * level] = steps[i].to;
     t_[2 * level + 1] = steps[i].end;
-    if (steps[i].end != t_[0] && steps[i].gain > (*costs_)(steps[i].end, t_[0]) &&
-        close(tour, level + 1))
+    const int end = steps[i].end;
+    // The bound first: a leg that it rules out need not be priced.
+    if (end != t_[0] && steps[i].gain > costs_->lower(end, t_[0]) &&
+        steps[i].gain > (*costs_)(end, t_[0]) && close(tour, level + 1))
       return true;
     if (level + 1 <= kDepth - 1 && deepen(tour, level + 1, steps[i].gain)) return true;
   }

@@ -144,8 +144,9 @@ bool Recombiner::join_parts(const ArrayTour& a, std::int64_t& change) {
         if (part_of(a, c) == smallest) continue;
         for (const int us : {sides.first, sides.second})
           for (const int cs : {sides_[c].first, sides_[c].second}) {
-            const std::int64_t more =
-                std::int64_t{cost} + (*costs_)(us, cs) - (*costs_)(u, us) - (*costs_)(c, cs);
+            const std::int64_t alone = std::int64_t{cost} - (*costs_)(u, us) - (*costs_)(c, cs);
+            if (alone + costs_->lower(us, cs) >= best) continue;  // need not be priced
+            const std::int64_t more = alone + (*costs_)(us, cs);
             if (more < best) best = more, bu = u, bus = us, bc = c, bcs = cs;
           }
       }

@@ -1,0 +1,77 @@
+// Tours: many stops on a map, in a cheap order, with a bound that no order is below.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+#include "lasius/planner.h"
+#include "lasius/status.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// What is asked.
+struct TourRequest {
+  std::vector<Cell> stops;   ///< each to be visited once, at its centre
+  bool open = false;         ///< no way back to the first stop
+  std::optional<int> start;  ///< index of the first stop; none: any
+  std::optional<int> goal;   ///< of the last one, of an open tour; none: any
+  std::uint64_t seed = 1;
+  /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone.
+  int generations = 20;
+  int threads = 0;  ///< that legs are planned on; never changes the tour
+  /// Ends the call with the best order so far, or none. Three fifths of the time to a deadline are
+  /// for the order, the rest for the bound; the legs of the answer are planned after it, too.
+  StopCondition stop = {};
+};
+
+/// One leg of a tour.
+struct TourLeg {
+  int from = 0;             ///< stop
+  int to = 0;               ///< stop
+  double length = 0;        ///< cells, the shortest
+  std::vector<Point> path;  ///< as Result::path
+};
+
+/// A stop that no tour visits, and why, in a sentence.
+struct LeftOut {
+  int stop = 0;
+  std::string why;
+};
+
+/// What is answered.
+struct Tour {
+  Status status = Status::no_path;
+  std::string error;                  ///< where it is invalid; else empty
+  std::vector<int> order;             ///< stops; of a closed tour the first is not told again
+  std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back
+  double length = 0;                  ///< sum of the legs', cells
+  std::optional<double> lower_bound;  ///< no tour over these stops is shorter
+  std::optional<double> gap() const;  ///< (length - lower_bound) / lower_bound; 0 at length 0
+  /// Proven shortest, where lengths of legs are told apart by thousandths of a cell.
+  bool optimal = false;
+  std::vector<LeftOut> left_out;  ///< by rising stop
+  std::int64_t priced = 0;        ///< legs planned to find the order and the bound
+};
+
+/// Told each better order, and its length as known by then; false ends the search.
+using TourObserver = std::function<bool(std::span<const int> order, double length)>;
+
+/// Plans a tour. Up to 12 stops the order is a shortest; above, it is searched (tours of the same
+/// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to
+/// the others are left out: the tour is over the stops that are joined to the start or goal, else
+/// over the region that has most stops. Legs are priced when they are asked for; what is kept of
+/// them stays below 64 MB, and up to 100 stops all are priced at once. A planner for a point that
+/// is not prepared is prepared for 30 stops and more, in the memory that PrepareOptions allow.
+/// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, and where
+/// a number is out of range.
+LASIUS_EXPORT Tour plan_tour(const Planner& planner, const TourRequest& request,
+                             const TourObserver& observer = {});
+
+}  // namespace lasius

@@ -1,0 +1,38 @@
+#include "core/tour/map_pricer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lasius::tour {
+
+Cost grains(double length) noexcept {
+  return static_cast<Cost>(std::min<double>(kLargest, std::floor(length * (1 - 1e-9) * kGrains)));
+}
+
+Cost MapPricer::straight(int a, int b) const noexcept {
+  const double dx = stops_[a].x - stops_[b].x, dy = stops_[a].y - stops_[b].y;
+  return grains(std::sqrt(dx * dx + dy * dy));
+}
+
+Cost MapPricer::lower(int a, int b) const {
+  const auto known = kept_.find(key(a, b));
+  return known != kept_.end() ? known->second : straight(a, b);
+}
+
+Cost MapPricer::price(int a, int b) {
+  if (a == b) return 0;
+  const auto known = kept_.find(key(a, b));
+  if (known != kept_.end()) return known->second;
+  if (stopped_) return straight(a, b);
+  // From the lower stop: the same length, to the last bit, whoever asks first.
+  const Result found = planner_.plan(
+      {.start = stops_[std::min(a, b)], .goal = stops_[std::max(a, b)], .stop = stop_}, params_,
+      &workspace_);
+  stopped_ = found.status == Status::limit || found.status == Status::interrupted;
+  if (stopped_ || found.path.empty()) return straight(a, b);
+  ++priced_;
+  if (kept_.size() == kMostKept) kept_.clear();
+  return kept_[key(a, b)] = std::max(straight(a, b), grains(found.length));
+}
+
+}  // namespace lasius::tour

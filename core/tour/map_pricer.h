@@ -1,0 +1,49 @@
+// The legs of a map, priced when they are first asked for.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/tour/order/costs.h"
+#include "lasius/planner.h"
+
+namespace lasius::tour {
+
+constexpr double kGrains = 1000;  ///< a cell
+
+/// A length in whole grains: rounded down, by what lengths may be off too, so that sums bound
+/// tours.
+Cost grains(double length) noexcept;
+
+/// Costs are lengths of shortest paths between cells that are joined, in grains; bounds are
+/// straight distances. Once stopped it gives bounds for costs. Keeps up to kMostKept costs.
+class MapPricer final : public Pricer {
+ public:
+  static constexpr std::size_t kMostKept = 1'200'000;
+
+  MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop)
+      : planner_(planner), stops_(stops), stop_(stop) {}
+  Cost price(int a, int b) override;
+  Cost lower(int a, int b) const override;
+  Cost largest() const override { return kLargest; }
+  std::int64_t priced() const noexcept { return priced_; }
+
+ private:
+  static std::uint64_t key(int a, int b) noexcept {
+    return std::uint64_t{static_cast<std::uint32_t>(std::min(a, b))} << 32 |
+           static_cast<std::uint32_t>(std::max(a, b));
+  }
+  Cost straight(int a, int b) const noexcept;
+
+  const Planner& planner_;
+  std::span<const Cell> stops_;
+  StopCondition stop_;
+  Workspace workspace_;
+  const Params params_{"exact"};
+  std::unordered_map<std::uint64_t, Cost> kept_;
+  std::int64_t priced_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace lasius::tour

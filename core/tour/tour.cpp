@@ -1,0 +1,172 @@
+#include "lasius/tour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/poller.h"
+#include "core/tour/map_pricer.h"
+#include "core/tour/order/bound.h"
+#include "core/tour/order/search.h"
+#include "core/tour/order/subset_dp.h"
+#include "lasius/error.h"
+
+namespace lasius {
+
+namespace {
+
+using tour::Cost;
+using tour::Costs;
+
+constexpr int kPricedAtOnce = 100;  // stops
+constexpr int kPrepared = 30;       // stops for which preparing pays
+constexpr int kBoundRounds = 10;
+constexpr double kOrderShare = 0.6;
+
+// The stops that a tour visits, by their index in the request.
+std::vector<int> visited(const Planner& planner, const TourRequest& request, Tour& tour) {
+  const int n = static_cast<int>(request.stops.size());
+  std::vector<std::vector<int>> regions;
+  std::vector<int> region_of(n, -1);
+  for (int i = 0; i < n; ++i) {
+    const Cell c = request.stops[i];
+    if (!planner.clear(c)) continue;
+    const auto joined = [&](const auto& r) { return planner.joined(request.stops[r.front()], c); };
+    const auto region = std::find_if(regions.begin(), regions.end(), joined);
+    region_of[i] = static_cast<int>(region - regions.begin());
+    if (region == regions.end())
+      regions.push_back({i});
+    else
+      region->push_back(i);
+  }
+  int chosen = 0;
+  for (int r = 1; r < static_cast<int>(regions.size()); ++r)
+    if (regions[r].size() > regions[chosen].size()) chosen = r;
+  if (request.goal && region_of[*request.goal] >= 0) chosen = region_of[*request.goal];
+  if (request.start && region_of[*request.start] >= 0) chosen = region_of[*request.start];
+  for (int i = 0; i < n; ++i) {
+    if (region_of[i] == chosen && !regions.empty()) continue;
+    const Cell c = request.stops[i];
+    tour.left_out.push_back({i, "stop " + number_text(i) + " at " + pair_text(c.x, c.y) +
+                                    (!planner.grid().contains(c) ? " is outside the map"
+                                     : region_of[i] < 0          ? " is blocked"
+                                                        : " cannot be reached from the others")});
+    if (i == request.start || i == request.goal) tour.error = tour.left_out.back().why;
+  }
+  return regions.empty() ? std::vector<int>{} : regions[chosen];
+}
+
+void check(const TourRequest& request) {
+  const int n = static_cast<int>(request.stops.size());
+  for (const auto& end : {request.start, request.goal})
+    if (end && (*end < 0 || *end >= n))
+      throw Error(ErrorCode::invalid_parameter, "there is no stop " + number_text(*end),
+                  "give the index of one, from 0");
+  if (request.generations < 0)
+    throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
+                "give 0 or more");
+}
+
+}  // namespace
+
+std::optional<double> Tour::gap() const {
+  if (!lower_bound || status == Status::invalid || order.empty()) return std::nullopt;
+  if (length == 0) return 0;
+  if (*lower_bound <= 0) return std::nullopt;
+  return (length - *lower_bound) / *lower_bound;
+}
+
+Tour plan_tour(const Planner& given, const TourRequest& request, const TourObserver& observer) {
+  check(request);
+  Tour tour;
+  const std::vector<int> indices = visited(given, request, tour);
+  const int n = static_cast<int>(indices.size());
+  if (n == 0 || !tour.error.empty()) {
+    tour.status = Status::invalid;
+    if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
+    return tour;
+  }
+  std::vector<Cell> stops;
+  std::vector<Point> places;
+  for (const int i : indices) {
+    stops.push_back(request.stops[i]);
+    places.push_back(centre(stops.back()));
+  }
+  const auto inner = [&](const std::optional<int>& end) {
+    return end ? static_cast<int>(std::find(indices.begin(), indices.end(), *end) - indices.begin())
+               : -1;
+  };
+  const tour::Ends ends{request.open, inner(request.start), inner(request.goal)};
+
+  const bool prepares = n >= kPrepared && given.robot().radius == 0 &&
+                        given.preparation().state == Preparation::State::none;
+  const Planner planner =
+      prepares ? given.prepared({.threads = request.threads, .stop = request.stop}) : given;
+
+  tour::MapPricer pricer(planner, stops, request.stop);
+  std::vector<Cost> matrix;
+  if (n <= kPricedAtOnce) {
+    if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
+      for (const double length : *lengths) matrix.push_back(tour::grains(length));
+      tour.priced = std::int64_t{n} * (n - 1) / 2;
+    }
+  }
+  const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
+
+  tour::OrderOptions options{
+      .seed = request.seed, .generations = request.generations, .stop = request.stop};
+  if (request.stop.deadline != Clock::time_point::max()) {
+    const auto now = request.stop.now();
+    options.stop.deadline =
+        deadline_in(kOrderShare * std::chrono::duration<double>(request.stop.deadline - now), now);
+  }
+  std::vector<int> told;
+  if (observer)
+    options.observer = [&](std::span<const int> order, std::int64_t cost) {
+      told.clear();
+      for (const int v : order) told.push_back(indices[v]);
+      return observer(told, static_cast<double>(cost) / tour::kGrains);
+    };
+  const tour::OrderFound found = find_order(costs, ends, places, options);
+
+  Poller poller(request.stop);
+  const std::int64_t bound =
+      found.optimal && !matrix.empty()
+          ? found.cost
+          : tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
+  if (matrix.empty()) tour.priced = pricer.priced();
+
+  for (const int v : found.order) tour.order.push_back(indices[v]);
+  tour.legs.resize(n == 1 ? 0 : request.open ? n - 1 : n);
+  std::vector<Workspace> workspaces(thread_count(request.threads));
+  const Params exact("exact");
+  parallel_for(
+      static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
+      [&](int i, int thread) {
+        const int a = tour.order[i], b = tour.order[(i + 1) % n];
+        // Only a token cuts a leg short: then there is no tour.
+        Result leg = planner.plan({.start = request.stops[a],
+                                   .goal = request.stops[b],
+                                   .stop = {.token = request.stop.token}},
+                                  exact, &workspaces[thread]);
+        tour.legs[i] = {a, b, leg.status == Status::solved ? leg.length : NAN, std::move(leg.path)};
+      });
+  for (const TourLeg& leg : tour.legs) tour.length += leg.length;
+  const auto cause = request.stop.poll();
+  tour.status = cause == StopCondition::Cause::token      ? Status::interrupted
+                : cause == StopCondition::Cause::deadline ? Status::limit
+                                                          : Status::solved;
+  if (std::isnan(tour.length)) {
+    tour.order.clear();
+    tour.legs.clear();
+    return tour;
+  }
+  if (bound > 0 || tour.length == 0)
+    tour.lower_bound = std::min(tour.length, static_cast<double>(bound) / tour::kGrains);
+  tour.optimal = bound == found.cost && cause == StopCondition::Cause::none;
+  if (tour.optimal && n <= 2) tour.lower_bound = tour.length;
+  return tour;
+}
+
+}  // namespace lasius

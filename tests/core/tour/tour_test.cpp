@@ -1,0 +1,133 @@
+#include "lasius/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "lasius/path.h"
+
+namespace lasius {
+namespace {
+
+// Rooms behind doors, so that legs are longer than straight lines.
+Grid rooms() {
+  Grid grid(60, 40);
+  for (int y = 0; y < 40; ++y)
+    if (y != 20) grid.set_blocked({30, y});
+  for (int x = 0; x < 60; ++x)
+    if (x != 10 && x != 50) grid.set_blocked({x, 12});
+  return grid;
+}
+
+std::vector<Cell> some_stops(const Grid& grid, int count) {
+  std::vector<Cell> stops;
+  for (unsigned word = 1; static_cast<int>(stops.size()) < count;) {
+    word = word * 1664525u + 1013904223u;
+    const Cell c{static_cast<int>((word >> 8) % 60), static_cast<int>((word >> 16) % 40)};
+    if (grid.free(c)) stops.push_back(c);
+  }
+  return stops;
+}
+
+TourRequest ask(std::vector<Cell> stops) {
+  TourRequest request;
+  request.stops = std::move(stops);
+  return request;
+}
+
+TEST(Distances, AreThoseOfPlans) {
+  const Planner planner(rooms());
+  const auto stops = some_stops(planner.grid(), 9);
+  const auto one = planner.distances(stops, stops, 1), three = planner.distances(stops, stops, 3);
+  ASSERT_TRUE(one && three);
+  EXPECT_EQ(*one, *three);
+  const auto other = planner.distances(std::span(stops).first(2), stops);
+  for (int a = 0; a < 9; ++a)
+    for (int b = 0; b < 9; ++b) {
+      const double length = planner.plan({stops[a], stops[b]}, Params("exact")).length;
+      EXPECT_NEAR((*one)[a * 9 + b], length, 1e-9 * length);
+      if (a < 2) {
+        EXPECT_EQ((*other)[a * 9 + b], length);
+      }
+    }
+  EXPECT_THROW(static_cast<void>(planner.distances(stops, std::vector<Cell>{{30, 0}})), Error);
+}
+
+TEST(Tours, VisitEveryStopOnceByShortestLegs) {
+  const Planner planner(rooms());
+  int cases = 0;
+  for (const int count : {1, 2, 3, 8, 14, 40, 120})
+    for (const int kind : {0, 1, 2, 3}) {
+      if (count == 1 && kind == 3) continue;
+      TourRequest request = ask(some_stops(planner.grid(), count));
+      request.open = kind > 0;
+      if (kind > 1) request.start = 0;
+      if (kind > 2) request.goal = count - 1;
+      request.generations = 2;
+      const Tour tour = plan_tour(planner, request);
+      EXPECT_EQ(tour.status, Status::solved);
+      EXPECT_EQ(std::set<int>(tour.order.begin(), tour.order.end()).size(), tour.order.size());
+      ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count));
+      EXPECT_TRUE(kind < 2 || tour.order.front() == 0);
+      EXPECT_TRUE(kind < 3 || tour.order.back() == count - 1);
+      double sum = 0;
+      for (std::size_t i = 0; i < tour.legs.size(); ++i) {
+        const TourLeg& leg = tour.legs[i];
+        EXPECT_EQ(leg.from, tour.order[i]);
+        EXPECT_EQ(leg.to, tour.order[(i + 1) % count]);
+        const Result best =
+            planner.plan({request.stops[leg.from], request.stops[leg.to]}, Params("exact"));
+        EXPECT_NEAR(leg.length, best.length, 1e-9 * best.length);
+        EXPECT_EQ(leg.path.front(), centre(request.stops[leg.from]));
+        EXPECT_EQ(leg.path.back(), centre(request.stops[leg.to]));
+        sum += leg.length;
+      }
+      EXPECT_EQ(tour.length, sum);
+      ASSERT_TRUE(tour.gap());
+      EXPECT_GE(*tour.gap(), 0);
+      EXPECT_LE(*tour.gap(), 0.1) << count << " stops, kind " << kind;
+      EXPECT_TRUE(tour.optimal || count > 12);
+      ++cases;
+    }
+  EXPECT_EQ(cases, 27);
+}
+
+TEST(Tours, AreTheSameOnAnyThreads) {
+  const Planner planner(rooms());
+  TourRequest request = ask(some_stops(planner.grid(), 110));
+  request.generations = 1;
+  request.threads = 1;
+  const Tour one = plan_tour(planner, request);
+  request.threads = 3;
+  const Tour three = plan_tour(planner, request);
+  EXPECT_EQ(one.order, three.order);
+  EXPECT_EQ(one.lower_bound, three.lower_bound);
+}
+
+TEST(Tours, NameWhatTheyLeaveOut) {
+  Grid grid = rooms();
+  for (const Cell c : {Cell{4, 0}, {4, 1}, {3, 1}, {3, 2}, {0, 2}, {1, 2}, {2, 2}})
+    grid.set_blocked(c);
+  for (int x = 0; x < 4; ++x) grid.set_blocked({x, 2});
+  grid.set_blocked({4, 2});
+  const Planner planner(grid);
+  TourRequest request = ask({{0, 0}, {20, 20}, {30, 0}, {-1, 5}, {40, 30}});
+  const Tour tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.left_out.size(), 3u);
+  EXPECT_EQ(tour.left_out[0].why, "stop 0 at (0, 0) cannot be reached from the others");
+  EXPECT_EQ(tour.left_out[1].why, "stop 2 at (30, 0) is blocked");
+  EXPECT_EQ(tour.left_out[2].why, "stop 3 at (-1, 5) is outside the map");
+  EXPECT_EQ(tour.order.size(), 2u);
+  request.start = 2;
+  EXPECT_EQ(plan_tour(planner, request).status, Status::invalid);
+  request.start = 9;
+  EXPECT_THROW(plan_tour(planner, request), Error);
+}
+
+}  // namespace
+}  // namespace lasius
