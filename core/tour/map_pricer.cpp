@@ -23,13 +23,13 @@ Cost MapPricer::price(int a, int b) {
   if (a == b) return 0;
   const auto known = kept_.find(key(a, b));
   if (known != kept_.end()) return known->second;
-  if (stopped_) return straight(a, b);
+  if (stopped_) return kLargest;
   // From the lower stop: the same length, to the last bit, whoever asks first.
   const Result found = planner_.plan(
       {.start = stops_[std::min(a, b)], .goal = stops_[std::max(a, b)], .stop = stop_}, params_,
       &workspace_);
   stopped_ = found.status == Status::limit || found.status == Status::interrupted;
-  if (stopped_ || found.path.empty()) return straight(a, b);
+  if (stopped_ || found.path.empty()) return kLargest;
   ++priced_;
   if (kept_.size() == kMostKept) kept_.clear();
   return kept_[key(a, b)] = std::max(straight(a, b), grains(found.length));

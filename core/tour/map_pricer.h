@@ -17,7 +17,8 @@ constexpr double kGrains = 1000;  ///< a cell
 Cost grains(double length) noexcept;
 
 /// Costs are lengths of shortest paths between cells that are joined, in grains; bounds are
-/// straight distances. Once stopped it gives bounds for costs. Keeps up to kMostKept costs.
+/// straight distances. Once stopped, legs that are not priced cost kLargest: no search takes them.
+/// Keeps up to kMostKept costs.
 class MapPricer final : public Pricer {
  public:
   static constexpr std::size_t kMostKept = 1'200'000;

@@ -17,6 +17,7 @@ using Sum = std::int64_t;
 constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
 constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
 constexpr int kCandidates = 10;
+constexpr int kMostTurns = 300;
 
 class Ascent {
  public:
@@ -42,6 +43,17 @@ class Ascent {
       price_ = best_;
       std::vector<std::pair<int, int>> more;
       bound = std::max(bound, dense_tree(more));
+      // Where legs wind, the prices of the ascent belie bounds that are straight: the legs of the
+      // tree are priced until it takes no others.
+      for (int turn = 0; costs_.priced_late() && turn < kMostTurns && !more.empty(); ++turn) {
+        for (const auto& [a, b] : more) costs_(a, b);
+        if (poller_.stop_after(Poller::kWords)) break;
+        const Sum before = bound;
+        auto known = std::move(more);
+        more.clear();
+        bound = std::max(bound, dense_tree(more));
+        if (bound == before && more == known) break;
+      }
       if ((bound + kScale - 1) / kScale >= upper || more.empty()) break;
       candidates_.add(costs_, more);
     }
