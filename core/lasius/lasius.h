@@ -27,4 +27,5 @@
 #include "lasius/smooth.h"
 #include "lasius/status.h"
 #include "lasius/stop.h"
+#include "lasius/tour.h"
 #include "lasius/version.h"

@@ -30,7 +30,7 @@ TEST(TourBound, IsNeverAboveTheOptimumAndNear) {
       const auto bound = tour_bound(stops.costs(), ends, stops.places, best + 5, 20, poller);
       EXPECT_LE(bound, best) << "seed " << seed;
       ++cases;
-      near += bound >= 0.97 * best;
+      near += 100 * bound >= 97 * best;
       Half half(stops);
       EXPECT_LE(tour_bound({stops.size, half}, ends, stops.places, best + 5, 20, again), best);
     }
