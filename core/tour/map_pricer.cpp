@@ -23,6 +23,7 @@ Cost MapPricer::price(int a, int b) {
   if (a == b) return 0;
   const auto known = kept_.find(key(a, b));
   if (known != kept_.end()) return known->second;
+  stopped_ = stopped_ || stop_.poll() != StopCondition::Cause::none;
   if (stopped_) return kLargest;
   // From the lower stop: the same length, to the last bit, whoever asks first.
   const Result found = planner_.plan(

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "core/tour/map_pricer.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
@@ -95,6 +96,17 @@ TEST(Tours, VisitEveryStopOnceByShortestLegs) {
       ++cases;
     }
   EXPECT_EQ(cases, 27);
+}
+
+TEST(Tours, AStoppedPricerMakesNoLegCheaper) {
+  const Planner planner(rooms());
+  const auto stops = some_stops(planner.grid(), 30);
+  std::stop_source source;
+  source.request_stop();
+  tour::MapPricer pricer(planner, stops, {.token = source.get_token()}), asked(planner, stops, {});
+  for (int a = 0; a < 30; ++a)
+    for (int b = 0; b < a; ++b) EXPECT_GE(pricer.price(a, b), asked.price(a, b));
+  EXPECT_LT(pricer.priced(), asked.priced());
 }
 
 TEST(Tours, AreTheSameOnAnyThreads) {

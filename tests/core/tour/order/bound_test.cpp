@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "tests/core/tour/order/instances.h"
 
@@ -36,6 +37,33 @@ TEST(TourBound, IsNeverAboveTheOptimumAndNear) {
     }
   EXPECT_EQ(cases, 180);
   EXPECT_GE(near, 140);
+}
+
+// Legs that wind: up to nine times their bounds, until they are priced.
+struct Winding final : Pricer {
+  explicit Winding(const Instance& of) : stops(of), known(of.matrix.size(), 0) {}
+  Cost price(int a, int b) override {
+    known[a * stops.size + b] = known[b * stops.size + a] = 1;
+    return stops.costs()(a, b);
+  }
+  Cost lower(int a, int b) const override {
+    return stops.costs()(a, b) / (known[a * stops.size + b] != 0 ? 1 : factor(a, b));
+  }
+  Cost largest() const override { return stops.costs().largest(); }
+  static int factor(int a, int b) { return 1 + (a + b) % 9; }
+  const Instance& stops;
+  std::vector<char> known;
+};
+
+TEST(TourBound, IsAsGreatWhereBoundsOfLegsArePoor) {
+  const Instance stops = random_instance(300, 3);
+  const auto cost =
+      find_order(stops.costs(), {}, stops.places, {.kicks = 300, .generations = 5}).cost;
+  const StopCondition never;
+  Poller poller(never), again(never);
+  Winding winding(stops);
+  const auto bound = tour_bound({stops.size, winding}, {}, stops.places, cost, 1, poller);
+  EXPECT_GE(100 * bound, 99 * tour_bound(stops.costs(), {}, stops.places, cost, 1, again));
 }
 
 }  // namespace
