@@ -5,7 +5,6 @@
 
 #include "lasius/arm_plan.h"
 #include "tools/arm/arm_json.h"
-#include "tools/arm/arm_task.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {

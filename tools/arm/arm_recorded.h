@@ -1,7 +1,7 @@
 // The question of a saved result of `lasius arm`.
 #pragma once
 
-#include "tools/record/task.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 

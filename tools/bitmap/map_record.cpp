@@ -45,9 +45,8 @@ PlanCommand recorded_plan(const Recorded& from) {
   PlanCommand command;
   RunOptions& run = command.run;
   const auto name = recorded<std::string>(result, "algorithm");
-  read_recorded(from, find_algorithm(algorithm_of(World::Kind::bitmap, name)), run);
-  std::vector<std::string> notes;
-  run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), notes);
+  read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
+  run.params = make_params<Params>(run, bitmaps());
   run.map.file = from.map_file();
   run.map.threads = from.threads;
   run.map.radius = recorded<double>(result, "parameters/radius");
@@ -55,8 +54,6 @@ PlanCommand recorded_plan(const Recorded& from) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
-  if (result["parameters"].contains("goal_tolerance"))
-    run.goal_tolerance = recorded_real(result, "parameters/goal_tolerance", 0, kNoLimit);
   command.start = recorded_end(result, "start", run.frame);
   command.goal = recorded_end(result, "goal", run.frame);
   return command;

@@ -3,7 +3,7 @@
 
 #include "tools/bitmap/map_file.h"
 #include "tools/options/options.h"
-#include "tools/record/task.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 

@@ -176,11 +176,12 @@ void check_endings(const std::vector<std::string>& files,
 RunOptions make_run(const RunText& text, std::span<const std::string_view> endings) {
   RunOptions run;
   read_search(text, run, endings);
-  run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), run.notes);
+  run.params = make_params<Params>(run, bitmaps());
   const bool certifies = !moves_on_cells(run.params);
   run.frame = frame_of(text.frame);
   MapOptions& map = run.map;
   map.file = text.map;
+  run.inputs = {map.file, run.preset_file};
   take_real("--radius", text.radius, 0, kNoLimit, map.radius);
   take_real("--goal-tolerance", text.goal_tolerance, 0, kNoLimit, run.goal_tolerance);
   map.radius_metres = run.frame == Frame::world;
@@ -242,6 +243,7 @@ DriveCommand make_drive(const DriveText& text) {
   run.map.prepare = text.prepare && !moves_on_cells(run.params);
   drive.world = text.world;
   drive.changes = text.changes;
+  run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
   take_real("--sense", text.sense, run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
             DriveCommand::kMostSense, drive.sense);
   if (!text.max_ticks.empty())
@@ -255,7 +257,6 @@ ArmCommand make_arm(const ArmText& text) {
   if (arm.ranged)
     throw UsageError("--seed " + text.seed +
                      ": arm takes one seed; several are for plan and batch");
-  arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
   if (text.plain) arm.named.insert(arm.named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
   read_robot_options(text, arm);
   if (is_numeric(text.start))
@@ -263,6 +264,7 @@ ArmCommand make_arm(const ArmText& text) {
   else
     arm.start_state = text.start;
   for (const auto& [option, value] : text.goals) arm.goals.push_back(arm_goal(option, value));
+  arm.inputs = {arm.robot, arm.scene, arm.srdf, arm.joint_limits};
   if (arm.goals.empty())
     throw UsageError("a goal is required: --goal, --goal-pose, --goal-joints or --goal-state");
   const auto tolerance = [](const char* option, const std::string& value, double& to) {
@@ -302,6 +304,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
   PolygonCommand command;
   read_search(run, command, endings);
   command.world = make_world_options(run.map, text.world);
+  command.inputs = {run.map};
   command.start = optional_point("--start", text.ends.start);
   command.goal = optional_point("--goal", text.ends.goal);
   command.with_optimum = true;  // it is found beside

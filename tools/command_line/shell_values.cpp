@@ -7,8 +7,8 @@
 
 #include "tools/command_line/notes.h"
 #include "tools/command_line/run_text.h"
+#include "tools/console/kinds.h"
 #include "tools/console/values.h"
-#include "tools/console/worlds.h"
 
 namespace lasius::tool {
 namespace {

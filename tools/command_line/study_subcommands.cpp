@@ -90,7 +90,7 @@ ShortStudy short_study(const ShortText& text) {
   else
     throw UsageError("study run: --algorithm is required; see --help");
   for (const std::string& algorithm : run.algorithms) {
-    (void)algorithm_of(World::Kind::bitmap, algorithm);
+    (void)algorithm_of(bitmaps(), algorithm);
     if (std::ranges::count(run.algorithms, algorithm) > 1)
       throw UsageError("--algorithm " + text.algorithms + ": " + algorithm + " is given twice");
   }

@@ -7,9 +7,9 @@
 #include "tools/command_line/option_kinds.h"
 #include "tools/command_line/run_text.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
-#include "tools/console/worlds.h"
 
 namespace lasius::tool {
 namespace {
@@ -178,10 +178,14 @@ Subcommand add_batch(CLI::App& app) {
                         "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen", "FILE")
       ->required();
   return {batch, [raw]() -> Command {
-            if (is_world(raw->run.map))
-              return PolygonBatchCommand{make_polygon(raw->run, {raw->world, {}}), raw->queries};
+            if (is_world(raw->run.map)) {
+              auto plan = make_polygon(raw->run, {raw->world, {}});
+              plan.inputs.push_back(raw->queries);
+              return PolygonBatchCommand{std::move(plan), raw->queries};
+            }
             refuse_world_options(raw->world);
             auto run = make_run(raw->run);
+            run.inputs.push_back(raw->queries);
             return BatchCommand{.run = std::move(run), .queries = raw->queries};
           }};
 }

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
-#include "tools/console/worlds.h"
 #include "tools/manual/topics.h"
 #include "tools/options/commands.h"
 #include "tools/options/manual.h"
@@ -76,15 +76,15 @@ void take_word(Typed& typed, const std::string& word) {
   }
 }
 
-/// Whether the command's algorithms are those of this world, as far as what is typed tells.
-bool concerns(const Typed& typed, World::Kind kind) {
-  const CommandText& command = *typed.command;
-  if (!command.on_arms && !command.on_bitmaps && !command.on_polygons) return true;
-  if (kind == World::Kind::arm) return command.on_arms;
-  const bool polygons = kind == World::Kind::polygon;
-  if (!command.on_polygons || typed.arguments.empty())
-    return polygons ? command.on_polygons : command.on_bitmaps;
-  return is_world(typed.arguments.front()) == polygons;
+/// Whether a command's algorithms are those of a kind, as far as what is typed tells.
+bool concerns(const Typed& typed, const ProblemKind& kind) {
+  const auto runs = [&](const ProblemKind* one) {
+    return std::ranges::find(one->commands, typed.command->name) != one->commands.end();
+  };
+  const auto many = std::ranges::count_if(kinds(), runs);
+  if (many == 0) return true;
+  return runs(&kind) &&
+         (many == 1 || typed.arguments.empty() || kind.takes(typed.arguments.front()));
 }
 
 class Completer {
@@ -167,8 +167,8 @@ class Completer {
 
   template <class Use>
   void for_algorithms(const Use& use) {
-    for (const World& world : worlds())
-      if (concerns(typed_, world.kind)) std::ranges::for_each(world.algorithms, use);
+    for (const ProblemKind* kind : kinds())
+      if (concerns(typed_, *kind)) std::ranges::for_each(kind->algorithms, use);
   }
 
   /// NAME=VALUE, of the algorithm that was named, else of any.

@@ -60,8 +60,9 @@ struct SearchOptions {
   bool json = false;
   std::vector<std::string> outputs;
   Messages messages;
-  std::vector<std::string> notes;  ///< what was asked for and has no effect
-  std::string called;              ///< the command line, for a shell to read
+  std::vector<std::string> inputs;  ///< files to read, and once they are read those that they name
+  std::vector<std::string> notes;   ///< what was asked for and has no effect; with -v what was read
+  std::string called;               ///< the command line, for a shell to read
 };
 
 /// The options that `plan` and `batch` share on bitmaps.

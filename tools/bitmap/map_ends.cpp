@@ -1,0 +1,117 @@
+#include "tools/bitmap/map_ends.h"
+
+#include <cmath>
+
+#include "tools/bitmap/answer.h"
+#include "tools/bitmap/map_record.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+/// An invalid end is the start.
+bool at_start(const MapEnds& ends) {
+  return ends.fault == Fault::start_blocked || ends.fault == Fault::start_outside;
+}
+
+const Place& invalid_end(const MapEnds& ends) { return at_start(ends) ? ends.start : ends.goal; }
+
+/// A cell, with its metres where those are in use.
+std::string name_of(const MapEnds& ends, Cell cell) {
+  const std::string name = printed("(%d, %d)", cell.x, cell.y);
+  if (!ends.in_metres()) return name;
+  const Point metres = ends.map.to_world(centre(cell));
+  return name + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
+         " m";
+}
+
+std::string invalid_text(const MapEnds& ends) {
+  const LoadedMap& map = ends.map;
+  const Frame frame = ends.run.frame;
+  const bool bad_start = at_start(ends);
+  const Place& place = invalid_end(ends);
+  std::string text = (bad_start ? "start " : "goal ") + place_text(place, frame) +
+                     obstruction_text(map, frame, obstruction_of(map, place.cell, ends.curved()));
+  if (!ends.nearest_free)
+    return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
+  const auto& [free, reachable] = std::pair(*ends.nearest_free, ends.nearest_reachable);
+  const std::string nearest = "; the nearest free cell ";
+  if (!reachable || *reachable == free) return text + nearest + "is " + name_of(ends, free);
+  return text + nearest + (bad_start ? "from which the goal" : "that") + " can be reached" +
+         (bad_start ? "" : " from the start") + " is " + name_of(ends, *reachable) + "; " +
+         name_of(ends, free) + " is nearer, but " +
+         (bad_start ? "does not lead there" : "cannot be reached");
+}
+
+std::string error_text(const MapEnds& ends) {
+  const Frame frame = ends.run.frame;
+  if (ends.status == Status::invalid)
+    return invalid_text(ends) + metres_hint(ends.map, frame, invalid_end(ends));
+  std::string text = ends.error;
+  if (ends.status != Status::unreachable) return text;
+  if (ends.remedy != nullptr && ends.in_metres())
+    text = "start " + place_text(ends.start, frame) + " and goal " + place_text(ends.goal, frame) +
+           " lie in different regions of free cells";
+  if (ends.map.radius > 0)  // why cells that look free are not
+    text += (ends.curved() ? " (for a disc of radius " : " (obstacles grown by ") +
+            length_text(ends.map, frame, ends.map.radius, 6) + ")";
+  return ends.remedy != nullptr ? text + remedy_text(ends.map, frame, *ends.remedy) : text;
+}
+
+/// How far a path ends from its goal.
+std::string short_of_goal(const MapEnds& ends, double scale) {
+  const Point end = centre(*ends.reached);
+  const Point asked{ends.goal.number.x + 0.5, ends.goal.number.y + 0.5};
+  const double far = scale * std::hypot(end.x - asked.x, end.y - asked.y);
+  return "the path ends at " + name_of(ends, *ends.reached) + ", " +
+         to_text(std::round(1e3 * far) / 1e3) + (ends.in_metres() ? " m" : " cells") +
+         " from the goal, which cannot be reached";
+}
+
+}  // namespace
+
+bool MapEnds::curved() const { return route_of(map, run).curved; }
+
+Record map_record(const MapEnds& ends, const SearchResult& result) {
+  const RunOptions& run = ends.run;
+  Record record{.options = run,
+                .algorithm = find_algorithm(run.params.algorithm()),
+                .start = cell_json(ends.start),
+                .goal = cell_json(ends.goal),
+                .parameters = {},
+                .result = result,
+                .error = error_text(ends),
+                .unit = ends.in_metres() ? "m" : "",
+                .scale = ends.map.length_in(run.frame, 1)};
+  Json& json = record.parameters = parameters_json(record.algorithm, run.params);
+  add_limits(json, run);
+  add_map_settings(json, ends.map, run.frame);
+  if (run.goal_tolerance > 0)
+    json["goal_tolerance"] =
+        number(request_of(ends.map, run, ends.start.cell, ends.goal.cell).goal_tolerance);
+  if (!run.json && record.has_path() && ends.reached && *ends.reached != ends.goal.cell)
+    record.remarks.push_back(short_of_goal(ends, record.scale));
+  return record;
+}
+
+Json end_findings(const MapEnds& ends) {
+  Json json = Json::object();
+  if (ends.status == Status::invalid && (ends.map.unknown || ends.map.radius > 0)) {
+    const auto why = obstruction_of(ends.map, invalid_end(ends).cell, ends.curved());
+    json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
+    if (why.by == "radius") json["clearance"] = number(why.clearance);
+  }
+  if (ends.remedy != nullptr && ends.remedy->searched)
+    json["widest_radius"] = optional_number(ends.remedy->widest_radius);
+  return json;
+}
+
+void add_goal_reached(Json& json, const MapEnds& ends) {
+  if (!(ends.run.goal_tolerance > 0)) return;
+  const auto& cell = ends.reached;
+  json["goal_reached"] = cell ? Json{cell->x, cell->y} : Json();
+  if (ends.in_metres())
+    json["goal_reached_world"] = cell ? point(ends.map.to_world(centre(*cell))) : Json();
+}
+
+}  // namespace lasius::tool
