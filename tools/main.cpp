@@ -10,15 +10,9 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
-#include "tools/options/commands.h"
 
 namespace lasius::tool {
 namespace {
-
-int run_command(const Text& text) {
-  print(text.text);
-  return kFound;
-}
 
 int exit_code(ErrorCode code) {
   switch (code) {
@@ -57,8 +51,7 @@ int guarded_main(int argc, char** argv) {
   if (!stack_suffices()) return kInternal;
   guard_standard_streams();
   try {
-    return std::visit([](const auto& command) { return run_command(command); },
-                      parse_command_line(argc, argv));
+    return run_command_line(argc, argv);
   } catch (const ClosedOutput&) {
     return kFound;
   } catch (const UsageError& fault) {

@@ -1,6 +1,6 @@
+#include "tools/arm/arm_command.h"
 #include "tools/arm/arm_kind.h"
 #include "tools/console/exit_code.h"
-#include "tools/options/commands.h"
 #include "tools/record/problem.h"
 
 namespace lasius::tool {

@@ -5,7 +5,6 @@
 #include "tools/arm/arm_json.h"
 #include "tools/arm/arm_kind.h"
 #include "tools/arm/arm_picture.h"
-#include "tools/arm/arm_recorded.h"
 #include "tools/arm/arm_report.h"
 #include "tools/arm/arm_samples.h"
 #include "tools/console/elapsed.h"
@@ -13,7 +12,6 @@
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
 #include "tools/record/problem.h"
 #include "tools/record/recorded.h"
 
@@ -190,7 +188,7 @@ class ArmProblem : public Problem {
  private:
   const Algorithm& algorithm() const { return arm::find_algorithm(found_.parameters.algorithm()); }
   Json parameters_of() const {
-    Json json = parameters_json(algorithm(), found_.parameters);
+    Json json = parameters_json(algorithm(), command_);
     json["clearance"] = number(found_.clearance);
     add_limits(json, command_);
     json["rate"] = number(command_.rate);

@@ -1,15 +1,16 @@
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tools/command_line/option_table.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
@@ -82,16 +83,13 @@ void check_known(const std::string& name) {
   choice_value("algorithms", name, known);
 }
 
-}  // namespace
-
-int run_command(const AlgorithmsCommand& command) {
+/// Lists the one of a name, or all.
+int list_algorithms(const std::string& name, bool as_json) {
   Json json = {{"format", "lasius-algorithms/1"}};
   std::string text;
-  if (!command.name.empty()) check_known(command.name);
+  if (!name.empty()) check_known(name);
   for (const ProblemKind* kind : kinds()) {
-    const auto asked = [&](const Algorithm& a) {
-      return command.name.empty() || a.name == command.name;
-    };
+    const auto asked = [&](const Algorithm& a) { return name.empty() || a.name == name; };
     if (std::ranges::none_of(kind->algorithms, asked)) continue;
     if (!kind->title.empty())
       text.append(text.empty() ? "" : "\n").append(kind->title).append("\n");
@@ -103,8 +101,25 @@ int run_command(const AlgorithmsCommand& command) {
       text += algorithm_text(*kind, algorithm);
     }
   }
-  print(command.json ? line(json) : text);
+  print(as_json ? line(json) : text);
   return kFound;
+}
+
+}  // namespace
+
+Subcommand add_algorithms(CLI::App& app) {
+  struct Asked {
+    std::string name;
+    bool json = false;
+  };
+  auto to = std::make_shared<Asked>();
+  OptionTable table(app, "algorithms", "List the algorithms, their formulas and parameters");
+  table.shell(table.text("NAME", to->name, "Only this one", "NAME"),
+              {.names = Values::Names::algorithms});
+  table.flag("--json", to->json, "Print one JSON object");
+  return table.command(
+      {.examples = {{"lasius algorithms mmas", "formulas and parameters of one algorithm"}}},
+      [to](const Call&) { return list_algorithms(to->name, to->json); });
 }
 
 }  // namespace lasius::tool

@@ -52,7 +52,7 @@ std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOpt
 }
 
 /// The command's queries: a file's, or its own one.
-QueryFile queries_of(const BatchCommand& command, const LoadedMap& map) {
+QueryFile queries_of(const PlanCommand& command, const LoadedMap& map) {
   if (command.queries.empty()) return {.queries = {{command.start, command.goal}}};
   const bool cells = command.run.frame == Frame::cell;
   return read_queries(command.queries, map.width, map.height, cells, cells && map.frame);
@@ -85,11 +85,11 @@ std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) 
 
 }  // namespace
 
-int run_command(const BatchCommand& command) {
+int run_bitmap_batch(const PlanCommand& command) {
   RunOptions run = command.run;
   check_outputs(run.outputs, run.inputs);
   SignalWatcher signals;
-  LoadedMap map = load_map(run.map, run.frame, run.params.corners, signals.token());
+  LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
   check_outputs(run.outputs, {map.image});
   const QueryFile file = queries_of(command, map);
   note_map(map, run);
@@ -116,7 +116,7 @@ int run_command(const BatchCommand& command) {
       record.seed = found.seed;
       take(record, end_texts(run, answer), found.result.path);
     };
-    plan_batch(*map.planner, part, as_read(run.params), how, receive);
+    plan_batch(*map.planner, part, run.params, how, receive);
   };
   // Optima are asked beside each part, so that answers still stream.
   const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {

@@ -78,7 +78,8 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
                     map->unknown_is_free == run.map.unknown_is_free &&
                     map->prepare == run.map.prepare;
   if (!same)
-    map = std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, {}));
+    map =
+        std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, run.threads));
   return std::make_unique<BitmapProblem>(std::move(command), std::move(map));
 }
 
@@ -159,14 +160,15 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   MapOptions first = run.map;
   first.prepare = false;
   if (!given)
-    map_ = std::make_shared<LoadedMap>(load_map(first, run.frame, run.params.corners, token));
+    map_ = std::make_shared<LoadedMap>(
+        load_map(first, run.frame, run.params.corners, run.threads, token));
   run.inputs.push_back(map_->image);
   answer_.start = to_place(*map_, command_.start, run.frame);
   answer_.goal = to_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
   if (!given && map_->prepare &&
       is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token))
-    prepare(*map_, run.map.threads, token);
+    prepare(*map_, run.threads, token);
   note_map(*map_, run);
   return most_iterations(find_algorithm(run.params.algorithm()), run.params.iterations);
 }
@@ -206,6 +208,7 @@ Forms BitmapProblem::show(const Record& run) const {
 }
 
 int run_command(const PlanCommand& command) {
+  if (command.run.ranged || !command.queries.empty()) return run_bitmap_batch(command);
   BitmapProblem problem(command);
   return run(problem);
 }

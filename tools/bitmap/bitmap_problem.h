@@ -23,6 +23,9 @@ void note_map(const LoadedMap& map, RunOptions& run);
 /// An answer as its result tells it.
 Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answer);
 
+/// `batch`, and `plan` with several seeds. The exit code.
+int run_bitmap_batch(const PlanCommand& command);
+
 class BitmapProblem : public Problem {
  public:
   /// `map` may be given, made ready for `command`; else it is read.

@@ -83,7 +83,7 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
                 .error = error_text(ends),
                 .unit = ends.in_metres() ? "m" : "",
                 .scale = ends.map.length_in(run.frame, 1)};
-  Json& json = record.parameters = parameters_json(record.algorithm, run.params);
+  Json& json = record.parameters = parameters_json(record.algorithm, run);
   add_limits(json, run);
   add_map_settings(json, ends.map, run.frame);
   if (run.goal_tolerance > 0)

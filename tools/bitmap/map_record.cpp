@@ -48,7 +48,6 @@ PlanCommand recorded_plan(const Recorded& from) {
   read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
   run.params = make_params<Params>(run, bitmaps());
   run.map.file = from.map_file();
-  run.map.threads = from.threads;
   run.map.radius = recorded<double>(result, "parameters/radius");
   run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
   if (result["parameters"].contains("prepare"))

@@ -85,15 +85,8 @@ void note_unread(SearchOptions& options, const Params& params, const Algorithm& 
   }
 }
 
-/// The parameters of the same run for a plan, which refuses values that are not read: one set of
-/// options may serve several algorithms, and a result tells what was asked for.
-template <class Params>
-Params as_read(Params params) {
-  if constexpr (std::same_as<Params, lasius::Params>) reset_unread(params);
-  return params;
-}
-
-/// The parameters that were asked for, valid as as_read(). Notes in the options what has no effect.
+/// The parameters that were asked for, for a plan: those that are not read have their defaults.
+/// Tells in the options what was asked for, and what of it has no effect.
 /// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
 template <class Params>
 Params make_params(SearchOptions& options, const ProblemKind& kind) {
@@ -114,10 +107,13 @@ Params make_params(SearchOptions& options, const ProblemKind& kind) {
     const auto [name, value] = setting_of(setting, algorithm, kind.algorithms);
     set_parameter(params, name, value);
   }
+  for (const Parameter& parameter : algorithm.parameters)
+    options.asked[std::string(parameter.name)] = get_parameter(params, parameter.name);
   note_unread(options, params, algorithm);
+  if constexpr (std::same_as<Params, lasius::Params>) reset_unread(params);
   params.seed = options.seed;
   params.threads = options.threads;
-  validate(as_read(params));
+  validate(params);
   return params;
 }
 

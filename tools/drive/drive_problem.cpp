@@ -250,11 +250,10 @@ class DriveProblem : public Problem {
     return points;
   }
   NavigatorOptions navigator_options(const StopCondition& stop) const {
-    NavigatorOptions navigator{.params = as_read(command_.run.params),
-                               .radius = answer_.map.radius};
+    NavigatorOptions navigator{.params = command_.run.params, .radius = answer_.map.radius};
     if (answer_.map.prepare)
       navigator.prepare =
-          PrepareOptions{.threads = command_.run.map.threads, .stop = {.token = stop.token}};
+          PrepareOptions{.threads = command_.run.threads, .stop = {.token = stop.token}};
     const Request request =
         request_of(answer_.map, command_.run, answer_.start.cell, answer_.goal.cell);
     navigator.target_gap = request.target_gap;

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/version.h"
+#include "tools/command_line/option_table.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/manual/documents.h"
@@ -108,6 +110,21 @@ Json manual_json(const Manual& manual) {
 int run_command(const HelpCommand& command) {
   print(command.json ? manual_json(command.manual).dump() + "\n" : text_of(command));
   return kFound;
+}
+
+Subcommand add_help(CLI::App& app) {
+  auto to = std::make_shared<HelpCommand>();
+  OptionTable table(app, "help", "Tell of a topic or a command");
+  table.shell(
+      table.text("TOPIC", to->topic, "A topic, or a command; without it what there is", "TOPIC"),
+      {.names = Values::Names::topics});
+  table.flag("--json", to->json, "All that there is to tell, of which the manual pages are made");
+  return table.command({.examples = {{"lasius help json", "the fields of results"},
+                                     {"lasius help plan", "what `lasius plan --help` says"}}},
+                       [to](const Call& call) {
+                         to->manual = call.manual();
+                         return run_command(*to);
+                       });
 }
 
 }  // namespace lasius::tool

@@ -14,7 +14,6 @@ namespace {
 }  // namespace
 
 int run_command(const PolygonCommand&) { refuse(); }
-int run_command(const PolygonBatchCommand&) { refuse(); }
 int run_command(const WorldInfoCommand&) { refuse(); }
 
 const ProblemKind& polygon_kind() {

@@ -65,8 +65,8 @@ Json inputs_json(const LoadedWorld& world) {
 }
 
 Json parameters_of(const LoadedWorld& world, const SearchOptions& options,
-                   const Algorithm& algorithm, const polygon::Params& params) {
-  Json json = parameters_json(algorithm, params);
+                   const Algorithm& algorithm) {
+  Json json = parameters_json(algorithm, options);
   add_limits(json, options);
   json["margin"] = number(world.planner.margin());
   const WorldOptions& made = world.options;
@@ -104,7 +104,7 @@ Record polygon_record(const LoadedWorld& world, const SearchOptions& options,
                 .inputs = inputs_json(world),
                 .start = point(answer.start),
                 .goal = point(answer.goal),
-                .parameters = parameters_of(world, options, algorithm, params),
+                .parameters = parameters_of(world, options, algorithm),
                 .result = found,
                 .optimum = found.optimum,
                 .elapsed_ms = answer.elapsed_ms,
@@ -185,12 +185,12 @@ WorldOptions recorded_world(const Recorded& from) {
 }
 
 /// The command's queries: a file's, or its own one.
-std::vector<QueryFile::Line> queries_of(const PolygonBatchCommand& command,
+std::vector<QueryFile::Line> queries_of(const PolygonCommand& command,
                                         const polygon::World& world) {
   if (!command.queries.empty()) return read_table(command.queries).queries;
-  const PolygonCommand& plan = command.plan;
-  check_ends(plan, world);
-  return {{plan.start ? *plan.start : *world.start, plan.goal ? *plan.goal : *world.goal}};
+  check_ends(command, world);
+  return {
+      {command.start ? *command.start : *world.start, command.goal ? *command.goal : *world.goal}};
 }
 
 std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last) {
@@ -204,6 +204,37 @@ std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last
   const auto* before = dynamic_cast<const PolygonProblem*>(last);
   const bool same = before != nullptr && before->world()->options == command.world;
   return std::make_unique<PolygonProblem>(std::move(command), same ? before->world() : nullptr);
+}
+
+/// `batch`, and `plan` with several seeds.
+int run_polygon_batch(PolygonCommand plan) {
+  check_outputs(plan.outputs, plan.inputs);
+  SignalWatcher signals;
+  const auto parameters = make_params<polygon::Params>(plan, polygon_kind());
+  const LoadedWorld world = load_world(plan.world);
+  note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
+  std::vector<polygon::Request> queries;
+  for (const auto& [start, goal] : queries_of(plan, world.planner.world()))
+    queries.push_back({.start = start,
+                       .goal = goal,
+                       .target_gap = plan.target_gap,
+                       .goal_tolerance = plan.goal_tolerance});
+  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
+    const auto receive = [&](const polygon::BatchAnswer& found) {
+      const auto one = to_answer(parameters, queries[found.index], found.result, found.elapsed);
+      Record record = polygon_record(world, plan, one);
+      record.index = found.index;
+      record.seed = found.seed;
+      const auto [start, goal] = std::pair(one.start, one.goal);
+      take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
+           one.result.path);
+    };
+    polygon::plan_batch(world.planner, queries, parameters, how, receive);
+  };
+  const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
+    write_paths_picture(picture, world, paths, caption);
+  };
+  return run_batch({plan, "", queries.size(), plan.queries.empty(), answer_all, draw}, signals);
 }
 
 }  // namespace
@@ -226,39 +257,9 @@ const ProblemKind& polygon_kind() {
 }
 
 int run_command(const PolygonCommand& command) {
+  if (command.ranged || !command.queries.empty()) return run_polygon_batch(command);
   PolygonProblem problem(command);
   return run(problem);
-}
-
-int run_command(const PolygonBatchCommand& command) {
-  PolygonCommand plan = command.plan;
-  check_outputs(plan.outputs, plan.inputs);
-  SignalWatcher signals;
-  const auto parameters = make_params<polygon::Params>(plan, polygon_kind());
-  const LoadedWorld world = load_world(plan.world);
-  note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
-  std::vector<polygon::Request> queries;
-  for (const auto& [start, goal] : queries_of(command, world.planner.world()))
-    queries.push_back({.start = start,
-                       .goal = goal,
-                       .target_gap = plan.target_gap,
-                       .goal_tolerance = plan.goal_tolerance});
-  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
-    const auto receive = [&](const polygon::BatchAnswer& found) {
-      const auto one = to_answer(parameters, queries[found.index], found.result, found.elapsed);
-      Record record = polygon_record(world, plan, one);
-      record.index = found.index;
-      record.seed = found.seed;
-      const auto [start, goal] = std::pair(one.start, one.goal);
-      take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
-           one.result.path);
-    };
-    polygon::plan_batch(world.planner, queries, parameters, how, receive);
-  };
-  const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
-    write_paths_picture(picture, world, paths, caption);
-  };
-  return run_batch({plan, "", queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }
 
 }  // namespace lasius::tool

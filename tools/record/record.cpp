@@ -54,6 +54,10 @@ std::vector<double> coordinates(const std::vector<Point>& points) {
   return numbers;
 }
 
+Json parameters_json(const Algorithm& algorithm, const SearchOptions& options) {
+  return parameters(algorithm, [&](auto name) { return options.asked.at(std::string(name)); });
+}
+
 void add_limits(Json& json, const SearchOptions& options) {
   json["target_gap"] = number(options.target_gap);
   json["time_limit"] = optional_number(options.time_limit);

@@ -56,11 +56,8 @@ std::optional<std::int64_t> most_iterations(const Algorithm& algorithm, std::int
 /// Coordinates as Record::path has them.
 std::vector<double> coordinates(const std::vector<Point>& points);
 
-/// All parameters of an algorithm by name, of a Params of its kind.
-template <class Params>
-Json parameters_json(const Algorithm& algorithm, const Params& params) {
-  return parameters(algorithm, [&](auto name) { return get_parameter(params, name); });
-}
+/// All parameters of an algorithm by name, as they were asked for.
+Json parameters_json(const Algorithm& algorithm, const SearchOptions& options);
 /// Of the parameters: what ends a run.
 void add_limits(Json& json, const SearchOptions& options);
 

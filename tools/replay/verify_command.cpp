@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,17 +13,25 @@
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
+#include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/console/streams.h"
+#include "tools/console/threads.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
+
+struct VerifyCommand {
+  std::string result;
+  std::string map;  ///< empty: the one that the result names
+  int threads = 0;  ///< 0: as many as usual
+  bool quiet = false;
+};
 
 /// A result, and the byte of its file at which it begins.
 struct Saved {
@@ -260,9 +269,7 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   return kInternal;
 }
 
-}  // namespace
-
-int run_command(const VerifyCommand& command) {
+int verify_all(const VerifyCommand& command) {
   const auto results = read_results(command.result);
   std::unique_ptr<Problem> last;
   int code = kFound;
@@ -278,6 +285,38 @@ int run_command(const VerifyCommand& command) {
     print(std::to_string(equal) + " of " + std::to_string(results.size()) +
           (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
   return code;
+}
+
+}  // namespace
+
+Subcommand add_verify(CLI::App& app) {
+  auto to = std::make_shared<VerifyCommand>();
+  OptionTable table(app, "verify", "Replay saved results and compare");
+  table
+      .file("RESULT", to->result, "A result of plan, drive or arm, or the lines of batch",
+            {".json", ".jsonl", ".ndjson"})
+      ->required();
+  table.file("--map", to->map, "The map, where it is no longer where it was", map_endings(true));
+  table.add("--threads", "Threads of the replay", "N",
+            [to](const auto& text) { to->threads = thread_count(text); });
+  table.flag("-q,--quiet", to->quiet, "Print differences only");
+  return table.command(
+      {.detail =
+           "Results are replayed from their recorded inputs, and all is compared but threads, "
+           "times, version and optima of --gap that were not found in time.",
+       .examples = {{"lasius verify run.json", "replays what plan -o run.json wrote"}},
+       .exits = {{kFound, "every result was replayed and is equal, bit for bit"},
+                 {kInternal, "one differs; internal error"},
+                 {kUsage,
+                  "usage, or a result that cannot be replayed, because a time limit or a signal "
+                  "ended it"},
+                 {kBadFile,
+                  "a result or its map, robot or scene is missing, broken, or not the one "
+                  "recorded"}}},
+      [to](const Call&) {
+        if (to->threads == 0) to->threads = thread_count("");
+        return verify_all(*to);
+      });
 }
 
 }  // namespace lasius::tool
