@@ -4,7 +4,6 @@
 
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_ends.h"
-#include "tools/bitmap/map_record.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "tools/bitmap/map_record.h"
+#include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/reasons.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/exit_code.h"

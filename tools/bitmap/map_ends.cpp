@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "tools/bitmap/answer.h"
-#include "tools/bitmap/map_record.h"
+#include "tools/console/parameters.h"
 #include "tools/console/values.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -68,7 +69,28 @@ std::string short_of_goal(const MapEnds& ends, double scale) {
          " from the goal, which cannot be reached";
 }
 
+/// A start or goal as it was given: a cell, or metres.
+Point recorded_end(const Json& result, const std::string& key, Frame frame) {
+  if (frame == Frame::world) return recorded_point(result, key + "_world");
+  const Point cell = recorded_point(result, key);
+  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
+    throw UsageError("\"" + key + "\" is no cell");
+  return cell;
+}
+
 }  // namespace
+
+Json map_json(const LoadedMap& map) {
+  return {{"file", map.file},
+          {"hash", hash_text(map.hash)},
+          {"width", map.width},
+          {"height", map.height}};
+}
+
+Json cell_json(const Place& place) {
+  const auto [x, y] = place.number;
+  return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
+}
 
 bool MapEnds::curved() const { return route_of(map, run).curved; }
 
@@ -85,7 +107,10 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
                 .scale = ends.map.length_in(run.frame, 1)};
   Json& json = record.parameters = parameters_json(record.algorithm, run);
   add_limits(json, run);
-  add_map_settings(json, ends.map, run.frame);
+  json["radius"] = number(ends.map.radius);
+  json["unknown"] = ends.map.unknown_is_free ? "free" : "blocked";
+  if (ends.map.prepare) json["prepare"] = true;
+  json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
   if (run.goal_tolerance > 0)
     json["goal_tolerance"] =
         number(request_of(ends.map, run, ends.start.cell, ends.goal.cell).goal_tolerance);
@@ -112,6 +137,24 @@ void add_goal_reached(Json& json, const MapEnds& ends) {
   json["goal_reached"] = cell ? Json{cell->x, cell->y} : Json();
   if (ends.in_metres())
     json["goal_reached_world"] = cell ? point(ends.map.to_world(centre(*cell))) : Json();
+}
+
+PlanCommand recorded_plan(const Recorded& from) {
+  const Json& result = from.result;
+  PlanCommand command;
+  RunOptions& run = command.run;
+  const auto name = recorded<std::string>(result, "algorithm");
+  read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
+  run.params = make_params<Params>(run, bitmaps());
+  run.map.file = from.map_file();
+  run.map.radius = recorded<double>(result, "parameters/radius");
+  run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
+  if (result["parameters"].contains("prepare"))
+    run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  command.start = recorded_end(result, "start", run.frame);
+  command.goal = recorded_end(result, "goal", run.frame);
+  return command;
 }
 
 }  // namespace lasius::tool

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tools/bitmap/reasons.h"
-#include "tools/record/record.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 
@@ -50,5 +50,13 @@ Record map_record(const MapEnds& ends, const SearchResult& result);
 void add_goal_reached(Json& json, const MapEnds& ends);
 /// What blocks an invalid start or goal, and what would join ends that are not.
 Json end_findings(const MapEnds& ends);
+
+/// {file, hash, width, height}
+Json map_json(const LoadedMap& map);
+/// [x, y] of a start or goal, whole.
+Json cell_json(const Place& place);
+
+/// The question that a result answers. @throws UsageError, Error
+PlanCommand recorded_plan(const Recorded& from);
 
 }  // namespace lasius::tool

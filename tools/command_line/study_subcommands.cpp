@@ -139,7 +139,7 @@ Subcommand add_study(CLI::App& app) {
       .shell(table.text("NAME", to->name,
                         "A study that the program holds, or FILE.yaml; run: a sweep on MAP; list: "
                         "what there is; all: each of them, and one table of claims",
-                        ""),
+                        "TEXT"),
              {.choices = {"list", "all", "run"},
               .files = true,
               .endings = kDocuments,

@@ -8,7 +8,6 @@
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_ends.h"
-#include "tools/bitmap/map_record.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
