@@ -46,7 +46,12 @@ bool stack_suffices() {
   return false;
 }
 
-int guarded_main(int argc, char** argv) {
+}  // namespace
+}  // namespace lasius::tool
+
+int main(int argc, char** argv) {
+  using namespace lasius;
+  using namespace lasius::tool;
   end_on_signals();
   if (!stack_suffices()) return kInternal;
   guard_standard_streams();
@@ -69,8 +74,3 @@ int guarded_main(int argc, char** argv) {
   }
   return kInternal;
 }
-
-}  // namespace
-}  // namespace lasius::tool
-
-int main(int argc, char** argv) { return lasius::tool::guarded_main(argc, argv); }

@@ -16,7 +16,6 @@
 #include "tools/console/signals.h"
 #include "tools/console/team.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
 #include "tools/record/batch.h"
 #include "tools/record/queries.h"
 

@@ -7,7 +7,6 @@
 #include "tools/bitmap/picture.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
@@ -204,12 +203,6 @@ Forms BitmapProblem::show(const Record& run) const {
                                     {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
                                     frames_ ? &*frames_ : nullptr);
               }};
-}
-
-int run_command(const PlanCommand& command) {
-  if (command.run.ranged || !command.queries.empty()) return run_bitmap_batch(command);
-  BitmapProblem problem(command);
-  return run(problem);
 }
 
 }  // namespace lasius::tool

@@ -6,7 +6,6 @@
 
 namespace lasius::tool {
 
-int run_command(const PlanCommand& command);
 int run_command(const DriveCommand& command);
 int run_command(const StudyCommand& command);
 int run_command(const TuneCommand& command);

@@ -15,16 +15,6 @@
 namespace lasius::tool {
 namespace {
 
-/// Plans, with a progress line where it is wanted.
-void watched_plan(Problem& problem, std::int64_t iterations, const std::stop_token& token) {
-  const SearchOptions& options = problem.options();
-  const bool shown = wants_progress(options.messages);
-  ProgressLine bar(shown, iterations, options.time_limit.value_or(0));
-  Problem::Watch watch;
-  if (shown) watch = [&](std::int64_t done, const std::string& note) { bar.update(done, note); };
-  problem.plan({.token = token, .deadline = deadline_after(options.time_limit)}, watch);
-}
-
 /// Prints and writes what was asked for.
 void deliver(const Problem& problem, const Record& run) {
   const SearchOptions& options = run.options;
@@ -81,7 +71,13 @@ int run(Problem& problem) {
   // Again: by now maps, robots and scenes have named more files.
   check_outputs(options.outputs, options.inputs);
   say(options.notes);
-  watched_plan(problem, iterations.value_or(0), signals.token());
+  {
+    const bool shown = wants_progress(options.messages);
+    ProgressLine bar(shown, iterations.value_or(0), options.time_limit.value_or(0));
+    const auto update = [&](std::int64_t done, const std::string& note) { bar.update(done, note); };
+    problem.plan({.token = signals.token(), .deadline = deadline_after(options.time_limit)},
+                 shown ? Problem::Watch(update) : Problem::Watch());
+  }
   const Record run = problem.record();
   const std::string why = explain(run);
   if (!why.empty() && (!run.found() || !options.messages.quiet)) message(why);

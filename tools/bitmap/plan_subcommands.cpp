@@ -1,6 +1,7 @@
 // lasius plan, lasius batch.
 #include <memory>
 
+#include "tools/bitmap/bitmap_problem.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
@@ -63,14 +64,19 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
 }
 
 int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
-  RunOptions& run = text.run;
-  run.called = call.line;
-  if (is_world(run.map.file)) return run_command(polygon_command(table, text));
+  RunOptions& asked = text.run;
+  asked.called = call.line;
+  if (is_world(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
-  if (text.queries.empty()) return run_command(plan_command(run, text.start, text.goal));
-  finish_run(run);
-  run.inputs.push_back(text.queries);
-  return run_command(PlanCommand{run, {}, {}, text.queries});
+  if (!text.queries.empty()) {
+    finish_run(asked);
+    asked.inputs.push_back(text.queries);
+    return run_bitmap_batch({asked, {}, {}, text.queries});
+  }
+  const PlanCommand plan = plan_command(asked, text.start, text.goal);
+  if (plan.run.ranged) return run_bitmap_batch(plan);
+  BitmapProblem problem(plan);
+  return run(problem);
 }
 
 }  // namespace
