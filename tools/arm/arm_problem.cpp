@@ -99,13 +99,6 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
   return remarks;
 }
 
-/// Whether a result is asked for, whose samples are many.
-bool wants_result(const ArmCommand& command) {
-  return command.json || std::ranges::any_of(command.outputs, [](const auto& file) {
-           return !is_table(file) && !is_yaml(file) && !is_picture(file);
-         });
-}
-
 /// `lasius arm`.
 class ArmProblem : public Problem {
  public:
@@ -170,7 +163,7 @@ class ArmProblem : public Problem {
                   .remarks = remarks_of(command_, found_)};
     for (const Eigen::Vector3d tip : found_.plan.tips.colwise())  // of each lattice point
       record.path.insert(record.path.end(), tip.begin(), tip.end());
-    if (!wants_result(command_)) return record;
+    if (!wants_json(command_)) return record;  // its samples are many
     record.answer =
         answer_json(record, path_json(), {{"questions", questions_json(found_.plan)}}, findings());
     return record;

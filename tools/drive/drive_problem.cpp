@@ -169,7 +169,7 @@ class DriveProblem : public Problem {
                        printed(", with the robot at (%d, %d)", at.x, at.y);
     }
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
-    record.answer = answer_of(ends, record);
+    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
     return record;
   }
   Forms show(const Record& run) const override {

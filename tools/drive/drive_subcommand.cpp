@@ -79,7 +79,9 @@ Subcommand add_drive(CLI::App& app) {
           throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
         const bool prepare = run.map.prepare;
         static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
-        if (run.ranged) throw UsageError("--seed: one drive has one seed; a range is for plan");
+        if (run.ranged)
+          throw UsageError("--seed " + table.in_order("--seed").front().second +
+                           ": one drive has one seed; a range is for plan");
         if (run.with_optimum)
           run.notes.emplace_back(
               "--gap has no effect: a drive always tells the optimum of its moves");

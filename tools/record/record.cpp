@@ -1,11 +1,13 @@
 #include "tools/record/record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "lasius/version.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
+#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 namespace {
@@ -61,6 +63,12 @@ Json parameters_json(const Algorithm& algorithm, const SearchOptions& options) {
 void add_limits(Json& json, const SearchOptions& options) {
   json["target_gap"] = number(options.target_gap);
   json["time_limit"] = optional_number(options.time_limit);
+}
+
+bool wants_json(const SearchOptions& options) {
+  return options.json || std::ranges::any_of(options.outputs, [](const std::string& file) {
+           return !is_table(file) && !is_yaml(file) && !is_picture(file) && !is_film(file);
+         });
 }
 
 Json answer_json(const Record& run, const Json& path, const Json& effort, const Json& findings) {

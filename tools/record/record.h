@@ -61,6 +61,9 @@ Json parameters_json(const Algorithm& algorithm, const SearchOptions& options);
 /// Of the parameters: what ends a run.
 void add_limits(Json& json, const SearchOptions& options);
 
+/// True where the JSON of a result is asked for, which may be large.
+bool wants_json(const SearchOptions& options);
+
 /// An answer's keys in the order of the contract, with those of a kind: "path" and what goes with
 /// it; what the search took; what else was found.
 Json answer_json(const Record& run, const Json& path, const Json& effort = Json::object(),
