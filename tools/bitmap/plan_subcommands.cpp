@@ -34,6 +34,15 @@ constexpr SearchHelp kRunHelp = {
     .outputs = kOutputs,
     .endings = kPlanEndings};
 
+/// Of `plan` and `batch`, not of drives.
+void add_tracks(OptionTable& table, RunOptions& to) {
+  table.add("--tracks",
+            "Iterations of which a picture shows the tracks (default: 1, the critical time, 50, "
+            "the last)",
+            "N,N,...",
+            [&to](const auto& text) { to.track_iterations = list_value("--tracks", text); });
+}
+
 /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
 struct PlanText {
   RunOptions run;
@@ -88,6 +97,7 @@ Subcommand add_plan(CLI::App& app) {
   table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
+  add_tracks(table, text->run);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -118,6 +128,7 @@ Subcommand add_batch(CLI::App& app) {
   SearchHelp help = kRunHelp;
   help.endings = kBatchEndings;
   add_run_options(table, text->run, help);
+  add_tracks(table, text->run);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,

@@ -46,11 +46,6 @@ void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help)
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
              "null where a time limit or a signal ended the search for it, or where --corners "
              "allow lets moves squeeze through where no path of the plane may");
-  table.add("--tracks",
-            "Iterations of which a picture shows the tracks (default: 1, the critical time, 50, "
-            "the last)",
-            "N,N,...",
-            [&to](const auto& text) { to.track_iterations = list_value("--tracks", text); });
 }
 
 /// What is left to do once all options of a run on a bitmap are read.

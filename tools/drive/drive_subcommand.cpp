@@ -54,7 +54,10 @@ Subcommand add_drive(CLI::App& app) {
                    .outputs = kDriveOutputs,
                    .endings = kDriveEndings});
   table["--gap"]->description("No effect: a drive always tells the optimum of its moves");
-  table["--tracks"]->group(kRefused);
+  const auto refuse = [](const std::string&) {
+    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
+  };
+  table.add("--tracks", "", "N,N,...", refuse)->group(kRefused);
   return table.command(
       {.examples =
            {{"lasius drive maps/grid30a.map --start 0,0 --goal 29,29 --sense 3 -o run.png",
@@ -75,8 +78,6 @@ Subcommand add_drive(CLI::App& app) {
         RunOptions& run = drive.run;
         run.called = call.line;
         if (is_world(run.map.file)) throw UsageError(run.map.file + ": drives are on bitmaps only");
-        if (table.given("--tracks"))
-          throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
         const bool prepare = run.map.prepare;
         static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
         if (run.ranged)
