@@ -214,7 +214,7 @@ std::string obstacle(const Json& result, const ProblemKind& kind) {
 
 /// Calls what reads a result; whatever is wrong with it is named by its place.
 template <class Read>
-auto placed(const Error::Place& place, const Read& read) {
+decltype(auto) placed(const Error::Place& place, const Read& read) {
   try {
     return read();
   } catch (const UsageError& fault) {
