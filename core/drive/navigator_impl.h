@@ -78,9 +78,11 @@ class Navigator::Impl {
     robot_disc->space->update(map.map(), edited);
     edited.clear();
     if (!std::exchange(hit, false) || way.path.empty()) return;
-    for (std::size_t i = 1; i < way.path.size() && holds && !way.way_out; ++i)
+    // What leads out keeps no radius.
+    holds = holds && !way.way_out && keeps(way.path[0], way.path[0]);
+    for (std::size_t i = 1; i < way.path.size() && holds; ++i)
       holds = keeps(way.path[i - 1], way.path[i]);
-    for (std::size_t i = 1; i < way.walk.size() && holds && !way.way_out; ++i)
+    for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
       holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
   }
   /// Between points that may not be clear any more.
@@ -158,7 +160,7 @@ class Navigator::Impl {
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); },
         .disc = robot_disc ? &*robot_disc : nullptr,
         .disc_graph = disc_graph.get(),
-        .leads_out = false};
+        .walked = true};
     if (colony) {
       known.colony = [&](const Request& request, const Observer& observer) {
         if (colony->goal() != request.goal) send_colony(request.goal);
