@@ -96,6 +96,7 @@ void ThreadTeam::lead(int threads, const std::function<void()>& run) {
 }
 
 void ThreadTeam::share_once(int count, int threads, LoopBody body, const void* context) noexcept {
+// Monotonic: a batch's tasks wait for answers of earlier ones.
 #pragma omp parallel for schedule(monotonic : dynamic) num_threads(threads)
   for (int i = 0; i < count; ++i) body(context, i, omp_get_thread_num());
 }

@@ -48,10 +48,10 @@ class ArcSides {
 
 }  // namespace
 
-double curve_length(const Curve& curve, double radius) noexcept {
+double curve_length(const Curve& curve) noexcept {
   double length = 0;
   for (const CurvePiece& piece : curve) {
-    length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * radius;
+    length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * piece.radius;
   }
   return length;
 }

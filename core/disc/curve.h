@@ -9,8 +9,10 @@
 
 namespace lasius::disc {
 
-/// @param radius  of the arcs
-double curve_length(const Curve& curve, double radius) noexcept;
+/// Of arcs as long as at the radius asked for: to first order, a taut curve grows with its radius
+/// by what it turns, so that this is the shortest length of that radius and not of the one planned
+/// with.
+double curve_length(const Curve& curve) noexcept;
 
 /// A polyline that keeps the radius as the curve does and is at most a thousandth longer: each arc
 /// becomes the sides of a polygon around it, finer where other obstacles are near.

@@ -26,7 +26,7 @@ inline void conclude(double lower, double upper, StopCondition::Cause cause, dou
   answer.path = polyline_of(answer.curve, space);
   exact::conclude(lower, upper, cause, target_gap, answer);
   if (answer.path.empty()) return;
-  answer.length = curve_length(answer.curve, space.radius());
+  answer.length = curve_length(answer.curve);
   if (answer.optimal) answer.lower_bound = answer.length;
 }
 

@@ -318,7 +318,7 @@ bool DiscSearch::tell_improvement(const Poller* poller) {
   return improvements_.tell(lower_, upper_, poller, [this](std::vector<Point>& path) {
     const Curve curve = trace(*space_, labels_, last_, last_normal_, start_, goal_);
     path = polyline_of(curve, *space_);
-    return curve_length(curve, space_->radius());
+    return curve_length(curve);
   });
 }
 

@@ -76,10 +76,10 @@ bool DiscSpace::keeps_row(const Segment& segment, int y, double low_x,
   return true;
 }
 
-bool DiscSpace::keeps(Point a, Point b, bool clear_ends) const noexcept {
+bool DiscSpace::keeps(Point a, Point b, bool clear_ends, double slack) const noexcept {
   if (a.y > b.y) std::swap(a, b);
   const double x = b.x - a.x, y = b.y - a.y;
-  const double limit = radius_ - kSlack;
+  const double limit = radius_ - slack;
   const Segment segment{
       a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y), x * x + y * y, clear_ends};
   const int first = std::clamp(static_cast<int>(a.y), 0, map_.height() - 1);

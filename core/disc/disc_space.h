@@ -68,9 +68,11 @@ class DiscSpace {
   /// which is at most kLargestRadius + 1; 0 in blocked cells and outside.
   double clearance(Point p, double most) const noexcept;
   /// May it move straight from a to b? Both are clear.
-  bool sees(Point a, Point b) const noexcept { return keeps(a, b, true); }
+  bool sees(Point a, Point b) const noexcept { return keeps(a, b, true, kSlack); }
   /// The same where only a is known to be clear.
-  bool reaches(Point a, Point b) const noexcept { return keeps(a, b, false); }
+  bool reaches(Point a, Point b) const noexcept { return keeps(a, b, false, kSlack); }
+  /// The same with room for what is made of it.
+  bool reaches_well(Point a, Point b) const noexcept { return keeps(a, b, false, 0.5 * kSlack); }
   /// False proves that it cannot go from a to b, both clear, by any way. True where cells that are
   /// not blocked, 4-connected, lead there: nearly always there is a way then.
   bool joined(Point a, Point b) const noexcept;
@@ -140,7 +142,7 @@ class DiscSpace {
   Box box_of(unsigned walls, int x, int y) const noexcept;
   void compact();
   struct Segment;
-  bool keeps(Point a, Point b, bool clear_ends) const noexcept;
+  bool keeps(Point a, Point b, bool clear_ends, double slack) const noexcept;
   bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
   bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
   struct Nearest;

@@ -77,7 +77,7 @@ class RowTransform {
   }
   // The first x at which the parabola of j > i is at most that of i.
   int crossing(std::int64_t i, std::int64_t j) const noexcept {
-    const std::int64_t n = 4 * (j * j - i * i) + height_[j] - height_[i] - 4 * shift_ * (j - i);
+    const std::int64_t n = 4 * (j * j - i * i) + height_[j] - height_[i] - (j - i) * 4 * shift_;
     const std::int64_t d = 8 * (j - i);
     const std::int64_t up = n > 0 ? (n + d - 1) / d : -(-n / d);
     return static_cast<int>(std::clamp<std::int64_t>(up, 0, width_));

@@ -13,6 +13,8 @@
 
 namespace lasius {
 
+class Poller;
+
 /// Exact squared Euclidean distances, in half cells, from each cell's centre to the nearest point
 /// of a blocked cell's square or of the outside; 0 for blocked cells. Row-major, width x height.
 struct ClearanceField {
@@ -43,29 +45,35 @@ struct ClearanceField {
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
                                                                const StopCondition& stop);
 
-/// With how wide a radius the cells of a map are still joined when obstacles grow by it, for any
-/// number of pairs (of a disc by its own rule: Planner::widest_disc). Made in
-/// O(log) and 16 bytes a cell, of which it keeps 12; a question takes O(log of the cells).
+/// With how wide a disc the cells of a map are still joined by walks over cells, as colonies,
+/// drives and Planner::passable() have it, for any number of pairs (by its curves:
+/// Planner::widest_disc). Made in O(log) and 24 bytes a cell, of which it keeps 20; a question
+/// takes O(log of the cells).
 class LASIUS_EXPORT WidestRadius {
  public:
-  /// Under a rule of corners, as Planner::connected has it; empty if stopped.
+  /// Empty if stopped. The rule of corners matters to what a point alone can pass.
   [[nodiscard]] static std::optional<WidestRadius> make(const Grid& grid,
                                                         Corners corners = Corners::forbid,
                                                         const StopCondition& stop = {});
-  /// The largest radius in cells with which grow_obstacles leaves both cells free and joined, to
-  /// the last bit; nothing where they are not, whatever the radius. Precondition: both lie inside.
+  /// The largest radius in cells, at most 54, with which a walk leads from one to the other: 0
+  /// where only a point passes; nothing where they are not joined at all. Precondition: both lie
+  /// inside.
   std::optional<double> between(Cell a, Cell b) const noexcept;
 
  private:
+  // Cells are joined as the radius shrinks, the smaller tree under the root of the larger.
+  struct Forest {
+    std::vector<std::int32_t> parent;  ///< of a root less than 0: its cells
+    std::vector<std::int32_t> joined;  ///< level at which it got its parent
+  };
   WidestRadius() = default;
-  std::int32_t root_of(std::int32_t cell) const noexcept;
+  bool plant(Forest& forest, const Grid& grid, int reach, Poller& poller);
+  std::int32_t level_between(const Forest& forest, std::int32_t a, std::int32_t b) const noexcept;
 
   int width_ = 0;
-  std::vector<std::int32_t> levels_;  ///< squared clearance of whole cells + 1; 0: blocked
-  // A forest: cells are joined as the radius shrinks, the smaller tree under the root of the
-  // larger.
-  std::vector<std::int32_t> parent_;  ///< of a root less than 0: its cells
-  std::vector<std::int32_t> joined_;  ///< level at which it got its parent
+  bool squeezes_ = false;
+  std::vector<std::int32_t> levels_;  ///< squared clearance of centres, in half cells; 0: blocked
+  Forest four_, eight_;               ///< by the moves between neighbours
 };
 
 }  // namespace lasius

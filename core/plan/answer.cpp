@@ -124,9 +124,9 @@ class Ends {
     const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
     return nearest_free(map_.grid, c, poller, leads_on);
   }
-  /// The same, of a disc's curve any point.
+  /// The same, of a disc's curve any point, if it is not walked.
   std::optional<Point> nearest_point(Cell c, const std::stop_token& token, Point other) const {
-    if (space_ == nullptr) {
+    if (space_ == nullptr || map_.walked) {
       const auto cell = nearest(c, token, other);
       return cell ? std::optional(centre(*cell)) : std::nullopt;
     }
@@ -138,7 +138,7 @@ class Ends {
   /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
   /// blocked than the start.
   std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
-    if (!map_.leads_out || map_.disc == nullptr || map_.disc->map().blocked(start))
+    if (map_.walked || map_.disc == nullptr || map_.disc->map().blocked(start))
       return std::nullopt;
     const Grid& map = map_.disc->map();
     const Point from = centre(start);

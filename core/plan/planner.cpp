@@ -1,5 +1,7 @@
 #include "lasius/planner.h"
 
+#include <utility>
+
 #include "core/base/poller.h"
 #include "core/disc/disc_cells.h"
 #include "core/grid/grid_view.h"
@@ -37,16 +39,17 @@ std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
   auto four = Components::make(grown ? *grown : map, Components::Connectivity::four, stop);
   if (!four) return nullptr;
   if (grown) {
+    Grid whole = std::exchange(map, *std::move(grown));
     disc = std::make_shared<DiscMap>(DiscMap{robot.radius});
     if (disc::has_space(robot.radius)) {
-      disc->space = disc::DiscSpace::make(std::move(map), robot.radius, stop);
+      disc->space = disc::DiscSpace::make(std::move(whole), robot.radius, stop);
       if (!disc->space) return nullptr;
     } else {
-      disc->alone = std::move(map);
+      disc->alone = std::move(whole);
     }
   }
-  return std::make_shared<Impl>(grown ? std::move(*grown) : std::move(map), std::move(*four),
-                                std::move(excluded), std::move(closed), std::move(disc));
+  return std::make_shared<Impl>(std::move(map), std::move(*four), std::move(excluded),
+                                std::move(closed), std::move(disc));
 }
 
 Planner::Planner(Grid grid) : Planner(std::move(grid), Disc{}) {}

@@ -54,6 +54,7 @@ Arrangement::Arrangement(const Geos& geos, const Geos::Geometry& boundary,
     noded_lines.push_back(geos.line(line));
   }
   std::vector<const GEOSGeometry*> raw;
+  raw.reserve(noded_lines.size());
   for (const auto& line : noded_lines) raw.push_back(line.get());
   const auto faces =
       geos.own(GEOSPolygonize_r(context, raw.data(), static_cast<unsigned>(raw.size())));

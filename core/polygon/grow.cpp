@@ -104,6 +104,7 @@ Grown grow(const Geos& geos, Geos::Geometry obstacles, const std::vector<Ring>& 
   auto inside = geos.polygon({boundary, {}});
   if (shrinks) inside = buffered(geos, inside, -margin, options.join);
   std::vector<Geos::Geometry> parts;
+  parts.reserve(walls.size());
   for (const Ring& wall : walls) parts.push_back(geos.line(wall));
   const auto lines = geos.collection(std::move(parts), GEOS_MULTILINESTRING);
   parts.clear();

@@ -29,6 +29,9 @@ struct CellSight {
   }
 };
 
+/// The cells under a polyline, one a neighbour of the next by moves that the sight allows.
+void rasterise(const CellSight& sight, std::span<const Cell> polyline, std::vector<Cell>& cells);
+
 /// Straightens walks as `greedy_straighten()` states, with buffers that are reused from call to
 /// call. One per thread. The spans it returns hold until the next call.
 class Straightener {

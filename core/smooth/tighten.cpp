@@ -34,8 +34,8 @@ void slide(const disc::DiscSpace& space, Poller& poller, std::vector<Point>& pat
     const Point b = path[i];
     if (i + 1 < path.size() && !poller.stop_after(256)) {
       const Point c = path[i + 1];
-      const double share =
-          largest([&](double part) { return space.sees(path[kept - 1], between(b, c, part)); });
+      const double share = largest(
+          [&](double part) { return space.reaches_well(path[kept - 1], between(b, c, part)); });
       if (share == 1) continue;
       path[kept++] = between(b, c, share);
     } else {
@@ -59,7 +59,7 @@ void cut(const disc::DiscSpace& space, Poller& poller, std::vector<Point>& path)
     const double share =
         along > kStraight * before * after || poller.stop_after(256)
             ? 0
-            : largest([&](double part) { return space.sees(from(part), to(part)); });
+            : largest([&](double part) { return space.reaches_well(from(part), to(part)); });
     if (share > 0) {
       cut.push_back(from(share));
       cut.push_back(to(share));

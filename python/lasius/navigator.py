@@ -105,7 +105,7 @@ class Navigator:
 
     @property
     def passable(self) -> Grid:
-        """Where the robot's centre may be: obstacles grown by its radius; a copy."""
+        """Where the robot's centre may be: cells whose centres keep its radius; a copy."""
         return self._raw.passable()
 
     def connected(self, a: Cell, b: Cell) -> bool:

@@ -39,7 +39,7 @@ def test_a_disc():
     assert sum(straight) + sum(arcs) == pytest.approx(result.length, abs=1e-9)
     assert {p.centre for p in result.curve if p.turn} == {(15.0, 17.0), (16.0, 17.0)} and result.curve[0].centre is None
     assert result.length <= lasius.path_length(result.path) <= 1.001 * result.length
-    assert (disc.radius, disc.grid, disc.passable) == (1.5, grid, lasius.grow_obstacles(grid, 1.5))
+    assert (disc.radius, disc.grid, disc.passable) == (1.5, grid, lasius.Grid(lasius.clearance(grid) < 1.5, free=0))
     assert disc.clear((1, 3)) and not disc.clear((0, 3)) and disc.widest_disc((3, 3), (26, 3)) == 1.5
     assert lasius.Planner(grid).plan((3, 3), (26, 3)).curve == ()
     assert lasius.Planner(grid, radius=1.500001).plan((3, 3), (26, 3)).status == "unreachable"
@@ -322,7 +322,7 @@ def test_a_disc_is_led_out_of_where_it_stands_too_near():
     assert led.status == "solved" and not led.optimal and led.lower_bound is None and led.radius == 2.3
     assert np.allclose(led.way_out, (6.7, 10.5)) and led.path[:2].tolist() == [[8.5, 10.5], list(led.way_out)]
     assert led.curve[0].end == led.way_out and pickle.loads(pickle.dumps(led)) == led
-    assert planner.plan((8, 10), (20, 12), "acs", iterations=2).way_out == (5.5, 10.5)
+    assert planner.plan((8, 10), (20, 12), "acs", iterations=2).way_out == (6.5, 10.5)
     assert planner.plan((2, 3), (20, 12)).way_out is None
     short = planner.plan((2, 3), (8, 10), goal_tolerance=2)
     assert short.goal_reached == (6, 10) and np.allclose(short.path[-1], (6.7, 10.5)) and short.optimal

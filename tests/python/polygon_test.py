@@ -208,7 +208,7 @@ def test_no_space_is_free():
     planner = pg.Planner(pg.World(SQUARE), margin=6)
     result = planner.plan((1, 5), (9, 5))
     assert result.status == "invalid" and result.nearest_free is None and planner.nearest_free((1, 5)) is None
-    assert planner.components == 0 and "no space is free with a margin of 6" in result.error
+    assert planner.components == 0 and "no space is free" in result.error
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])

@@ -163,7 +163,7 @@ class Discs(ProgramTest):
             self.ended(self.replay_of(answer), 0)
             self.ended(self.plan("--radius", "2.3", *few, **ask), 0, "start (8, 10) is too near to an obstacle, 0.5 cells away: "
                        "the radius is 2.3 cells; the path first leads straight out to " +
-                       ("the point (6.7, 10.5), 1.8 cells away" if algorithm == "exact" else "(5, 10), 3 cells away"))
+                       ("the point (6.7, 10.5), 1.8 cells away" if algorithm == "exact" else "(6, 10), 2 cells away"))
             self.write("q.tsv", "sx sy gx gy\n8 10 20 12\n9 10 20 12\n4 4 20 12\n")
             lines = self.ended(self.run_program("batch", "m.map", "q.tsv", "--algorithm", algorithm, "--radius", "2.3", *few), 0).lines
             self.assertEqual((lines[0]["path"], lines[0]["length"]), (answer["path"], answer["length"]))
@@ -228,7 +228,7 @@ class Discs(ProgramTest):
         length = 0
         run = self.plan("--radius", "40", "--frame", "world", map_file="m.yaml", start="-1,2", goal="2,3")
         self.assertEqual(run.code, 2)
-        self.assertIn("radius is 40 m, cells are 0.5 m; for exact a disc's radius is between 0.05 and 54 cells", run.err)
+        self.assertIn("--radius is 40 m; for exact a disc's radius is between 0.025 and 27 m (0.05 and 54 cells)", run.err)
         for a, arc, b in pieces_of(answer["curve_world"]):
             length += math.dist(a, b) if arc is None else 0.75 * swept(a, arc, b)
         self.assertAlmostEqual(length, answer["length_m"], delta=1e-9)

@@ -64,10 +64,11 @@ class Reasons(ProgramTest):
     def test_a_cell_that_is_free_in_part(self):
         self.ended(self.asked("--radius", "1.5", start="1,4"), 0)
         self.algorithm = "as"
-        run = self.asked("--json", "--radius", "1.5", start="5,4", goal="1,4")
-        self.ended(run, 4, "is in part too near to the edge of the map, 1 cell away: the radius is 1.5 cells; its "
-                   "centre is not, from which exact plans; the nearest free cell is (2, 4)")
-        self.assertEqual((run.json["blocked_by"], run.json["clearance"]), ("radius", 1))
+        self.ended(self.asked("--radius", "1.5", start="5,4", goal="1,4"), 0)
+        run = self.asked("--json", "--radius", "1.6", start="5,4", goal="1,4")
+        self.ended(run, 4, "is too near to the edge of the map, 1.5 cells away: the radius is 1.6 cells; the nearest "
+                   "free cell is (2, 4)")
+        self.assertEqual((run.json["blocked_by"], run.json["clearance"]), ("radius", 1.5))
 
     def test_metres_given_as_cells(self):
         self.ended(self.asked(start="-0.65,2.45"), 2, "is not a cell X,Y", "add --frame world")
@@ -87,9 +88,9 @@ class Reasons(ProgramTest):
         self.ended(run, 5, "(for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
         self.assertEqual(run.json["widest_radius"], 1.5)
         self.algorithm = "as"
-        of_cells = self.asked("--json", "--radius", "1.2")
-        self.ended(of_cells, 5, "(obstacles grown by 1.2 cells)", "the widest radius that joins them is 1 cell")
-        self.assertEqual(of_cells.json["widest_radius"], 1)
+        of_cells = self.asked("--json", "--radius", "1.6")
+        self.ended(of_cells, 5, "(by walks over cells, for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
+        self.assertEqual(of_cells.json["widest_radius"], 1.5)
         self.algorithm = "exact"
         self.ended(self.asked("--radius", "0.16", "--frame", "world", start="-0.65,2.45", goal="0.35,2.45"), 5,
                    "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",
@@ -108,7 +109,7 @@ class Reasons(ProgramTest):
             start, goal = ("%r,%r" % (-1 + (x + 0.5) * resolution, 2 + 4.5 * resolution) for x in (3, 13))
             found = self.info("--json", "--frame", "world", "--start", start, "--goal", goal).json
             self.assertTrue(found["joined"])
-            for algorithm, key, hair in (("exact", "widest_radius", 1e-6), ("as", "widest_radius_grown", 1e-15)):
+            for algorithm, key, hair in (("exact", "widest_radius", 1e-6), ("as", "widest_radius_grown", 1e-6)):
                 self.algorithm = algorithm
                 metres, cells = found[key + "_m"], found[key]
                 for radius, code in ((metres, 0), (metres + hair, 5)):
@@ -123,9 +124,9 @@ class Reasons(ProgramTest):
         self.assertEqual([round(m, 9) for m in known["extent_m"]], [2.0, 0.9])
         self.assertNotIn("joined", known)
         text = self.info("--frame", "world", "--radius", "0.12", "--start", "-0.65,2.45", "--goal", "0.35,2.45").out
-        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m for exact, for the others up to 0.1 m"):
+        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m for exact, for the others up to 0.15 m"):
             self.assertIn(words, text)
-        self.assertIn("no, up to --radius 1.5 cells for exact, for the others up to 1 cell", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
+        self.assertIn("no, up to --radius 1.5 cells for exact, for the others up to 1.5 cells", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
         self.assertIn("counted as free", self.info("--unknown-free").out)
         self.assertIn("joined      no\n", self.info("--start", "3,4", "--goal", "99,4").out)
         self.assertIsNone(self.run_program("info", "small.map", "--json").json["unknown_cells"])

@@ -44,7 +44,7 @@ Json preparation_json(const LoadedMap& map) {
 }
 
 /// Whether two places are joined, and with how wide a radius they would be: by a disc's curves, and
-/// on cells of the grown map.
+/// by walks over cells.
 void add_joined(Json& json, LoadedMap& map, const InfoCommand& command) {
   if (!command.start) return;
   const Place start = to_place(map, *command.start, command.frame);

@@ -72,7 +72,8 @@ std::string error_text(const MapEnds& ends) {
     text = "start " + place_text(ends.start, frame) + " and goal " + place_text(ends.goal, frame) +
            " lie in different regions of free cells";
   if (ends.map.radius > 0)  // why cells that look free are not
-    text += (ends.curved() ? " (for a disc of radius " : " (obstacles grown by ") +
+    text += (ends.curved() ? " (for a disc of radius "
+                           : " (by walks over cells, for a disc of radius ") +
             length_text(ends.map, frame, ends.map.radius, 6) + ")";
   if (ends.remedy == nullptr) return text;
   return text + remedy_text(ends.map, frame, *ends.remedy) + tolerance_text(ends);

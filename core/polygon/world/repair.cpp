@@ -61,6 +61,7 @@ class Repairer {
   }
   Geos::Geometry merged_of(const std::vector<Polygon>& polygons) const {
     std::vector<Geos::Geometry> parts;
+    parts.reserve(polygons.size());
     for (const Polygon& p : polygons) parts.push_back(geos_.polygon(p));
     return merged(std::move(parts));
   }

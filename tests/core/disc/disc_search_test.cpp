@@ -34,7 +34,7 @@ void expect_curve(const DiscAnswer& answer, const DiscSpace& space, Point start,
   const double radius = space.radius();
   ASSERT_FALSE(answer.curve.empty());
   EXPECT_EQ(answer.curve.back().to, goal);
-  EXPECT_EQ(answer.length, curve_length(answer.curve, radius));
+  EXPECT_EQ(answer.length, curve_length(answer.curve));
   for (std::size_t i = 0; i < answer.curve.size(); ++i) {
     const CurvePiece& piece = answer.curve[i];
     EXPECT_EQ(piece.from, i > 0 ? answer.curve[i - 1].to : start);

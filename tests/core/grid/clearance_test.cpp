@@ -119,15 +119,16 @@ TEST(GrowObstacles, IsWorkedOutByHand) {
   EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
 }
 
-/// Joined with that radius, not with the next larger number.
+/// Joined with that radius, not with a hair more.
 TEST(WidestRadius, IsTheLastWithWhichCellsAreJoined) {
   int joined = 0, apart = 0;
   for (const Grid& grid : sample_grids())
     for (const Corners corners : {Corners::forbid, Corners::allow}) {
       const auto widest = WidestRadius::make(grid, corners);
       const auto are_joined = [&](double radius, Cell a, Cell b) {
-        const Planner planner(grow_obstacles(grid, radius));
-        return planner.grid().free(a) && planner.grid().free(b) && planner.connected(a, b, corners);
+        const Planner planner(grid, Disc{radius});
+        return planner.passable().free(a) && planner.passable().free(b) &&
+               planner.connected(a, b, corners);
       };
       for (int i = 0; i < 12; ++i) {
         const Cell a{17 * i % grid.width(), 5 * i % grid.height()};
@@ -138,7 +139,7 @@ TEST(WidestRadius, IsTheLastWithWhichCellsAreJoined) {
         EXPECT_EQ(radius.has_value(), are_joined(0, a, b));
         if (!radius) continue;
         EXPECT_TRUE(are_joined(*radius, a, b)) << *radius;
-        EXPECT_FALSE(are_joined(std::nextafter(*radius, 1e9), a, b)) << *radius;
+        EXPECT_FALSE(are_joined(*radius > 0 ? *radius + 1e-6 : 0.05, a, b)) << *radius;
       }
     }
   EXPECT_GT(joined, 100);
@@ -148,8 +149,8 @@ TEST(WidestRadius, IsTheLastWithWhichCellsAreJoined) {
 TEST(WidestRadius, IsWorkedOutByHand) {
   // A door of one cell.
   const Grid grid = drawn({"....#....", "....#....", ".........", "....#....", "....#...."});
-  EXPECT_EQ(WidestRadius::make(grid)->between({0, 2}, {8, 2}), 0);
-  EXPECT_EQ(WidestRadius::make(grid)->between({1, 1}, {2, 2}), 1);
+  EXPECT_EQ(WidestRadius::make(grid)->between({0, 2}, {8, 2}), 0.5);
+  EXPECT_EQ(WidestRadius::make(grid)->between({1, 1}, {2, 2}), 1.5);
   EXPECT_EQ(WidestRadius::make(grid)->between({4, 0}, {0, 0}), std::nullopt);
   const Grid squeezed = drawn({".#", "#."});
   EXPECT_EQ(WidestRadius::make(squeezed)->between({0, 0}, {1, 1}), std::nullopt);

@@ -1,0 +1,348 @@
+// What a Navigator holds, and how it goes on from step to step.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "core/base/invalid_parameter.h"
+#include "core/disc/disc_cells.h"
+#include "core/disc/disc_graph.h"
+#include "core/disc/disc_space.h"
+#include "core/drive/doubts.h"
+#include "core/drive/edited_map.h"
+#include "core/drive/live_map.h"
+#include "core/drive/path_walker.h"
+#include "core/drive/retreat.h"
+#include "core/grid/cell_distance.h"
+#include "core/grid/grid_view.h"
+#include "core/params/parameter_table.h"
+#include "core/plan/answer.h"
+#include "core/plan/disc_path.h"
+#include "core/plan/workspace.h"
+#include "core/smooth/taut_string.h"
+#include "lasius/navigator.h"
+#include "lasius/path.h"
+
+namespace lasius {
+
+/// @throws Error(invalid_parameter) unless the algorithm is of the kind that an option is for.
+inline void check_kind(const Algorithm& algorithm, Algorithm::Kind kind, const char* option,
+                       const char* whose) {
+  if (algorithm.kind == kind) return;
+  throw invalid_parameter(
+      std::string(option) + " is set, which " + std::string(algorithm.name) + " ignores",
+      std::string("leave it out, or take ") + whose);
+}
+
+class Navigator::Impl {
+ public:
+  using Connectivity = Components::Connectivity;
+
+  Impl(Grid grid, Cell to, const NavigatorOptions& given)
+      : goal(to), options(given), map(std::move(grid), given.radius) {
+    validate(options.params);
+    const Algorithm& algorithm = find_algorithm(options.params.algorithm());
+    check_certifies(algorithm, options.target_gap);
+    check_goal_tolerance(options.goal_tolerance);
+    require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
+                      "it must be 0 (never) or more steps");
+    if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
+    if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
+    corners = corners_of_paths(options.params, {given.radius});
+    if (disc::has_space(given.radius))
+      robot_disc.emplace(DiscMap{given.radius, disc::DiscSpace::make(map.map(), given.radius)});
+    if (algorithm.kind == Algorithm::Kind::colony) send_colony(goal);
+    taut = algorithm.kind == Algorithm::Kind::exact || options.params.polish == Polish::taut;
+    if (corners == Corners::allow) eight.emplace(map.passable(), Connectivity::eight);
+    if (options.prepare) prepare(*options.prepare);
+  }
+
+  /// A trail leads to one goal.
+  void send_colony(Cell to) {
+    Params params = options.params;
+    params.corners = corners_of(params.corners, {options.radius});
+    colony.emplace(map.passable(), to, params, space());
+  }
+  const disc::DiscSpace* space() const noexcept {
+    return robot_disc ? &*robot_disc->space : nullptr;
+  }
+  /// Tells a disc's free space of the edits since the last call, and looks whether the way holds.
+  void update_space() {
+    if (edited.empty()) return;
+    std::erase_if(edited,
+                  [&](Cell c) { return space()->map().blocked(c) == map.map().blocked(c); });
+    std::ranges::sort(edited, {}, [](Cell c) { return std::pair(c.y, c.x); });
+    edited.erase(std::unique(edited.begin(), edited.end()), edited.end());
+    robot_disc->space->update(map.map(), edited);
+    edited.clear();
+    if (!std::exchange(hit, false) || way.path.empty()) return;
+    // What leads out keeps no radius.
+    holds = holds && !way.way_out && keeps(way.path[0], way.path[0]);
+    for (std::size_t i = 1; i < way.path.size() && holds; ++i)
+      holds = keeps(way.path[i - 1], way.path[i]);
+    for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
+      holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
+  }
+  /// Between points that may not be clear any more.
+  bool keeps(Point a, Point b) const noexcept {
+    return segment_clearance(map.map(), a, b, options.radius) >= options.radius - 2 * disc::kSlack;
+  }
+
+  void prepare(const PrepareOptions& how) {
+    check_threads(how.threads);
+    const auto begin = Clock::now();
+    if (robot_disc) {
+      disc_graph = disc::DiscGraph::make(*space(), how, preparation);
+    } else {
+      graph = exact::CornerGraph::make(map.passable(), how, preparation);
+    }
+    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
+    four.changed(map.passable(), part);
+    if (eight) eight->changed(map.passable(), part);
+    if (graph) graph->update(map.passable(), part);
+    if (colony) colony->changed(part);
+    if (holds && !robot_disc) {
+      holds = std::ranges::none_of(
+          cells, [this](Cell c) { return map.passable().blocked(c) ? breaks(c) : shortens(c); });
+    }
+  };
+  const EditedMap::OnChange on_edit = [this](const Rectangle&, std::span<const Cell> cells) {
+    if (!robot_disc) return;
+    edited.insert(edited.end(), cells.begin(), cells.end());
+    if (std::exchange(disc_graph, nullptr)) preparation = {.seconds = preparation.seconds};
+    const bool blocked = map.map().blocked(cells[0]);
+    if (blocked && !way.path.empty()) {
+      hit = true;
+    } else {
+      holds =
+          holds && !blocked && std::ranges::none_of(cells, [this](Cell c) { return shortens(c); });
+    }
+  };
+  /// Does a cell that has become blocked make the way impossible, or the fault another one?
+  bool breaks(Cell cell) const noexcept {
+    if (way.path.empty())
+      return cell == at || cell == goal || cell == way.nearest_free ||
+             cell == way.nearest_reachable;
+    for (std::size_t i = 1; i < way.path.size(); ++i)
+      if (touches(way.path[i - 1], way.path[i], cell)) return true;
+    return walker.touches_rest(cell) || beside_walk(cell);
+  }
+  /// Does the walk pass a cell by a diagonal move?
+  bool beside_walk(Cell cell) const noexcept {
+    for (std::size_t i = 1; i < way.walk.size(); ++i) {
+      const Cell a = way.walk[i - 1], b = way.walk[i];
+      if (cell == Cell{a.x, b.y} || cell == Cell{b.x, a.y}) return true;
+    }
+    return false;
+  }
+
+  /// Might a way over a cell that has become free be shorter than what is left of this one? There
+  /// is none shorter through it where the straight distances to both ends are as long together.
+  bool shortens(Cell cell) const noexcept {
+    if (way.path.empty() || ends_short()) return true;
+    // Of the cell any point may be met, and of the robot's cell; of a disc any so near to it.
+    constexpr double kSlack = 4;
+    return distance(at, cell) + distance(cell, goal) <
+           way.length + kSlack + (robot_disc ? 2 * options.radius : 0);
+  }
+  /// Of the goal itself, which cannot be reached.
+  bool ends_short() const noexcept { return way.goal_reached && *way.goal_reached != goal; }
+
+  Result ask(Cell robot, const StopCondition& stop) {
+    PlanningMap known{
+        .grid = map.passable(),
+        .graph = graph.get(),
+        .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); },
+        .disc = robot_disc ? &*robot_disc : nullptr,
+        .disc_graph = disc_graph.get(),
+        .walked = true};
+    if (colony) {
+      known.colony = [&](const Request& request, const Observer& observer) {
+        if (colony->goal() != request.goal) send_colony(request.goal);
+        return colony->run(request, observer);
+      };
+    }
+    const Request request{.start = robot,
+                          .goal = goal,
+                          .stop = stop,
+                          .target_gap = options.target_gap,
+                          .goal_tolerance = options.goal_tolerance};
+    return answer(known, request, options.params, &workspace, {});
+  }
+
+  void take(Result&& result) {
+    static_cast<Result&>(way) = std::move(result);
+    way.replanned = true;
+    way.walk.clear();
+    walker.begin(way.path, robot_disc.has_value());
+    if (robot_disc && way.path.size() > 1) walk_somehow();
+    holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
+  }
+  /// Where no walk follows a disc's path, which passes between centres of cells, the fewest moves
+  /// over cells become the path.
+  void walk_somehow() {
+    const auto cell_of = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
+    const Cell from = cell_of(way.path.front()), to = cell_of(way.path.back());
+    const Corners rule = rule_of_walks(corners);
+    std::vector<Cell> piece(1, from);
+    PathWalker ahead = walker;
+    do {
+      ahead.next(map.passable(), rule, piece.back(), piece);
+    } while (piece.size() > 1 && piece.back() != to);
+    if (piece.back() == to || connected(from, to, corners, {}) != true) return;
+    const auto walk = find_way_out(
+        map.passable(), rule, from, [&](Cell c) { return c == to; },
+        static_cast<std::size_t>(map.map().width()) * static_cast<std::size_t>(map.map().height()));
+    way.path.clear();
+    for (const Cell c : walk) way.path.push_back(centre(c));
+    way.curve.clear();
+    way.length = path_length(way.path);
+    way.optimal = false;
+    walker.begin(way.path, true);
+  }
+  bool blocked() const noexcept { return way.status == Status::invalid; }
+
+  void plan(Cell robot, const StopCondition& stop) {
+    take(ask(robot, stop));
+    if (way.fault == Fault::start_blocked) leave(robot, stop);
+  }
+  /// The way of a robot that is where it may not be: out first, over what is free on the map.
+  void leave(Cell robot, const StopCondition& stop) {
+    const Grid& passable = map.passable();
+    const auto leads_on = [&](Cell c) {
+      return passable.free(c) && connected(c, goal, corners, stop) == true;
+    };
+    const Corners rule = rule_of_walks(corners);
+    auto out = find_way_out(map.map(), rule, robot, leads_on);
+    if (out.empty() && options.goal_tolerance > 0)
+      out = find_way_out(map.map(), rule, robot, [&](Cell c) { return passable.free(c); });
+    if (out.empty()) return;
+    Result rest = ask(out.back(), stop);
+    if (rest.path.empty()) {
+      holds = rest.status != Status::limit && rest.status != Status::interrupted;
+      return;
+    }
+    rest.length += length_of(out);
+    rest.lower_bound.reset();
+    rest.optimal = false;
+    take(std::move(rest));
+    way.way_out = centre(out.back());
+    for (std::size_t i = out.size() - 1; i > 0; --i)
+      way.path.insert(way.path.begin(), centre(out[i - 1]));
+    way.walk = std::move(out);
+  }
+
+  /// The robot went on by the first moves of its walk: what is left of the path begins there, and
+  /// is pulled taut as far as that changes it. False where that is to be planned anew.
+  bool go_on(std::size_t moves) {
+    if (moves == 0) return true;
+    auto& path = way.path;
+    if (way.way_out) {
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(moves));
+      if (centre(way.walk[moves]) == way.way_out) way.way_out.reset();
+    } else if (robot_disc) {
+      // The farthest of the next vertices that the robot sees.
+      std::size_t i = std::min<std::size_t>(path.size() - 1, 16);
+      const Point robot = centre(way.walk[moves]);
+      while (i > 0 && !space()->sees(robot, path[i])) --i;
+      if (i == 0) return false;
+      path.erase(path.begin() + 1, path.begin() + static_cast<std::ptrdiff_t>(i));
+      path.front() = robot;
+      way.curve.clear();
+    } else {
+      const std::size_t left = walker.vertices_after(way.walk[moves]);
+      std::size_t last = path.size() - std::min(left + 1, path.size() - 1);
+      if (taut) last = std::min(last + 3, path.size() - 1);
+      std::vector<kernels::HalfPoint> front;
+      for (std::size_t i = moves; i > 0; --i) front.push_back(halves_of(centre(way.walk[i])));
+      for (std::size_t i = 0; i <= last; ++i) front.push_back(halves_of(path[i]));
+      string.run(map.passable(), front, corners);
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+      path.insert(path.begin(), string.path().begin(), string.path().end());
+    }
+    way.length = path_length(path);
+    way.lower_bound.reset();
+    way.optimal = false;
+    way.walk.erase(way.walk.begin(), way.walk.begin() + static_cast<std::ptrdiff_t>(moves));
+    return true;
+  }
+  static kernels::HalfPoint halves_of(Point p) noexcept {
+    return {static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
+  }
+  /// On its way out a robot is where changes of the grown map tell nothing.
+  bool way_out_is_shut() const noexcept {
+    return way.way_out && std::any_of(way.walk.begin() + 1, way.walk.end(),
+                                      [&](Cell c) { return map.map().blocked(c); });
+  }
+
+  /// After some steps without a way, walls that were not observed again are taken for free.
+  void doubt(Cell robot, const StopCondition& stop) {
+    const bool none = way.path.empty() && (way.status == Status::unreachable || blocked());
+    if (!none) return doubts.end_wait();
+    const std::vector<Cell> walls = doubts.wait(map.map());
+    if (walls.empty()) return;
+    map.set(walls, false, on_change, on_edit);
+    update_space();
+    plan(robot, stop);
+    way.doubted = static_cast<std::int64_t>(walls.size());
+  }
+
+  std::optional<bool> connected(Cell a, Cell b, Corners rule, const StopCondition& stop) {
+    const auto joined = four.connected(map.passable(), a, b, stop);
+    if (rule != Corners::allow || joined != false) return joined;
+    return eight->connected(map.passable(), a, b, stop);
+  }
+
+  const Way& step(Cell robot, const StopCondition& stop) {
+    way.replanned = false;
+    way.doubted = 0;
+    const auto here = std::ranges::find(way.walk, robot);
+    const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
+    at = robot;
+    update_space();
+    if (!holds || !on_way || way_out_is_shut() ||
+        !(way.path.empty() || go_on(static_cast<std::size_t>(here - way.walk.begin())))) {
+      plan(robot, stop);
+    } else {
+      if (colony && options.search_on && robot != goal && !way.way_out) {
+        Result result = ask(robot, stop);
+        if (!result.path.empty() && result.length < way.length) take(std::move(result));
+      }
+    }
+    doubt(robot, stop);
+    if (!way.path.empty() && way.walk.size() < 2) {
+      walker.next(map.passable(), rule_of_walks(corners), robot, way.walk);
+      if (way.walk.size() < 2 && robot != goal) holds = false;
+    }
+    return way;
+  }
+
+  Cell goal;
+  NavigatorOptions options;
+  EditedMap map;
+  std::optional<DiscMap> robot_disc;  ///< only where there is a DiscSpace for its radius
+  std::vector<Cell> edited;           ///< that its space does not know of
+  bool hit = false;                   ///< some of them became blocked since the way was looked at
+  std::shared_ptr<disc::DiscGraph> disc_graph;
+  Doubts doubts{options.doubt_after};
+  Corners corners;
+  bool taut;  ///< the algorithm's paths are
+  std::optional<LiveColony> colony;
+  LiveComponents four{map.passable(), Connectivity::four};
+  std::optional<LiveComponents> eight;  ///< only where paths may squeeze
+  std::shared_ptr<exact::CornerGraph> graph;
+  Preparation preparation;
+  Workspace workspace;
+  PathWalker walker;
+  TautString string;
+  Way way;
+  bool holds = false;  ///< the way, as far as is known
+  Cell at{-1, -1};     ///< where the robot was in the last step
+};
+
+}  // namespace lasius
