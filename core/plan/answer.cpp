@@ -138,8 +138,7 @@ class Ends {
   /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
   /// blocked than the start.
   std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
-    if (map_.walked || map_.disc == nullptr || map_.disc->map().blocked(start))
-      return std::nullopt;
+    if (map_.walked || map_.disc == nullptr || map_.disc->map().blocked(start)) return std::nullopt;
     const Grid& map = map_.disc->map();
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
