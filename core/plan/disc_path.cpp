@@ -9,6 +9,7 @@
 
 #include "core/base/number_text.h"
 #include "core/disc/bit_rows.h"
+#include "core/disc/sweep.h"
 
 namespace lasius {
 namespace {
@@ -70,31 +71,36 @@ class Judge {
       if (!(p.x >= 0 && p.y >= 0 && p.x <= map_.width() && p.y <= map_.height()))
         return "the point " + text(p) + " is outside the map";
     }
-    const double clearance = segment_clearance(map_, a, b, radius_);
-    if (clearance >= least_) return std::nullopt;
+    if (disc::sweeps_clear(map_, a, b, least_)) return std::nullopt;
     return "the segment " + text(a) + " - " + text(b) + " comes as near as " +
-           number_text(clearance) + " to a blocked cell, the radius is " + number_text(radius_);
+           number_text(segment_clearance(map_, a, b, radius_)) +
+           " to a blocked cell, the radius is " + number_text(radius_);
   }
 
   std::optional<std::string> arc(const CurvePiece& piece) const {
     const auto off = [&](Point p) { return std::abs(distance(piece.centre, p) - radius_); };
     if (piece.radius != radius_ || off(piece.from) > disc::kSlack || off(piece.to) > disc::kSlack)
       return "the arc about " + text(piece.centre) + " has another radius than the disc";
-    return arc(piece.centre, piece.from, piece.to, 4);
+    for (const Point end : {piece.from, piece.to})
+      if (auto fault = straight(end, end)) return fault;
+    if (!in_one_quadrant(piece))
+      return "the arc about " + text(piece.centre) + " is not one of a quadrant";
+    if (disc::turns_clear(map_, piece.centre, piece.from, piece.to, radius_, 2 * disc::kSlack))
+      return std::nullopt;
+    return "the arc about " + text(piece.centre) + " comes nearer to a blocked cell than " +
+           number_text(radius_);
   }
 
  private:
-  // Its ends and the points that halve it, again and again. What comes nearer between these comes
-  // nearer to the polyline's sides around the arc, too, which are judged whole.
-  std::optional<std::string> arc(Point centre, Point from, Point to, int halvings) const {
-    if (auto fault = straight(from, from)) return fault;
-    if (auto fault = straight(to, to)) return fault;
-    if (halvings == 0) return std::nullopt;
-    const double x = from.x + to.x - 2 * centre.x, y = from.y + to.y - 2 * centre.y;
-    const double scale = radius_ / std::sqrt(x * x + y * y);
-    const Point middle{centre.x + scale * x, centre.y + scale * y};
-    if (auto fault = arc(centre, from, middle, halvings - 1)) return fault;
-    return arc(centre, middle, to, halvings - 1);
+  static bool in_one_quadrant(const CurvePiece& piece) noexcept {
+    const auto aside = [](double centre, double from, double to) {
+      const double a = from - centre, b = to - centre;
+      return std::min(std::abs(a), std::abs(b)) <= disc::kSlack || (a > 0) == (b > 0);
+    };
+    return piece.centre.x == std::floor(piece.centre.x) &&
+           piece.centre.y == std::floor(piece.centre.y) &&
+           aside(piece.centre.x, piece.from.x, piece.to.x) &&
+           aside(piece.centre.y, piece.from.y, piece.to.y);
   }
 
   const Grid& map_;
