@@ -10,6 +10,7 @@
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
+#include "core/disc/sweep.h"
 #include "core/drive/doubts.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/live_map.h"
@@ -19,7 +20,6 @@
 #include "core/grid/grid_view.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
 #include "lasius/navigator.h"
@@ -87,7 +87,7 @@ class Navigator::Impl {
   }
   /// Between points that may not be clear any more.
   bool keeps(Point a, Point b) const noexcept {
-    return segment_clearance(map.map(), a, b, options.radius) >= options.radius - 2 * disc::kSlack;
+    return disc::sweeps_clear(map.map(), a, b, options.radius - 2 * disc::kSlack);
   }
 
   void prepare(const PrepareOptions& how) {

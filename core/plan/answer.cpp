@@ -9,6 +9,7 @@
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/disc/disc_cells.h"
+#include "core/disc/sweep.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
@@ -18,6 +19,7 @@
 #include "core/params/parameter_table.h"
 #include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
+#include "lasius/clearance.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -142,8 +144,8 @@ class Ends {
     const Grid& map = map_.disc->map();
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
-    const double clearance = segment_clearance(map, from, from, most);
-    const auto leads_there = [&](Point to) { return keeps_clearance(map, from, to, clearance); };
+    const double clearance = nearest_blocked(map, from, most).distance - disc::kSlack;
+    const auto leads_there = [&](Point to) { return disc::sweeps_clear(map, from, to, clearance); };
     if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
     std::optional<Point> best;
     double nearest = kInfinity;
