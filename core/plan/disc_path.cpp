@@ -51,10 +51,12 @@ class Judge {
   }
 
  private:
+  static constexpr double kRounding = 1e-7;  // of an end where a quadrant ends
+
   static bool in_one_quadrant(const CurvePiece& piece) noexcept {
     const auto aside = [](double centre, double from, double to) {
       const double a = from - centre, b = to - centre;
-      return std::min(std::abs(a), std::abs(b)) <= disc::kSlack || (a > 0) == (b > 0);
+      return std::min(std::abs(a), std::abs(b)) <= kRounding || (a > 0) == (b > 0);
     };
     return piece.centre.x == std::floor(piece.centre.x) &&
            piece.centre.y == std::floor(piece.centre.y) &&
