@@ -190,7 +190,8 @@ TEST(DiscSpace, AnUpdatedOneIsAsAFreshOne) {
       const auto fresh = DiscSpace::make(grid, radius);
       expect_same(*space, *fresh, random);
       if (HasFatalFailure()) FAIL() << "round " << round << ", edit " << edit << ", " << radius;
-      ASSERT_LT(space->bytes(), 2 * fresh->bytes() + 4096);
+      // Half of a list may be waste, and a vector has room for twice as much.
+      ASSERT_LT(space->bytes(), 4 * fresh->bytes() + 4096);
     }
   }
 }
