@@ -78,6 +78,20 @@ test("a generated map: every kind of algorithm gives the program's path", async 
   await tools.done();
 });
 
+test("a disc: the exact curve's polyline and a colony's path are the program's", async () => {
+  const { page, run, ...tools } = await opened();
+  await tools.set("Radius of the robot, cells", 1.5);
+  assert.match(await tools.command(), /--radius 1.5 /);
+  for (const algorithm of ["acs", "exact"]) {
+    await tools.choose(algorithm);
+    if (algorithm === "acs") await tools.parameter("iterations", 10);
+    await run();
+    const native = await sameByProgram(tools);
+    if (algorithm === "exact") assert.ok(native.curve.some(({ turn }) => turn), "it goes around something");
+  }
+  await tools.done();
+});
+
 test("a drawn map is saved, and its command gives the same path", async () => {
   const { page, run, ...tools } = await opened();
   await tools.set("Width, cells", 60);
