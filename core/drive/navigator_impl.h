@@ -180,12 +180,12 @@ class Navigator::Impl {
     way.replanned = true;
     way.walk.clear();
     walker.begin(way.path, robot_disc.has_value());
-    if (robot_disc && way.path.size() > 1) walk_somehow();
+    if (robot_disc && way.path.size() > 1) walk_over_cells();
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
   }
   /// Where no walk follows a disc's path, which passes between centres of cells, the fewest moves
   /// over cells become the path.
-  void walk_somehow() {
+  void walk_over_cells() {
     const auto cell_of = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
     const Cell from = cell_of(way.path.front()), to = cell_of(way.path.back());
     const Corners rule = rule_of_walks(corners);

@@ -145,7 +145,16 @@ class Ends {
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
     const double clearance = nearest_blocked(map, from, most).distance - disc::kSlack;
-    const auto leads_there = [&](Point to) { return disc::sweeps_clear(map, from, to, clearance); };
+    // The first pieces alone first: what is in the way of most is near.
+    const auto leads_there = [&](Point to) {
+      const double far = disc::distance(from, to);
+      for (double piece = 4; piece < far; piece *= 4) {
+        const double t = piece / far;
+        const Point near{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        if (!disc::sweeps_clear(map, from, near, clearance)) return false;
+      }
+      return disc::sweeps_clear(map, from, to, clearance);
+    };
     if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
     std::optional<Point> best;
     double nearest = kInfinity;
