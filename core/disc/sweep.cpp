@@ -43,15 +43,18 @@ struct Side {
 }  // namespace
 
 bool sweeps_clear(const Grid& grid, Point a, Point b, double radius) noexcept {
-  if (a.y > b.y) std::swap(a, b);
+  const bool up = a.y > b.y;
+  if (up) std::swap(a, b);
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
   const double share = length > 0 ? radius / length : 0, slope = dy > 0 ? dx / dy : 0;
   const Side left{a, b, radius, -1, slope, -dy * share, dx * share};
   const Side right{a, b, radius, 1, slope, dy * share, -dx * share};
   const Point leftmost = dx < 0 ? b : a, rightmost = dx < 0 ? a : b;
   const double top = a.y - radius, bottom = b.y + radius;
+  const int first = std::max(-1, static_cast<int>(std::floor(top)));
   const int last = std::min(grid.height(), static_cast<int>(std::ceil(bottom)) - 1);
-  for (int y = std::max(-1, static_cast<int>(std::floor(top))); y <= last; ++y) {
+  for (int row = first; row <= last; ++row) {
+    const int y = up ? first + last - row : row;
     const double from = std::max(top, 1.0 * y), to = std::min(bottom, y + 1.0);
     const auto clamped = [&](Point p) { return std::min(std::max(p.y, from), to); };
     if (!is_free(grid, y, left.at(clamped(leftmost)), right.at(clamped(rightmost)))) return false;

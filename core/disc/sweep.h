@@ -8,7 +8,8 @@ namespace lasius::disc {
 
 /// Does an open disc whose centre goes straight from a to b meet no blocked cell and nothing of
 /// the outside? Exact up to rounding. What it sweeps of a row of cells is convex: the columns from
-/// its leftmost to its rightmost point, which must all be free. Both ends lie on the map.
+/// its leftmost to its rightmost point, which must all be free. Rows from `a` on: what hides much
+/// is near. Both ends lie on the map.
 bool sweeps_clear(const Grid& grid, Point a, Point b, double radius) noexcept;
 
 /// The same of a centre that goes around a lattice point, on its circle and in one quadrant, at the

@@ -77,7 +77,7 @@ class Navigator::Impl {
     edited.erase(std::unique(edited.begin(), edited.end()), edited.end());
     robot_disc->space->update(map.map(), edited);
     edited.clear();
-    if (!std::exchange(hit, false) || way.path.empty()) return;
+    if (!std::exchange(wall_rose, false) || way.path.empty()) return;
     // What leads out keeps no radius.
     holds = holds && !way.way_out && keeps(way.path[0], way.path[0]);
     for (std::size_t i = 1; i < way.path.size() && holds; ++i)
@@ -117,7 +117,7 @@ class Navigator::Impl {
     if (std::exchange(disc_graph, nullptr)) preparation = {.seconds = preparation.seconds};
     const bool blocked = map.map().blocked(cells[0]);
     if (blocked && !way.path.empty()) {
-      hit = true;
+      wall_rose = true;
     } else {
       holds =
           holds && !blocked && std::ranges::none_of(cells, [this](Cell c) { return shortens(c); });
@@ -186,8 +186,7 @@ class Navigator::Impl {
   /// Where no walk follows a disc's path, which passes between centres of cells, the fewest moves
   /// over cells become the path.
   void walk_over_cells() {
-    const auto cell_of = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
-    const Cell from = cell_of(way.path.front()), to = cell_of(way.path.back());
+    const Cell from = cell_at(way.path.front()), to = cell_at(way.path.back());
     const Corners rule = rule_of_walks(corners);
     std::vector<Cell> piece(1, from);
     PathWalker ahead = walker;
@@ -327,7 +326,7 @@ class Navigator::Impl {
   EditedMap map;
   std::optional<DiscMap> robot_disc;  ///< only where there is a DiscSpace for its radius
   std::vector<Cell> edited;           ///< that its space does not know of
-  bool hit = false;                   ///< some of them became blocked since the way was looked at
+  bool wall_rose = false;             ///< some of them became blocked since the way was looked at
   std::shared_ptr<disc::DiscGraph> disc_graph;
   Doubts doubts{options.doubt_after};
   Corners corners;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/nearest_text.h"
 #include "core/base/special_values.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
@@ -64,8 +65,6 @@ struct Places {
   Point from, to;
   std::optional<Point> way_out = {};  ///< from where it begins, if not at the start
 };
-
-Cell cell_at(Point p) noexcept { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
 
 Result run_exact(const PlanningMap& map, const Request& request, const Places& places,
                  WorkspaceMemory& memory, const Observer& observer) {
@@ -145,16 +144,7 @@ class Ends {
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
     const double clearance = nearest_blocked(map, from, most).distance - disc::kSlack;
-    // The first pieces alone first: what is in the way of most is near.
-    const auto leads_there = [&](Point to) {
-      const double far = disc::distance(from, to);
-      for (double piece = 4; piece < far; piece *= 4) {
-        const double t = piece / far;
-        const Point near{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-        if (!disc::sweeps_clear(map, from, near, clearance)) return false;
-      }
-      return disc::sweeps_clear(map, from, to, clearance);
-    };
+    const auto leads_there = [&](Point to) { return disc::sweeps_clear(map, from, to, clearance); };
     if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
     std::optional<Point> best;
     double nearest = kInfinity;
@@ -169,13 +159,12 @@ class Ends {
   }
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
-    auto [fault, text] =
-        fault_of_end(map_.disc != nullptr ? map_.disc->map() : map_.grid, at_start, c);
-    if (map_.disc == nullptr || map_.disc->map().blocked(c)) return {fault, text};
-    text.replace(
-        text.find(" is blocked"), std::string::npos,
-        " is nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
-    return {fault, text};
+    if (map_.disc == nullptr) return fault_of_end(map_.grid, at_start, c);
+    const Grid& map = map_.disc->map();
+    if (map.blocked(c)) return fault_of_end(map, at_start, c);
+    return fault_of_end(
+        map, at_start, c,
+        "nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
   }
 
  private:
@@ -183,16 +172,6 @@ class Ends {
   const disc::DiscSpace* space_;
   Corners corners_;
 };
-
-/// What a sentence about such an end goes on with.
-std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& reachable) {
-  const std::string nearest = "; the nearest free cell ";
-  if (!reachable || *reachable == free) return nearest + "is " + cell_name(free);
-  return nearest + (at_start ? "from which the goal" : "that") + " can be reached" +
-         (at_start ? "" : " from the start") + " is " + cell_name(*reachable) + "; " +
-         cell_name(free) + " is nearer, but " +
-         (at_start ? "does not lead there" : "cannot be reached");
-}
 
 /// The answer to a start or goal that is blocked or outside; `other` is the other end, if good.
 Result invalid(const Ends& ends, bool at_start, const Request& request,
@@ -208,7 +187,9 @@ Result invalid(const Ends& ends, bool at_start, const Request& request,
                                    : ends.nearest(cell, token, other);
   }
   if (result.nearest_free) {
-    result.error += nearest_text(at_start, *result.nearest_free, result.nearest_reachable);
+    const auto& reachable = result.nearest_reachable;
+    result.error += nearest_text(at_start, cell_name(*result.nearest_free),
+                                 reachable ? std::optional(cell_name(*reachable)) : std::nullopt);
   } else if (!token.stop_requested()) {
     result.error += "; the map has no free cell";
   }
@@ -283,12 +264,13 @@ void lead_out(Result& result, Point start, Point way_out, bool curved) {
 
 }  // namespace
 
-std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell) {
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell,
+                                           const std::string& what) {
   const bool inside = grid.contains(cell);
   const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
                                : (inside ? Fault::goal_blocked : Fault::goal_outside);
-  return {fault, (at_start ? "start " : "goal ") + cell_name(cell) +
-                     (inside ? " is blocked" : " is outside the map")};
+  return {fault, (at_start ? "start " : "goal ") + cell_name(cell) + " is " +
+                     (inside ? what : "outside the map")};
 }
 
 void check_serves(const Algorithm& algorithm, Disc robot) {

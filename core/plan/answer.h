@@ -44,9 +44,10 @@ struct PlanningMap {
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
               Workspace* workspace, const Observer& observer, const OwnRules& own = {});
 
-/// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked or
-/// outside the map.
-std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell);
+/// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked, or
+/// what else makes it useless, or outside the map.
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell,
+                                           const std::string& what = "blocked");
 
 /// Looks for the free cell nearest to a start or goal that is invalid, and for the nearest of those
 /// that are joined to the other end; `joined` is empty where that is bad too. False when stopped.

@@ -8,15 +8,14 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/disc/curve.h"
 #include "core/disc/sweep.h"
+#include "lasius/path.h"
 
 namespace lasius {
 namespace {
 
-double distance(Point a, Point b) noexcept {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
+using disc::distance;
 
 std::string text(Point p) { return pair_text(p.x, p.y); }
 
@@ -94,23 +93,19 @@ std::optional<std::string> disc_path_fault(const Grid& map, double radius,
                                            std::span<const CurvePiece> curve) {
   if (path.empty()) return "the path is empty";
   const Judge judge(map, radius);
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
+  for (std::size_t i = 1; i < path.size(); ++i)
     if (auto fault = judge.straight(path[i - 1], path[i])) return fault;
-    length += distance(path[i - 1], path[i]);
-  }
   if (curve.empty()) return std::nullopt;
-  double curve_length = 0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const CurvePiece& piece = curve[i];
     if (i > 0 && distance(curve[i - 1].to, piece.from) > disc::kSlack)
       return "the curve is broken at " + text(piece.from);
     if (auto fault = piece.turn == 0 ? judge.straight(piece.from, piece.to) : judge.arc(piece))
       return fault;
-    curve_length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * radius;
   }
   if (distance(path.front(), curve.front().from) > 0 || distance(path.back(), curve.back().to) > 0)
     return "the curve's ends are not the path's";
+  const double length = path_length(path), curve_length = disc::curve_length(curve);
   if (length < curve_length * (1 - disc::kSlack) || length > curve_length * 1.001)
     return "the path's length is " + number_text(length) + ", the curve's " +
            number_text(curve_length);

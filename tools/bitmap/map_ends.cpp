@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/nearest_text.h"
 #include "tools/bitmap/answer.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
@@ -48,17 +49,14 @@ std::string invalid_text(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
   const bool bad_start = at_start(ends);
   const Place& place = invalid_end(ends);
-  std::string text = (bad_start ? "start " : "goal ") + place_text(place, frame) +
-                     obstruction_text(map, frame, obstruction_of(map, place.cell, ends.curved()));
+  const std::string text =
+      (bad_start ? "start " : "goal ") + place_text(place, frame) +
+      obstruction_text(map, frame, obstruction_of(map, place.cell, ends.curved()));
   if (!ends.nearest_free)
     return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
-  const auto& [free, reachable] = std::pair(*ends.nearest_free, ends.nearest_reachable);
-  const std::string nearest = "; the nearest free cell ";
-  if (!reachable || *reachable == free) return text + nearest + "is " + name_of(ends, free);
-  return text + nearest + (bad_start ? "from which the goal" : "that") + " can be reached" +
-         (bad_start ? "" : " from the start") + " is " + name_of(ends, *reachable) + "; " +
-         name_of(ends, free) + " is nearer, but " +
-         (bad_start ? "does not lead there" : "cannot be reached");
+  const auto& reachable = ends.nearest_reachable;
+  return text + nearest_text(bad_start, name_of(ends, *ends.nearest_free),
+                             reachable ? std::optional(name_of(ends, *reachable)) : std::nullopt);
 }
 
 std::string error_text(const MapEnds& ends) {

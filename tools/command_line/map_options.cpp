@@ -33,8 +33,8 @@ void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help)
       "--radius", to.map.radius, 0, kNoLimit,
       "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
       "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
-      "cells; other algorithms plan on cells whose centres keep R, by moves that keep it. A start "
-      "that is free, but nearer than that, is led out first",
+      "cells; other algorithms plan on cells whose centres keep R, by moves that keep it. plan "
+      "and batch lead a start that is free, but nearer than that, out first",
       "R");
   table.real(
       "--goal-tolerance", to.goal_tolerance, 0, kNoLimit,

@@ -47,6 +47,7 @@ std::vector<NamedMap> maps() {
     halls.fill(wall, true);
   maps.push_back({"halls", std::move(halls)});
   if (wanted_drives() == 0) return maps;
+  EXPECT_FALSE(bench_test::shared_tables().empty()) << "so many drives are for the shared maps";
   for (const auto& table : bench_test::shared_tables())
     add(std::filesystem::path(table).replace_extension(".map"));
   const auto nav2 = bench_test::shared_dir().parent_path() / "nav2";
@@ -76,7 +77,6 @@ double least_clearance(const Grid& grid, const std::vector<Point>& path, double 
 
 TEST(DiscDrives, KeepTheRadius) {
   const bool all = wanted_drives() > 0;
-  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
   const std::vector<NamedMap> worlds = maps();
   const int drives = all ? wanted_drives() : 15;
   for (const double radius : kRadii) {
@@ -131,7 +131,6 @@ TEST(DiscDrives, KeepTheRadius) {
 
 TEST(DiscDrives, ColoniesKeepTheRadius) {
   const bool all = wanted_drives() > 0;
-  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
   const std::vector<NamedMap> worlds = maps();
   for (const double radius : kRadii) {
     int plans = 0, n = 0;
