@@ -52,8 +52,11 @@ void add_joined(Json& json, LoadedMap& map, const InfoCommand& command) {
   const Route cells{.corners = command.corners};
   json["start"] = cell_json(start);
   json["goal"] = cell_json(goal);
+  // Of a disc cells that are joined prove no way.
   json["joined"] =
-      (map.grown() ? Route{.curved = true} : cells).joined(*map.planner, start.cell, goal.cell);
+      map.grown() ? map.planner->joined(start.cell, goal.cell) &&
+                        !map.planner->plan({.start = start.cell, .goal = goal.cell}).path.empty()
+                  : cells.joined(*map.planner, start.cell, goal.cell);
   const auto add = [&](const std::string& key, const Route& route) {
     const auto widest = widest_of(map, start.cell, goal.cell, route, {}).widest_radius;
     json[key] = optional_number(widest);
