@@ -30,12 +30,14 @@ Json walls_json(const Grid& grid, const Window& window) {
 }
 
 Json map_view_json(const LoadedMap& map, const Window& window) {
+  const bool any_unknown =
+      map.unknown && map.unknown->count_free() < std::int64_t{1} * map.width * map.height;
   Json json = {{"width", map.width},
                {"height", map.height},
                {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
                {"walls", walls_json(map.grid(), window)},
                {"obstacles", map.grown() ? walls_json(map.as_read(), window) : Json(nullptr)},
-               {"unknown", map.unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
+               {"unknown", any_unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
                {"unknown_free", map.unknown_is_free},
                {"to_world", nullptr}};
   if (map.frame) {

@@ -55,8 +55,12 @@ std::string invalid_text(const MapEnds& ends) {
   if (!ends.nearest_free)
     return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
   const auto& reachable = ends.nearest_reachable;
-  return text + nearest_text(bad_start, name_of(ends, *ends.nearest_free),
-                             reachable ? std::optional(name_of(ends, *reachable)) : std::nullopt);
+  return text +
+         nearest_text(bad_start, name_of(ends, *ends.nearest_free),
+                      reachable ? std::optional(name_of(ends, *reachable)) : std::nullopt) +
+         (bad_start || ends.run.goal_tolerance > 0 || !reachable
+              ? ""
+              : "; --goal-tolerance lets a path end near the goal");
 }
 
 std::string error_text(const MapEnds& ends) {
@@ -86,6 +90,13 @@ std::string way_out_text(const MapEnds& ends) {
          obstruction_text(ends.map, frame, obstruction_of(ends.map, start, ends.curved())) +
          "; the path first leads straight out to " + spot_text(ends.map, frame, out) + ", " +
          length_text(ends.map, frame, std::hypot(out.x - from.x, out.y - from.y)) + " away";
+}
+
+/// A radius that was meant in metres, perhaps.
+std::string radius_hint(const MapEnds& ends) {
+  const LoadedMap& map = ends.map;
+  return "the radius is " + to_text(map.radius) + " cells, " +
+         rounded_text(map.metres(map.radius), 6) + " m; with --frame world it is taken in metres";
 }
 
 /// How far a path ends from its goal.
@@ -140,6 +151,8 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
   if (run.json || !record.has_path()) return record;
+  if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
+    record.remarks.push_back(radius_hint(ends));
   if (ends.way_out) record.remarks.push_back(way_out_text(ends));
   if (ends.end && *ends.end != centre(ends.goal.cell))
     record.remarks.push_back(short_of_goal(ends));

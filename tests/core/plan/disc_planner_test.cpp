@@ -5,8 +5,10 @@
 #include <limits>
 #include <random>
 
+#include "core/base/poller.h"
 #include "lasius/batch.h"
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/disc/disc_worlds.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/worlds/grids.h"
@@ -190,6 +192,22 @@ TEST(DiscPlanner, CurvesThatAreHardlyLongerThanNothingAreAnswered) {
       Planner(grid, Disc{2.5}).plan({.start = {18, 12}, .goal = {12, 16}, .goal_tolerance = 10});
   ASSERT_TRUE(result.way_out);
   EXPECT_LT(result.length - std::hypot(result.way_out->x - 18.5, result.way_out->y - 12.5), 0.01);
+}
+
+TEST(DiscPlanner, AStartThatIsShutInIsRefusedInLinearTime) {
+  constexpr int kSide = 1024;
+  Grid grid(kSide, kSide);
+  grid.fill({510, 510, 5, 5}, true);
+  grid.fill({511, 511, 3, 3}, false);
+  const Planner planner(grid, Disc{2});
+  EXPECT_GT(planner.footprint().disc, 0);
+  const CountingTime time(1 << 30);
+  const Result refused = planner.plan({.start = {512, 512}, .goal = {3, 3}, .stop = time.is_up()});
+  EXPECT_EQ(refused.fault, Fault::start_blocked);
+  EXPECT_LT(time.polls(), 20 + kSide * kSide / Poller::kWords);
+  const CountingTime none(0);
+  EXPECT_EQ(planner.plan({.start = {512, 512}, .goal = {3, 3}, .stop = none.is_up()}).status,
+            Status::limit);
 }
 
 TEST(DiscPlanner, AnswersDependOnNoThreads) {
