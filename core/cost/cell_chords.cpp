@@ -1,6 +1,7 @@
 #include "core/cost/cell_chords.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -185,6 +186,38 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
       high[f] = std::max(values[f], values[f1]);
     }
   }
+}
+
+// found(interval, by, way): somewhere on the interval the value is too great by `by`.
+template <class Found>
+void CellChords::each_violation_from_centre(double* values, double weight,
+                                            const Found& found) const {
+  for (int interval = 0; interval < places_; ++interval) {
+    const double low = values[interval], high = values[(interval + 1) % places_];
+    const double begin = interval % k_ * share_, slope = (high - low) * k_;
+    const double t = std::clamp(0.5 + 0.5 * lean(slope, weight), begin, begin + share_);
+    const double way = weight * std::sqrt(0.25 + (t - 0.5) * (t - 0.5));
+    const double by = low + slope * (t - begin) - way;
+    if (by > 0) found(interval, by, way);
+  }
+}
+
+void CellChords::lower_from_centre(double* values, double weight) const {
+  each_violation_from_centre(values, weight, [&](int interval, double by, double) {
+    values[interval] -= by;
+    values[(interval + 1) % places_] -= by;
+  });
+}
+
+double CellChords::excess_from_centre(const double* values, double weight) const {
+  double most = 1;
+  std::array<double, 4 * kMostIntervals> kept;
+  std::copy(values, values + places_, kept.begin());
+  // By least way: what is too great at one place is nowhere more than that.
+  each_violation_from_centre(kept.data(), weight, [&](int, double by, double) {
+    most = std::max(most, 1 + by / (0.5 * weight));
+  });
+  return most;
 }
 
 bool CellChords::lower(double* values, double weight, double tolerance,

@@ -44,11 +44,18 @@ class CellChords {
   /// at b minus that at a, up to `tolerance`. Returns whether any was lowered; each that was is
   /// marked in `lowered`.
   bool lower(double* values, double weight, double tolerance, std::uint8_t* lowered) const;
+  /// Lowers values until none on the boundary is more than the way there from the centre costs.
+  void lower_from_centre(double* values, double weight) const;
+  /// How many times that way the value is at most, over the boundary; at least 1.
+  double excess_from_centre(const double* values, double weight) const;
+
   /// The least factor by which the weight would have to be greater for all chords to cost enough;
   /// at least 1.
   double excess(const double* values, double weight) const;
 
  private:
+  template <class Found>
+  void each_violation_from_centre(double* values, double weight, const Found& found) const;
   template <class Found>
   void each_violation(double* values, double weight, double tolerance, const Found& found) const;
 

@@ -243,6 +243,14 @@ bool EdgeField::certify(Poller& poller) {
       most = std::max(most, values[i]);
     }
   }
+  {
+    std::uint32_t nodes[kMostPlaces];
+    double values[kMostPlaces];
+    places_of(source_, nodes);
+    values_of(source_, values);
+    chords_->lower_from_centre(values, terrain_.weight(source_.x, source_.y));
+    for (int i = 0; i < places; ++i) value_[nodes[i]] = values[i];
+  }
   std::vector<std::uint32_t> now = cells_, next;
   constexpr std::uint8_t kDirty = 2;
   for (const std::uint32_t at : now) reached_[at] |= kDirty;
@@ -288,11 +296,8 @@ double EdgeField::excess(Poller& poller) const {
   }
   // The source's cell: what its boundary costs from the centre.
   values_of(source_, values);
-  for (int i = 0; i < chords_->places(); ++i) {
-    const double straight =
-        terrain_.weight(source_.x, source_.y) * distance({0.5, 0.5}, chords_->at(i));
-    most = std::max(most, values[i] / straight);
-  }
+  most = std::max(
+      most, chords_->excess_from_centre(values, terrain_.weight(source_.x, source_.y)));
   // Differences of values are rounded, too.
   return most + 1e-12 + 4e-16 * chords_->intervals() * greatest / terrain_.least();
 }

@@ -54,7 +54,7 @@ double cost_over_points(const Grid& grid, const WeightOf& weight, Cell start, Ce
       const double length = std::hypot(nodes[other].at.x - from.x, nodes[other].at.y - from.y);
       cost[other] = std::min(cost[other], cost[at] + weight(cell) * length);
     }
-    for (const auto [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       const auto beside = of_cell.find({cell.x + dx, cell.y + dy});
       if (beside == of_cell.end()) continue;
       for (const int other : beside->second) {

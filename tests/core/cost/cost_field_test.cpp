@@ -76,7 +76,7 @@ TEST(CostField, InflatesByCentres) {
     const int width = 1 + static_cast<int>(random() % 20),
               height = 1 + static_cast<int>(random() % 20);
     const Grid grid = random_grid(width, height, static_cast<int>(random() % 30), random);
-    const double radius = 0.25 * (random() % 40);
+    const double radius = 0.25 * static_cast<double>(random() % 40);
     CostField field(width, height);
     field.add(grid, {.radius = radius, .scaling = 0.7, .weight = 2, .inscribed = 0});
     for (const Cell c : cells_of(grid)) {
