@@ -17,10 +17,11 @@ struct Crossing {
   double t = 0;        ///< 0 to 1
 
   Point point() const noexcept { return {x + (level ? t : 0), y + (level ? 0 : t)}; }
-  bool at_end() const noexcept { return t == 0 || t == 1; }
+  /// At an end of the edge, or so near that it may be held there by rounding.
+  bool at_end() const noexcept { return t < 1e-5 || t > 1 - 1e-5; }
   /// The lattice point where it is, of one at an end.
   Cell corner() const noexcept {
-    const int far = t == 1 ? 1 : 0;
+    const int far = t > 0.5 ? 1 : 0;
     return {x + (level ? far : 0), y + (level ? 0 : far)};
   }
 };

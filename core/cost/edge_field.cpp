@@ -8,7 +8,10 @@
 namespace lasius::cost {
 namespace {
 
-constexpr double kImprovement = 1 - 1e-12;  // less is rounding, and would be spread again and again
+/// Of the least cost of one interval: a smaller improvement of what has been spread is kept, but not
+/// spread again, since values on a ring of intervals improve each other by less and less. `certify`
+/// asks nothing of how values were made.
+constexpr double kImprovement = 1e-3;
 
 double distance(Point a, Point b) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -24,6 +27,7 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack,
   source_ = source;
   scale_ = 1 / (1 + slack);
   per_block_ = 2 * chords.intervals();
+  least_gain_ = kImprovement * terrain_.least() / chords.intervals();
   blocks_.assign(static_cast<std::size_t>(terrain_.width() + 1) * (terrain_.height() + 1),
                  kNoBlock);
   reached_.assign(static_cast<std::size_t>(terrain_.stride()) * (terrain_.height() + 2), 0);
@@ -33,6 +37,7 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack,
   spread_.clear();
   cells_.clear();
   waiting_.clear();
+  marched_.clear();
   queue_.reset(0, terrain_.least() * scale_ / (4 * chords.intervals()));
   reach(source);
   std::uint32_t nodes[kMostPlaces];
@@ -149,6 +154,8 @@ double EdgeField::left(std::uint32_t node) const noexcept {
 
 bool EdgeField::march(Point target, double limit, Poller& poller) {
   target_ = target;
+  for (std::size_t i = 0; i < marched_.size(); ++i) value_[i] = marched_[i];
+  marched_.clear();
   std::size_t kept = 0;
   for (const std::uint32_t node : waiting_) {
     if (spread_[node] != 0) continue;
@@ -211,8 +218,10 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
 }
 
 void EdgeField::offer(std::uint32_t node, double value) {
-  if (!(value < value_[node] * kImprovement)) return;
+  const double gain = value_[node] - value;
+  if (!(gain > 0)) return;
   value_[node] = value;
+  if (spread_[node] != 0 && gain < least_gain_) return;
   spread_[node] = 0;
   queue_.push(node, value);
 }
@@ -231,6 +240,7 @@ void EdgeField::fill(double* values, double weight) const {
 bool EdgeField::certify(Poller& poller) {
   const int places = chords_->places();
   double most = 0;
+  for (std::size_t i = 0; i < value_.size(); ++i) marched_.push_back(value_[i]);
   for (const std::uint32_t at : cells_) {
     std::uint32_t nodes[kMostPlaces];
     double values[kMostPlaces];
@@ -296,8 +306,7 @@ double EdgeField::excess(Poller& poller) const {
   }
   // The source's cell: what its boundary costs from the centre.
   values_of(source_, values);
-  most = std::max(
-      most, chords_->excess_from_centre(values, terrain_.weight(source_.x, source_.y)));
+  most = std::max(most, chords_->excess_from_centre(values, terrain_.weight(source_.x, source_.y)));
   // Differences of values are rounded, too.
   return most + 1e-12 + 4e-16 * chords_->intervals() * greatest / terrain_.least();
 }
@@ -341,7 +350,7 @@ double EdgeField::bound_of_leaving(Point target) const {
 
 std::int64_t EdgeField::bytes() const noexcept {
   return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
-         spread_.bytes() + queue_.bytes();
+         marched_.bytes() + spread_.bytes() + queue_.bytes();
 }
 
 }  // namespace lasius::cost

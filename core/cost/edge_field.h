@@ -82,6 +82,7 @@ class EdgeField {
   Cell source_;
   Point target_;
   double scale_ = 1;  // of weights while marching
+  double least_gain_ = 0;
   int per_block_ = 0;
   // A block is 2 k nodes: a lattice point, k - 1 on the edge to its right, the point once more for
   // the cells right of it where blocked ones meet, k - 1 on the edge below it.
@@ -89,6 +90,7 @@ class EdgeField {
   std::vector<std::uint32_t> lattice_;  // by block
   std::vector<std::uint8_t> split_;     // by block: has the point twice
   GrowingList<double> value_;
+  GrowingList<double> marched_;        // as before certify, from where marching goes on
   GrowingList<std::uint8_t> spread_;   // by node: has been spread from
   std::vector<std::uint8_t> reached_;  // by cell
   std::vector<std::uint32_t> cells_;
