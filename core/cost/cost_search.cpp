@@ -159,10 +159,10 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   answer.length = best.cost();
   answer.lower_bound = std::min(lower, answer.length);
   answer.optimal = answer.length - answer.lower_bound <= 1e-9 * answer.length;
-  answer.cause = poller.cause();
-  answer.end = poller.stopped() ? ExactEnd::stopped
-               : answer.optimal ? ExactEnd::proven
-                                : ExactEnd::target_gap;
+  answer.cause = go_on ? poller.cause() : StopCondition::Cause::token;
+  answer.end = poller.stopped() || !go_on ? ExactEnd::stopped
+               : answer.optimal           ? ExactEnd::proven
+                                          : ExactEnd::target_gap;
 }
 
 void CostSearch::search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,

@@ -8,9 +8,9 @@
 namespace lasius::cost {
 namespace {
 
-/// Of the least cost of one interval: a smaller improvement of what has been spread is kept, but not
-/// spread again, since values on a ring of intervals improve each other by less and less. `certify`
-/// asks nothing of how values were made.
+/// Of the least cost of one interval: a smaller improvement of what has been spread is kept, but
+/// not spread again, since values on a ring of intervals improve each other by less and less.
+/// `certify` asks nothing of how values were made.
 constexpr double kImprovement = 1e-3;
 
 double distance(Point a, Point b) noexcept {
