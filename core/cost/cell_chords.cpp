@@ -51,16 +51,20 @@ LASIUS_WIDE void reach_all(const double* foot, const double* off, int count, dou
   }
 }
 
-LASIUS_WIDE double most_over(const double* high, const float* apart, int count,
-                             double weight) noexcept {
-  double most[4] = {-1e300, -1e300, -1e300, -1e300};
-  for (int i = 0; i < count; i += 4) {
-    for (int j = 0; j < 4; ++j) {
-      const double value = high[i + j] - weight * static_cast<double>(apart[i + j]);
-      most[j] = value > most[j] ? value : most[j];
+/// Says of each interval whether one of the others may be too high for its lowest value.
+LASIUS_WIDE void find_low(const double* low, const double* high, const float* apart, int count,
+                          double weight, double tolerance, std::uint8_t* found) noexcept {
+  for (int e = 0; e < count; ++e, apart += count) {
+    double most[4] = {-1e300, -1e300, -1e300, -1e300};
+    for (int i = 0; i < count; i += 4) {
+      for (int j = 0; j < 4; ++j) {
+        const double value = high[i + j] - weight * static_cast<double>(apart[i + j]);
+        most[j] = value > most[j] ? value : most[j];
+      }
     }
+    found[e] =
+        std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) > low[e] + tolerance;
   }
-  return std::max({most[0], most[1], most[2], most[3]});
 }
 
 }  // namespace
@@ -142,13 +146,19 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     const double over = std::sqrt(first * first + second * second) / step - 1;
     if (by > tolerance) found(high, by, -1, over > 0 ? by / (weight * over) : share_);
   }
-  double high[4 * kMostIntervals];
-  for (int p = 0; p < places_; ++p) high[p] = std::max(values[p], values[next(p)]);
+  std::array<double, 4 * kMostIntervals> high, lows;
+  std::array<std::uint8_t, 4 * kMostIntervals> violated;
+  const int places = std::max(places_, 8);  // of two intervals an edge or more
+  for (int p = 0; p < places; ++p) {
+    high[p] = std::max(values[p], values[next(p)]);
+    lows[p] = std::min(values[p], values[next(p)]);
+  }
+  find_low(lows.data(), high.data(), apart_.data(), places, weight, tolerance, violated.data());
   for (int e = 0; e < places_; ++e) {
+    if (violated[e] == 0) continue;
     const int e1 = next(e);
     const double low = std::min(values[e], values[e1]);
     const float* apart = apart_.data() + static_cast<std::size_t>(e) * places_;
-    if (most_over(high, apart, places_, weight) <= low + tolerance) continue;
     for (int f = 0; f < places_; ++f) {
       const int f1 = next(f);
       const double length = apart[f];

@@ -37,7 +37,7 @@ double margin_of(int intervals) {
     case 4:
       return 0.002;
     case 8:
-      return 0.0007;
+      return 0.0012;
     default:
       return 0.0003;
   }
@@ -135,7 +135,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
         }
       }
       if (!now->certify(poller)) break;
-      level.excess = now->excess(poller);
+      level.excess = now->excess();
       const double within = now->bound(target) / level.excess;
       const double out = now->bound_of_leaving(centre(target)) / level.excess;
       level.cells = static_cast<std::int64_t>(now->cells().size());

@@ -37,7 +37,9 @@ class EdgeField {
   bool certify(Poller& poller);
   /// How far the certified values are from obeying every chord, as a factor of at least 1: values
   /// divided by it are lower bounds.
-  double excess(Poller& poller) const;
+  double excess() const noexcept { return excess_; }
+  /// The same, of all chords of all cells, and of rounding.
+  double measured_excess(Poller& poller) const;
 
   /// After certify: no path from the source to the centre of a cell that stays in these cells
   /// costs less. Infinite where they do not reach it.
@@ -83,6 +85,7 @@ class EdgeField {
   Point target_;
   double scale_ = 1;  // of weights while marching
   double least_gain_ = 0;
+  double excess_ = 1;
   int per_block_ = 0;
   // A block is 2 k nodes: a lattice point, k - 1 on the edge to its right, the point once more for
   // the cells right of it where blocked ones meet, k - 1 on the edge below it.
