@@ -5,9 +5,11 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "core/cost/coarse_bound.h"
 #include "core/cost/path_cost.h"
 
 namespace lasius::cost {
@@ -39,7 +41,7 @@ double margin_of(int intervals) {
     case 8:
       return 0.0012;
     default:
-      return 0.0003;
+      return 0.0005;
   }
 }
 
@@ -107,6 +109,15 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   };
   // A path that leaves the cells of some level costs this at least.
   double leaving = kInfinity;
+  // The first level comes back from the goal, towards what the start's bound leaves.
+  const CellChords two(2);
+  std::optional<Terrain> coarse;
+  std::optional<CoarseBound> rest;
+  if (go_on && !poller.stopped()) {
+    coarse.emplace(blocks_of(terrain));
+    rest.emplace(terrain, *coarse, two, start);
+    rest->make(best.cost(), poller);
+  }
   auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   std::unique_ptr<const CellChords> chords_before, chords;
   for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
@@ -119,7 +130,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     double margin = margin_of(k);
     for (level.rounds = 1;; ++level.rounds) {
       const double limit = best.cost() * (1 + margin);
-      if (!now->march(centre(target), limit, poller)) break;
+      if (!now->march(*rest, limit, poller)) break;
       if (level.rounds == 1) {
         if (const auto legs = now->trace(target)) {
           std::vector<Leg> path = *legs;
@@ -137,7 +148,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
       if (!now->certify(poller)) break;
       level.excess = now->excess();
       const double within = now->bound(target) / level.excess;
-      const double out = now->bound_of_leaving(centre(target)) / level.excess;
+      const double out = now->bound_of_leaving() / level.excess;
       level.cells = static_cast<std::int64_t>(now->cells().size());
       lower = std::max(lower, std::min({within, out, leaving}));
       const double miss = best.cost() * (1 - 1e-4) - out;

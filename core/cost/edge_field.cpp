@@ -147,13 +147,13 @@ double EdgeField::left(std::uint32_t node) const noexcept {
       return;
     }
     const Point at = chords_->at(place);
-    least = terrain_.least() * distance({cell.x + at.x, cell.y + at.y}, target_);
+    least = rest_->at({cell.x + at.x, cell.y + at.y});
   });
   return least;
 }
 
-bool EdgeField::march(Point target, double limit, Poller& poller) {
-  target_ = target;
+bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
+  rest_ = &rest;
   for (std::size_t i = 0; i < marched_.size(); ++i) value_[i] = marched_[i];
   marched_.clear();
   std::size_t kept = 0;
@@ -324,7 +324,7 @@ double EdgeField::bound(Cell target) const {
   return chords_->cheapest({0.5, 0.5}, values, terrain_.weight(target.x, target.y)).cost;
 }
 
-double EdgeField::bound_of_leaving(Point target) const {
+double EdgeField::bound_of_leaving() const {
   const int k = chords_->intervals();
   double least = kInfinity;
   for (const std::uint32_t at : cells_) {
@@ -337,21 +337,37 @@ double EdgeField::bound_of_leaving(Point target) const {
       if (!open(beside) || has(terrain_.index(beside.x, beside.y))) continue;
       if (!have) places_of(cell, nodes);
       have = true;
-      for (int i = 0; i <= k; ++i) {
-        const int place = (edge * k + i) % chords_->places();
-        double rest;
-        if (before_ != nullptr) {
-          rest = value_before(cell, place);
-        } else {
-          const Point p = chords_->at(place);
-          // Between two places it may be nearer by half of an interval.
-          rest = terrain_.least() * (distance({cell.x + p.x, cell.y + p.y}, target) - 0.5 / k);
+      if (before_ != nullptr) {
+        for (int i = 0; i <= k; ++i) {
+          const int place = (edge * k + i) % chords_->places();
+          least = std::min(least, value_[nodes[place]] + value_before(cell, place));
         }
-        least = std::min(least, value_[nodes[place]] + rest);
+      } else {
+        least = std::min(least, bound_of_leaving(cell, edge, beside, nodes));
       }
     }
   }
   return least;
+}
+
+// At points of the edge, less what it may be less between them: what is left to the other end falls
+// along an edge by no more than the cheaper cell's weight.
+double EdgeField::bound_of_leaving(Cell cell, int edge, Cell beside,
+                                   const std::uint32_t* nodes) const {
+  constexpr int kPoints = 8;  // an interval
+  const int k = chords_->intervals();
+  const double weight =
+      std::min(terrain_.weight(cell.x, cell.y), terrain_.weight(beside.x, beside.y));
+  double least = kInfinity;
+  for (int i = 0; i <= kPoints * k; ++i) {
+    const int low = std::min(i / kPoints, k - 1) + edge * k, high = (low + 1) % chords_->places();
+    const double share = static_cast<double>(i) / kPoints - (low - edge * k);
+    const Point a = chords_->at(low), b = chords_->at(high);
+    const Point p{cell.x + a.x + share * (b.x - a.x), cell.y + a.y + share * (b.y - a.y)};
+    const double value = value_[nodes[low]] + share * (value_[nodes[high]] - value_[nodes[low]]);
+    least = std::min(least, value + rest_->at(p));
+  }
+  return least - weight * 0.5 / (kPoints * k);
 }
 
 std::int64_t EdgeField::bytes() const noexcept {

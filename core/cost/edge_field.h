@@ -23,6 +23,13 @@ namespace lasius::cost {
 /// own.
 class EdgeField {
  public:
+  /// A lower bound of what a path costs from some end to a point.
+  class Bound {
+   public:
+    virtual ~Bound() = default;
+    virtual double at(Point p) const = 0;
+  };
+
   explicit EdgeField(const Terrain& terrain) : terrain_(terrain) {}
 
   /// Forgets everything. Marching goes into cells of `before` alone, unless it is null. Weights are
@@ -30,9 +37,9 @@ class EdgeField {
   void begin(const CellChords& chords, Cell source, double slack, const EdgeField* before);
 
   /// Goes on until every value that is left, together with a lower bound of what it costs from
-  /// there to `target`, is above `limit`. The bound is that of `before`, or where that is null the
-  /// least weight's straight way. False when stopped.
-  bool march(Point target, double limit, Poller& poller);
+  /// there to the other end, is above `limit`. The bound is that of `before`, or where that is null
+  /// `rest`, which outlives the field. False when stopped.
+  bool march(const Bound& rest, double limit, Poller& poller);
   /// False when stopped: then the values are no bounds.
   bool certify(Poller& poller);
   /// How far the certified values are from obeying every chord, as a factor of at least 1: values
@@ -44,9 +51,9 @@ class EdgeField {
   /// After certify: no path from the source to the centre of a cell that stays in these cells
   /// costs less. Infinite where they do not reach it.
   double bound(Cell target) const;
-  /// After certify: no path from the source to `target` costs less that leaves these cells, but
-  /// stays in those of `before`.
-  double bound_of_leaving(Point target) const;
+  /// After certify: no path from the source to the other end costs less that leaves these cells,
+  /// but stays in those of `before`.
+  double bound_of_leaving() const;
   /// A path from the target's centre back to the source, as legs; nothing where none was found.
   std::optional<std::vector<Leg>> trace(Cell target) const;
 
@@ -76,13 +83,14 @@ class EdgeField {
   void offer(std::uint32_t node, double value);
   void reach(Cell cell);
   void fill(double* values, double weight) const;
+  double bound_of_leaving(Cell cell, int edge, Cell beside, const std::uint32_t* nodes) const;
   double value_before(Cell cell, int place) const noexcept;
 
   const Terrain& terrain_;
   const CellChords* chords_ = nullptr;
   const EdgeField* before_ = nullptr;
   Cell source_;
-  Point target_;
+  const Bound* rest_ = nullptr;
   double scale_ = 1;  // of weights while marching
   double least_gain_ = 0;
   double excess_ = 1;

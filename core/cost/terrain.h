@@ -1,8 +1,10 @@
 // The weights of a map's free cells, as searches look at them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/held_bytes.h"
@@ -18,15 +20,23 @@ class Terrain {
  public:
   /// @throws Error(invalid_parameter) where the sizes differ.
   Terrain(const Grid& grid, const CostField& costs)
+      : Terrain(grid, (costs.range(grid), costs.weights())) {}
+  /// The same of width x height weights above 0, row by row.
+  Terrain(const Grid& grid, std::span<const double> weights)
       : width_(grid.width()),
         height_(grid.height()),
-        range_(costs.range(grid)),
         weights_(static_cast<std::size_t>(stride()) * (height_ + 2), kInfinity) {
+    double least = kInfinity, most = 0;
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
-        if (grid.free({x, y})) weights_[index(x, y)] = costs.weight({x, y});
+        if (grid.blocked({x, y})) continue;
+        const double weight = weights[static_cast<std::size_t>(y) * width_ + x];
+        weights_[index(x, y)] = weight;
+        least = std::min(least, weight);
+        most = std::max(most, weight);
       }
     }
+    if (most > 0) range_ = {least, most};
   }
 
   int width() const noexcept { return width_; }

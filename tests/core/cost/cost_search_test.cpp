@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "core/cost/coarse_bound.h"
 #include "core/grid/components.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
@@ -82,12 +83,12 @@ TEST(EdgeField, RandomChordsCostEnough) {
       const StopCondition never;
       Poller poller(never);
       field.begin(chords, start, 0, nullptr);
-      ASSERT_TRUE(field.march(centre(goal), 1e300, poller));
+      ASSERT_TRUE(field.march(StraightBound(terrain, centre(goal)), 1e300, poller));
       ASSERT_TRUE(field.certify(poller));
       const double excess = field.excess();
       EXPECT_LE(field.measured_excess(poller), excess);
       EXPECT_LE(field.bound(goal) / excess, best);
-      EXPECT_EQ(field.bound_of_leaving(centre(goal)), kInfinity);
+      EXPECT_EQ(field.bound_of_leaving(), kInfinity);
       std::vector<double> values(chords.places());
       for (const std::uint32_t at : field.cells()) {
         const Cell cell = terrain.cell(at);
