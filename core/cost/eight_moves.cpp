@@ -31,7 +31,7 @@ std::vector<Cell> EightMoves::search(const Terrain& terrain, Cell start, Cell go
   };
   const std::size_t first = terrain.index(start.x, start.y), last = terrain.index(goal.x, goal.y);
   cost[first] = 0;
-  queue_.reset(left(start), terrain.least());
+  queue_.reset(left(start), 0.05 * terrain.least());
   queue_.push(static_cast<std::uint32_t>(first), left(start));
   while (queue_.advance(poller) && queue_.floor() * (1 - 1e-12) < cost[last]) {
     const std::size_t at = queue_.pop();
