@@ -147,8 +147,8 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
       }
       if (!now->certify(poller)) break;
       level.excess = now->excess();
-      const double within = now->bound(target) / level.excess;
-      const double out = now->bound_of_leaving() / level.excess;
+      const double within = now->bound(target);
+      const double out = now->bound_of_leaving();
       level.cells = static_cast<std::int64_t>(now->cells().size());
       lower = std::max(lower, std::min({within, out, leaving}));
       const double miss = best.cost() * (1 - 1e-4) - out;

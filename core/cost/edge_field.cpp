@@ -321,7 +321,7 @@ double EdgeField::bound(Cell target) const {
   if (!has(terrain_.index(target.x, target.y))) return kInfinity;
   double values[kMostPlaces];
   values_of(target, values);
-  return chords_->cheapest({0.5, 0.5}, values, terrain_.weight(target.x, target.y)).cost;
+  return chords_->cheapest({0.5, 0.5}, values, terrain_.weight(target.x, target.y)).cost / excess_;
 }
 
 double EdgeField::bound_of_leaving() const {
@@ -347,7 +347,8 @@ double EdgeField::bound_of_leaving() const {
       }
     }
   }
-  return least;
+  // The values of both levels may be too great by as much as either is off.
+  return least / std::max(excess_, before_ != nullptr ? before_->excess_ : 1);
 }
 
 // At points of the edge, less what it may be less between them: what is left to the other end falls

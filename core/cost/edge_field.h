@@ -43,7 +43,7 @@ class EdgeField {
   /// False when stopped: then the values are no bounds.
   bool certify(Poller& poller);
   /// How far the certified values are from obeying every chord, as a factor of at least 1: values
-  /// divided by it are lower bounds.
+  /// divided by it are lower bounds. The bounds below are divided by it.
   double excess() const noexcept { return excess_; }
   /// The same, of all chords of all cells, and of rounding.
   double measured_excess(Poller& poller) const;
