@@ -118,8 +118,10 @@ bool DiscSearch::exits(std::uint32_t number) {
   if (!exit.free) {
     const Point leaves = point_on(space_->arcs()[label.arc], exit.normal, space_->radius());
     exit.free = space_->sees(leaves, goal_);
-    if (!exit.free) exit.stamp = 0;
-    if (!exit.free) return false;
+    if (!exit.free) {
+      exit.stamp = 0;
+      return false;
+    }
   }
   const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
   if (length < upper_) {

@@ -76,8 +76,9 @@ bool DiscSpace::update(const Grid& edited, std::span<const Cell> changed,
   const ChangedParts found = parts_of(changed, 2 * wall_, map_);
   if (found.most) {
     auto made = make(edited, asked_radius_, stop);
-    if (made) *this = *std::move(made);
-    return made.has_value();
+    if (!made) return false;
+    *this = *std::move(made);
+    return true;
   }
   Poller poller(stop);
   std::vector<Rectangle> blocked;

@@ -10,6 +10,7 @@
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
+#include "core/disc/sweep.h"
 #include "core/drive/doubts.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/live_map.h"
@@ -19,7 +20,6 @@
 #include "core/grid/grid_view.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
 #include "lasius/navigator.h"
@@ -78,14 +78,16 @@ class Navigator::Impl {
     robot_disc->space->update(map.map(), edited);
     edited.clear();
     if (!std::exchange(hit, false) || way.path.empty()) return;
-    for (std::size_t i = 1; i < way.path.size() && holds && !way.way_out; ++i)
+    // What leads out keeps no radius.
+    holds = holds && !way.way_out && keeps(way.path[0], way.path[0]);
+    for (std::size_t i = 1; i < way.path.size() && holds; ++i)
       holds = keeps(way.path[i - 1], way.path[i]);
-    for (std::size_t i = 1; i < way.walk.size() && holds && !way.way_out; ++i)
+    for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
       holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
   }
   /// Between points that may not be clear any more.
   bool keeps(Point a, Point b) const noexcept {
-    return segment_clearance(map.map(), a, b, options.radius) >= options.radius - 2 * disc::kSlack;
+    return disc::sweeps_clear(map.map(), a, b, options.radius - 2 * disc::kSlack);
   }
 
   void prepare(const PrepareOptions& how) {
@@ -158,7 +160,7 @@ class Navigator::Impl {
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); },
         .disc = robot_disc ? &*robot_disc : nullptr,
         .disc_graph = disc_graph.get(),
-        .leads_out = false};
+        .walked = true};
     if (colony) {
       known.colony = [&](const Request& request, const Observer& observer) {
         if (colony->goal() != request.goal) send_colony(request.goal);
@@ -178,12 +180,12 @@ class Navigator::Impl {
     way.replanned = true;
     way.walk.clear();
     walker.begin(way.path, robot_disc.has_value());
-    if (robot_disc && way.path.size() > 1) walk_somehow();
+    if (robot_disc && way.path.size() > 1) walk_over_cells();
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
   }
   /// Where no walk follows a disc's path, which passes between centres of cells, the fewest moves
   /// over cells become the path.
-  void walk_somehow() {
+  void walk_over_cells() {
     const auto cell_of = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
     const Cell from = cell_of(way.path.front()), to = cell_of(way.path.back());
     const Corners rule = rule_of_walks(corners);

@@ -26,7 +26,8 @@ std::vector<std::int32_t> widest_first(const std::vector<std::int32_t>& levels) 
 }  // namespace
 
 bool WidestRadius::plant(Forest& forest, const Grid& grid, int reach, Poller& poller) {
-  auto& [parent, joined] = forest;
+  auto& parent = forest.parent;
+  auto& joined = forest.joined;
   parent.assign(levels_.size(), 0);  // 0, of a cell that is not there yet or blocked
   joined.assign(levels_.size(), 0);
   const auto root_of = [&](std::int32_t cell) {

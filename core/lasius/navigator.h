@@ -102,8 +102,8 @@ class LASIUS_EXPORT Pilot {
 /// sequence of calls, as Planner::plan.
 class LASIUS_EXPORT Navigator final : public Pilot {
  public:
-  /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
-  /// map if asked to. Start and goal may be blocked or outside: the answer tells.
+  /// Labels the map's components, where the robot has a radius makes a disc's free space, and
+  /// prepares the map if asked to. Start and goal may be blocked or outside: the answer tells.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a radius or a gap out
   /// of range, and for options that are for other algorithms.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});

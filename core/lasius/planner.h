@@ -206,7 +206,8 @@ class LASIUS_EXPORT Planner {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
     std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
-    std::int64_t disc = 0;              ///< the map before it grew, and a disc's free space
+    std::int64_t disc = 0;              ///< the map before it grew, and a disc's free space;
+                                        ///< without what widest_disc() keeps
   };
   Footprint footprint() const noexcept;  ///< now
 

@@ -9,6 +9,7 @@
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/disc/disc_cells.h"
+#include "core/disc/sweep.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
@@ -19,6 +20,7 @@
 #include "core/plan/disc_path.h"
 #include "core/plan/exact_view.h"
 #include "core/plan/workspace.h"
+#include "lasius/clearance.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -111,9 +113,9 @@ class Ends {
     const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
     return nearest_free(map_.grid, c, poller, leads_on);
   }
-  /// The same, of a disc's curve any point.
+  /// The same, of a disc's curve any point, if it is not walked.
   std::optional<Point> nearest_point(Cell c, const std::stop_token& token, Point other) const {
-    if (space_ == nullptr) {
+    if (space_ == nullptr || map_.walked) {
       const auto cell = nearest(c, token, other);
       return cell ? std::optional(centre(*cell)) : std::nullopt;
     }
@@ -125,13 +127,21 @@ class Ends {
   /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
   /// blocked than the start.
   std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
-    if (!map_.leads_out || map_.disc == nullptr || map_.disc->map().blocked(start))
-      return std::nullopt;
+    if (map_.walked || map_.disc == nullptr || map_.disc->map().blocked(start)) return std::nullopt;
     const Grid& map = map_.disc->map();
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
-    const double clearance = segment_clearance(map, from, from, most);
-    const auto leads_there = [&](Point to) { return keeps_clearance(map, from, to, clearance); };
+    const double clearance = nearest_blocked(map, from, most).distance - disc::kSlack;
+    // The first pieces alone first: what is in the way of most is near.
+    const auto leads_there = [&](Point to) {
+      const double far = disc::distance(from, to);
+      for (double piece = 4; piece < far; piece *= 4) {
+        const double t = piece / far;
+        const Point near{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        if (!disc::sweeps_clear(map, from, near, clearance)) return false;
+      }
+      return disc::sweeps_clear(map, from, to, clearance);
+    };
     if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
     std::optional<Point> best;
     double nearest = kInfinity;

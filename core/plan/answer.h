@@ -35,7 +35,9 @@ struct PlanningMap {
   std::function<Result(const Request&, const Observer&)> colony = {};
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
-  bool leads_out = true;  ///< a disc that stands too near is led out; false: it is refused
+  /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
+  /// goal's tolerance leads to the centre of a cell.
+  bool walked = false;
 };
 
 /// What Planner::plan answers, and throws. `own`: the caller's, if any.

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/plan/disc_path.h"
 #include "core/plan/planner_impl.h"
+#include "lasius/clearance.h"
 
 namespace lasius {
 namespace {
@@ -13,8 +13,7 @@ double radius_of(int squared_half_cells) { return std::sqrt(1.0 * squared_half_c
 /// The square of the distance in half cells from a cell's centre to what is blocked, as far as it
 /// matters: whole.
 int squared_clearance(const Grid& map, Cell c) {
-  const double clearance =
-      2 * segment_clearance(map, centre(c), centre(c), disc::kLargestRadius + 1);
+  const double clearance = 2 * nearest_blocked(map, centre(c), disc::kLargestRadius + 1).distance;
   return static_cast<int>(std::lround(clearance * clearance));
 }
 

@@ -54,12 +54,12 @@ Json clearance_json(const Grid& grid, const std::vector<Point>& path, double len
   return {{"step", along.step}, {"values", values}, {"most", kMostClearance}};
 }
 
-void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,
+void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMap& map,
                          const RunOptions& run, const std::vector<Cell>& ends,
                          const std::vector<Point>& path, const RunFrames* frames) {
-  Json content = run_json(task, "bitmap", map_title(map, run));
+  Json content = run_json(record, "bitmap", map_title(map, run));
   content["map"] = map_view_json(map, shown_of(map, ends));
-  content["clearance"] = clearance_json(map.as_read(), path, task.result().length);
+  content["clearance"] = clearance_json(map.as_read(), path, record.result.length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
   write_report_page(out, content);

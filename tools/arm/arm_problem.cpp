@@ -1,21 +1,19 @@
-#include "tools/arm/arm_task.h"
-
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "tools/arm/arm_answer.h"
 #include "tools/arm/arm_json.h"
+#include "tools/arm/arm_kind.h"
 #include "tools/arm/arm_picture.h"
-#include "tools/arm/arm_recorded.h"
 #include "tools/arm/arm_report.h"
 #include "tools/arm/arm_samples.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
-#include "tools/console/streams.h"
+#include "tools/console/signals.h"
 #include "tools/console/values.h"
-#include "tools/options/commands.h"
+#include "tools/record/problem.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -62,14 +60,53 @@ arm::Pose pose_of(const std::vector<double>& v) {
   return pose;
 }
 
-/// `lasius arm`.
-class ArmTask : public Task {
- public:
-  explicit ArmTask(ArmCommand command) : command_(std::move(command)) {}
+std::string recheck_text(const arm::Recheck& recheck) {
+  return "recheck: " + counted(recheck.samples, "sample") + ", " +
+         counted(recheck.contacts, "contact") + ", " + counted(recheck.limits, "broken limit") +
+         ", nearest " + to_text(recheck.nearest) + " m; between them " +
+         (recheck.unproven == 0
+              ? "nothing is touched either"
+              : counted(recheck.unproven, "piece") + " could not be shown to be free");
+}
 
-  void open() override {
-    found_.parameters =
-        make_params<arm::Params>(command_, World::Kind::arm, arm::algorithms(), command_.notes);
+/// What of the motion is not as one may expect, and what it takes for granted.
+std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& found) {
+  const arm::Result& motion = found.plan;
+  std::vector<std::string> remarks;
+  for (const auto* notes :
+       {&found.robot.notes, &found.robot.warnings, &found.scene.warnings, &motion.notes})
+    remarks.insert(remarks.end(), notes->begin(), notes->end());
+  const auto say = [&](std::string text) { remarks.push_back(std::move(text)); };
+  const std::string takes = "the motion takes ";
+  if (found.parameters.objective == arm::Objective::duration && motion.duration > 0)
+    say(takes + to_text(motion.duration) + " s; " + to_text(motion.length) +
+        " s is what its way takes at the joints' largest velocities throughout");
+  if (motion.stops)
+    say(std::string("the motion rests at each waypoint: ") +
+        (motion.status == Status::solved    ? "no faster one between them was found free"
+         : motion.limit == Limit::questions ? "no questions were left to look for a faster one"
+                                            : "there was no time to look for a faster one"));
+  if (command.duration > 0 && motion.duration > command.duration)
+    say(takes + to_text(motion.duration) + " s, as the joints' limits ask, not " +
+        to_text(command.duration) + " s");
+  if (sample_rate(motion.trajectory, command.rate) < command.rate)
+    say(takes + whole_text(motion.trajectory.duration()) + " s: it is sampled " +
+        whole_text(kMostSamples) + " times in all, not " + whole_text(command.rate) +
+        " times a second");
+  if (command.recheck > 0 && !found.recheck && !motion.trajectory.empty())
+    say("the recheck was interrupted");
+  if (found.recheck && !command.json) say(recheck_text(*found.recheck));
+  return remarks;
+}
+
+/// `lasius arm`.
+class ArmProblem : public Problem {
+ public:
+  explicit ArmProblem(ArmCommand command) : command_(std::move(command)) {}
+
+  std::optional<std::int64_t> read(const std::stop_token&) override {
+    const EndAtOnce unpolled;
+    found_.parameters = make_params<arm::Params>(command_, arm_kind());
     read_robot();
     found_.scene = arm::read_scene(command_.scene);
     found_.scene_file = hashed(command_.scene);
@@ -77,16 +114,20 @@ class ArmTask : public Task {
     found_.clearance = command_.clearance > 0 ? command_.clearance : arm::SceneSensor::kClearance;
     found_.start = joint_values("--start", command_.start, command_.start_state);
     for (const ArmGoal& goal : command_.goals) found_.goals.push_back(goal_of(goal));
-  }
-  void announce() const override {
-    Task::announce();
-    if (!command_.messages.verbose) return;
-    message(command_.robot + ": " + counted(found_.robot.size(), "joint"));
-    announce_bodies();
-    message(command_.scene + ": " + counted(found_.scene.obstacles.size(), "obstacle"));
-    announce_algorithm(true);
+    for (const auto* files : {&found_.scene_files, &found_.robot_files})
+      for (const auto& [file, hash] : *files) command_.inputs.push_back(file);
+    if (command_.messages.verbose) note_inputs();
+    return most_iterations(algorithm(), found_.parameters.iterations);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
+    arm::Observer observer;
+    if (watch)
+      observer = [&](const arm::ArmProgress& progress) {
+        const auto asked = progress.questions;
+        watch(progress.iteration + 1,
+              best_text(progress.best_length, unit_of(found_.parameters.objective)) + ", " +
+                  counted(asked.positions + asked.motions, "question"));
+      };
     const arm::SceneSensor sensor(found_.robot, found_.scene, found_.clearance);
     const auto begin = Clock::now();
     const arm::Request request{.start = found_.start,
@@ -95,7 +136,7 @@ class ArmTask : public Task {
                                .target_gap = command_.target_gap,
                                .duration = command_.duration};
     arm::Result& plan = found_.plan;
-    plan = arm::plan(found_.robot, sensor, request, found_.parameters, watch);
+    plan = arm::plan(found_.robot, sensor, request, found_.parameters, observer);
     found_.elapsed_ms = ms_since(begin);
     if (command_.recheck <= 0 || plan.trajectory.empty()) return;
     const auto recheck = arm::recheck(found_.robot, found_.scene, plan.trajectory, command_.recheck,
@@ -103,96 +144,46 @@ class ArmTask : public Task {
     if (recheck.samples == command_.recheck) found_.recheck = recheck;
   }
 
-  const SearchOptions& options() const override { return command_; }
-  std::vector<std::string> input_files() const override {
-    std::vector<std::string> files = files_of(found_.scene);
-    files.insert(files.end(), found_.robot.files.begin(), found_.robot.files.end());
-    for (const auto* file :
-         {&command_.robot, &command_.scene, &command_.srdf, &command_.joint_limits})
-      if (!file->empty()) files.push_back(*file);
-    return files;
-  }
-  const Algorithm& algorithm() const override {
-    return arm::find_algorithm(found_.parameters.algorithm());
-  }
-  std::string parameter(std::string_view name) const override {
-    return get_parameter(found_.parameters, name);
-  }
-  std::int64_t iterations() const override { return found_.parameters.iterations; }
-
-  const SearchResult& result() const override { return found_.plan; }
-  double elapsed_ms() const override { return found_.elapsed_ms; }
-
-  std::string unit() const override { return unit_of(found_.parameters.objective); }
-  std::string progress_note(const Progress& progress) const override {
-    const auto asked = static_cast<const arm::ArmProgress&>(progress).questions;
-    return Task::progress_note(progress) + ", " +
-           counted(asked.positions + asked.motions, "question");
-  }
-  /// What of the motion is not as one may expect, and what it takes for granted.
-  void remark() const override {
-    const arm::Result& motion = found_.plan;
-    for (const auto* notes :
-         {&found_.robot.notes, &found_.robot.warnings, &found_.scene.warnings, &motion.notes})
-      for (const std::string& note : *notes) message(note);
-    if (found_.parameters.objective == arm::Objective::duration && motion.duration > 0)
-      message("the motion takes " + to_text(motion.duration) + " s; " + to_text(motion.length) +
-              " s is what its way takes at the joints' largest velocities throughout");
-    if (motion.stops)
-      message(std::string("the motion rests at each waypoint: ") +
-              (motion.status == Status::solved ? "no faster one between them was found free"
-               : motion.limit == Limit::questions
-                   ? "no questions were left to look for a faster one"
-                   : "there was no time to look for a faster one"));
-    if (command_.duration > 0 && motion.duration > command_.duration)
-      message("the motion takes " + to_text(motion.duration) +
-              " s, as the joints' limits ask, not " + to_text(command_.duration) + " s");
-    if (sample_rate(motion.trajectory, command_.rate) < command_.rate)
-      message("the motion takes " + whole_text(motion.trajectory.duration()) +
-              " s: it is sampled " + whole_text(kMostSamples) + " times in all, not " +
-              whole_text(command_.rate) + " times a second");
-    if (command_.recheck > 0 && !found_.recheck && !motion.trajectory.empty())
-      message("the recheck was interrupted");
-    if (!found_.recheck || command_.json) return;
-    message("recheck: " + counted(found_.recheck->samples, "sample") + ", " +
-            counted(found_.recheck->contacts, "contact") + ", " +
-            counted(found_.recheck->limits, "broken limit") + ", nearest " +
-            to_text(found_.recheck->nearest) + " m; between them " +
-            (found_.recheck->unproven == 0
-                 ? "nothing is touched either"
-                 : counted(found_.recheck->unproven, "piece") + " could not be shown to be free"));
-  }
-  /// Of the tip, a lattice point a line.
-  void write_path(std::ostream& out, const char* between) const override {
-    for (const Eigen::Vector3d p : found_.plan.tips.colwise())
-      out << to_text(p.x()) << between << to_text(p.y()) << between << to_text(p.z()) << "\n";
-  }
-  void write_csv(std::ostream& out) const override {
-    tool::write_csv(out, found_.robot, found_.plan.trajectory, command_.rate);
-  }
-  void write_yaml(std::ostream& out) const override {
-    write_ros_trajectory(out, found_.robot, found_.plan.trajectory, command_.rate);
-  }
-  void write_picture(const std::string& file) const override {
-    write_arm_picture(file, command_, found_);
-  }
-
-  void write_report(std::ostream& out) const override {
-    write_arm_report(out, *this, command_, found_);
-  }
-
-  const char* format() const override { return kArmFormat; }
-  Json inputs() const override {
-    return {{"robot", robot_json(command_, found_)}, {"scene", scene_json(command_, found_)}};
-  }
-  /// The goal is where the tip goes: at the goal that was reached, or else the first.
-  std::pair<Json, Json> ends() const override {
+  /// Its goal is where the tip goes: at the goal that was reached, or else the first.
+  Record record() const override {
     const auto goal = static_cast<std::size_t>(std::max(0, found_.plan.goal));
-    return {joint_values_json(found_.start), vector_json(tip_of(found_.robot, found_.goals[goal]))};
+    Record record{.options = command_,
+                  .algorithm = algorithm(),
+                  .format = kArmFormat,
+                  .most_iterations = most_iterations(algorithm(), found_.parameters.iterations),
+                  .inputs = {{"robot", robot_json(command_, found_)},
+                             {"scene", scene_json(command_, found_)}},
+                  .start = joint_values_json(found_.start),
+                  .goal = vector_json(tip_of(found_.robot, found_.goals[goal])),
+                  .parameters = parameters_of(),
+                  .result = found_.plan,
+                  .elapsed_ms = found_.elapsed_ms,
+                  .unit = unit_of(found_.parameters.objective),
+                  .axes = 3,
+                  .remarks = remarks_of(command_, found_)};
+    for (const Eigen::Vector3d tip : found_.plan.tips.colwise())  // of each lattice point
+      record.path.insert(record.path.end(), tip.begin(), tip.end());
+    if (!wants_json(command_)) return record;  // its samples are many
+    record.answer =
+        answer_json(record, path_json(), {{"questions", questions_json(found_.plan)}}, findings());
+    return record;
   }
-  void add_settings(Json& json) const override {
+  Forms show(const Record& run) const override {
+    const arm::Trajectory& motion = found_.plan.trajectory;
+    return {
+        .csv = [&](auto& out) { write_csv(out, found_.robot, motion, command_.rate); },
+        .picture = [&](auto& file) { write_arm_picture(file, command_, found_); },
+        .yaml = [&](auto& out) { write_ros_trajectory(out, found_.robot, motion, command_.rate); },
+        .page = [&](auto& out) { write_arm_report(out, run, command_, found_); }};
+  }
+  SearchOptions& options() override { return command_; }
+
+ private:
+  const Algorithm& algorithm() const { return arm::find_algorithm(found_.parameters.algorithm()); }
+  Json parameters_of() const {
+    Json json = parameters_json(algorithm(), command_);
     json["clearance"] = number(found_.clearance);
-    add_limits(json);
+    add_limits(json, command_);
     json["rate"] = number(command_.rate);
     json["duration"] = command_.duration > 0 ? number(command_.duration) : Json(nullptr);
     json["use_visual"] = command_.visual;
@@ -200,8 +191,10 @@ class ArmTask : public Task {
     json["allow_contact"] = command_.contacts;
     json["set_joint"] = Json::object();
     for (const auto& [name, value] : command_.joint_values) json["set_joint"][name] = number(value);
+    return json;
   }
-  void add_path(Json& json) const override {
+  Json path_json() const {
+    Json json = Json::object();
     const arm::Result& plan = found_.plan;
     json["path"] = nullptr;
     json["joints"] = nullptr;
@@ -218,18 +211,17 @@ class ArmTask : public Task {
     json["notes"] = plan.notes;
     json["lattice"] = {
         {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
+    return json;
   }
-  void add_effort(Json& json) const override { json["questions"] = questions_json(found_.plan); }
-  void add_findings(Json& json) const override {
-    json["trajectory"] = trajectory_json(found_, command_.rate);
+  Json findings() const {
+    Json json = {{"trajectory", trajectory_json(found_, command_.rate)}};
     if (const auto& recheck = found_.recheck)
       json["recheck"] = {
           {"samples", recheck->samples},   {"contacts", recheck->contacts},
           {"limits", recheck->limits},     {"nearest", number(recheck->nearest)},
           {"unproven", recheck->unproven}, {"tip_error", number(recheck->tip_error)}};
+    return json;
   }
-
- private:
   void read_robot() {
     found_.robot = arm::read_robot(command_.robot, {.base = command_.base_link,
                                                     .tip = command_.tip_link,
@@ -246,9 +238,11 @@ class ArmTask : public Task {
       if (!file->empty() && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
     found_.robot_files = hashed(files);
   }
-  void announce_bodies() const {
+  void note_inputs() {
     const auto joints = joint_names(found_.robot);
     const auto links = link_names(found_.robot);
+    const auto say = [&](std::string text) { command_.notes.push_back(std::move(text)); };
+    say(command_.robot + ": " + counted(found_.robot.size(), "joint"));
     for (std::size_t i = 0; i < links.size(); ++i) {
       const arm::Link& link = found_.robot.links[i];
       std::string text = "body " + links[i] + ", " +
@@ -256,12 +250,14 @@ class ArmTask : public Task {
       for (const arm::Solid& solid : link.solids)
         text +=
             std::string(&solid == link.solids.data() ? ": " : ", ").append(to_string(solid.shape));
-      message(text);
+      say(std::move(text));
     }
     for (const arm::LinkPair& pair : arm::link_pairs(found_.robot))
-      message("pair " + links[pair.first] + ", " + links[pair.second] + ": " +
-              (pair.check == arm::LinkPair::Check::yes ? "" : "not checked, ") +
-              std::string(to_string(pair.check)));
+      say("pair " + links[pair.first] + ", " + links[pair.second] + ": " +
+          (pair.check == arm::LinkPair::Check::yes ? "" : "not checked, ") +
+          std::string(to_string(pair.check)));
+    say(command_.scene + ": " + counted(found_.scene.obstacles.size(), "obstacle"));
+    say(algorithm_text(command_, algorithm(), true));
   }
   /// Those of a state, or as given. @throws UsageError
   arm::JointVector joint_values(const std::string& option, const std::vector<double>& values,
@@ -293,13 +289,32 @@ class ArmTask : public Task {
 
 }  // namespace
 
-std::unique_ptr<Task> recorded_arm(const Recorded& from) {
-  return std::make_unique<ArmTask>(recorded_command(from));
+const ProblemKind& arm_kind() {
+  static const ProblemKind kKind{
+      .key = "arm_algorithms",
+      .title = "Arms, see `lasius arm --help`",
+      .plans = "for arms",
+      .advice = "; use `lasius arm`",
+      .commands = {"arm"},
+      .algorithms = arm::algorithms(),
+      .default_text = default_text<arm::Params>,
+      .formulas = formulas_of<arm::Params>,
+      .format = kArmFormat,
+      .again = [](const Recorded& from, const Problem*) -> std::unique_ptr<Problem> {
+        return std::make_unique<ArmProblem>(recorded_command(from));
+      },
+      .counted =
+          [](const Json& result) {
+            const Json& given = value_at(result, "parameters");
+            return given.contains("max_questions") && given["max_questions"] != 0 &&
+                   value_at(given, "time_limit").is_null();
+          }};
+  return kKind;
 }
 
 int run_command(const ArmCommand& command) {
-  ArmTask task(command);
-  return run(task);
+  ArmProblem problem(command);
+  return run(problem);
 }
 
 }  // namespace lasius::tool
