@@ -19,26 +19,13 @@
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/disc_path.h"
+#include "core/plan/exact_view.h"
 #include "core/plan/workspace.h"
 #include "lasius/clearance.h"
 #include "lasius/path.h"
 
 namespace lasius {
 namespace {
-
-/// What an observer sees of `exact`: one more path, shorter than those before.
-class ExactView final : public GridProgress {
- public:
-  ExactView(const std::vector<Point>& path, int number, double length, double bound) : path_(path) {
-    iteration = number;
-    best_length = length;
-    lower_bound = bound;
-  }
-  std::vector<Point> path() const override { return path_; }
-
- private:
-  const std::vector<Point>& path_;
-};
 
 Result result_of(const ExactAnswer& answer) {
   Result result;
