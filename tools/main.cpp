@@ -10,15 +10,9 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
-#include "tools/options/commands.h"
 
 namespace lasius::tool {
 namespace {
-
-int run_command(const Text& text) {
-  print(text.text);
-  return kFound;
-}
 
 int exit_code(ErrorCode code) {
   switch (code) {
@@ -52,13 +46,17 @@ bool stack_suffices() {
   return false;
 }
 
-int guarded_main(int argc, char** argv) {
+}  // namespace
+}  // namespace lasius::tool
+
+int main(int argc, char** argv) {
+  using namespace lasius;
+  using namespace lasius::tool;
   end_on_signals();
   if (!stack_suffices()) return kInternal;
   guard_standard_streams();
   try {
-    return std::visit([](const auto& command) { return run_command(command); },
-                      parse_command_line(argc, argv));
+    return run_command_line(argc, argv);
   } catch (const ClosedOutput&) {
     return kFound;
   } catch (const UsageError& fault) {
@@ -76,8 +74,3 @@ int guarded_main(int argc, char** argv) {
   }
   return kInternal;
 }
-
-}  // namespace
-}  // namespace lasius::tool
-
-int main(int argc, char** argv) { return lasius::tool::guarded_main(argc, argv); }

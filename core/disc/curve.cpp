@@ -48,7 +48,7 @@ class ArcSides {
 
 }  // namespace
 
-double curve_length(const Curve& curve) noexcept {
+double curve_length(std::span<const CurvePiece> curve) noexcept {
   double length = 0;
   for (const CurvePiece& piece : curve) {
     length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * piece.radius;

@@ -1,6 +1,7 @@
 // The path of a disc's centre: straight pieces and arcs.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/disc/disc_space.h"
@@ -12,7 +13,7 @@ namespace lasius::disc {
 /// Of arcs as long as at the radius asked for: to first order, a taut curve grows with its radius
 /// by what it turns, so that this is the shortest length of that radius and not of the one planned
 /// with.
-double curve_length(const Curve& curve) noexcept;
+double curve_length(std::span<const CurvePiece> curve) noexcept;
 
 /// A polyline that keeps the radius as the curve does and is at most a thousandth longer: each arc
 /// becomes the sides of a polygon around it, finer where other obstacles are near.

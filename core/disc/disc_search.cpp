@@ -9,22 +9,20 @@
 namespace lasius::disc {
 
 using exact::kBucketWidth;
+using exact::kFirstWeighted;
+using exact::kWeightedShare;
+using exact::kWordsPerExpansion;
 using exact::kWordsPerPoll;
 
 namespace {
 
-constexpr std::int64_t kWordsPerExpansion = 16;
-
-// As in the search for a point: the weighted search that runs now and then until there is a path,
-// and how far ahead of a label's bound its view is taken at first.
-constexpr double kWeight = 1.2;
-constexpr std::int64_t kFirstWeighted = 16;
-constexpr std::int64_t kWeightedShare = 8;
+constexpr double kWeight = exact::kDefaultWeight;
+// How far ahead of a label's bound its view is taken at first.
 constexpr double kHorizon = 1.0 / 1024;
 constexpr double kHorizonOfRise = 2;
 constexpr int kMostScans = 4;
 // Labels that are asked whether they see the goal before the goal takes a look.
-constexpr std::int64_t kGlance = 16;
+constexpr std::int64_t kFirstFew = 16;
 
 }  // namespace
 
@@ -118,8 +116,10 @@ bool DiscSearch::exits(std::uint32_t number) {
   if (!exit.free) {
     const Point leaves = point_on(space_->arcs()[label.arc], exit.normal, space_->radius());
     exit.free = space_->sees(leaves, goal_);
-    if (!exit.free) exit.stamp = 0;
-    if (!exit.free) return false;
+    if (!exit.free) {
+      exit.stamp = 0;
+      return false;
+    }
   }
   const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
   if (length < upper_) {
@@ -332,7 +332,7 @@ StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller
   bool go_on = tell_improvement(&poller);
   while (go_on && !poller.stopped() && next_label(number, poller)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
-    if (goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
+    if (goal_looks_ == 0 && counters_.expansions > kFirstFew) look_from_goal();
     expand(number);
     poller.stop_after(kWordsPerExpansion);
     go_on = tell_improvement(&poller);

@@ -15,13 +15,6 @@ namespace lasius::disc {
 
 namespace {
 
-int column_of(const Grid& grid, double x) noexcept {
-  return std::clamp(static_cast<int>(x), 0, grid.width() - 1);
-}
-int row_of(const Grid& grid, double y) noexcept {
-  return std::clamp(static_cast<int>(y), 0, grid.height() - 1);
-}
-
 double square(double x) noexcept { return x * x; }
 
 }  // namespace
@@ -76,8 +69,9 @@ bool DiscSpace::update(const Grid& edited, std::span<const Cell> changed,
   const ChangedParts found = parts_of(changed, 2 * wall_, map_);
   if (found.most) {
     auto made = make(edited, asked_radius_, stop);
-    if (made) *this = *std::move(made);
-    return made.has_value();
+    if (!made) return false;
+    *this = *std::move(made);
+    return true;
   }
   Poller poller(stop);
   std::vector<Rectangle> blocked;
@@ -121,7 +115,7 @@ void DiscSpace::compact() {
 
 double DiscSpace::clearance(Point p, double most) const noexcept {
   if (!(p.x >= 0 && p.y >= 0 && p.x <= map_.width() && p.y <= map_.height())) return 0;
-  const int column = column_of(map_, p.x);
+  const int column = cell_at(p).x;
   const int last = std::min(map_.height(), static_cast<int>(p.y + most));
   double least = square(most);
   for (int y = std::max(-1, static_cast<int>(p.y - most) - 1); y <= last; ++y) {
@@ -136,9 +130,13 @@ double DiscSpace::clearance(Point p, double most) const noexcept {
 
 bool DiscSpace::clear(Point p) const noexcept { return clearance(p, radius_) >= radius_ - kSlack; }
 
+Cell DiscSpace::cell_at(Point p) const noexcept {
+  return {std::clamp(static_cast<int>(p.x), 0, map_.width() - 1),
+          std::clamp(static_cast<int>(p.y), 0, map_.height() - 1)};
+}
+
 bool DiscSpace::joined(Point a, Point b) const noexcept {
-  const Cell from{column_of(map_, a.x), row_of(map_, a.y)};
-  const Cell to{column_of(map_, b.x), row_of(map_, b.y)};
+  const Cell from = cell_at(a), to = cell_at(b);
   if (blocked_.blocked(from) || blocked_.blocked(to)) return true;  // by rounding: no proof
   return components_->connected(blocked_, from, to);
 }

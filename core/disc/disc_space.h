@@ -76,6 +76,8 @@ class DiscSpace {
   /// False proves that it cannot go from a to b, both clear, by any way. True where cells that are
   /// not blocked, 4-connected, lead there: nearly always there is a way then.
   bool joined(Point a, Point b) const noexcept;
+  /// The cell of the map that a point lies in, or on whose border.
+  Cell cell_at(Point p) const noexcept;
   /// The clear point nearest to a point, of those that are joined() to `other`, if given, and are
   /// taken, if that is asked; nothing if there is none, or when stopped. What is taken is to be
   /// what a straight leg leads to that is nowhere nearer to what is blocked than `p`.

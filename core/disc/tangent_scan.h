@@ -146,8 +146,8 @@ class TangentScan {
   double edge(int line) const noexcept {
     const double depth = line - sweep_.v;
     if (line < leaves_v_) {
-      return sweep_.u +
-             std::copysign(std::sqrt(sweep_.offset * sweep_.offset - depth * depth), sweep_.offset);
+      const double square = std::max(0.0, sweep_.offset * sweep_.offset - depth * depth);
+      return sweep_.u + std::copysign(std::sqrt(square), sweep_.offset);
     }
     return sweep_.u + sweep_.offset * sweep_.to.a + last_slope_ * (line - leaves_v_);
   }

@@ -88,7 +88,8 @@ class ViewMemory {
 ///   void take(const Seen&)
 ///   template <int S> kernels::ConeLimits limits(int down, int line0)
 ///   bool go_on(std::int64_t words)
-///   bool beyond(Point)  where looking along a wall is not worth while any more.
+///   bool beyond(Point)  where looking along a wall is not worth while any more; only
+///       look_along_wall() asks.
 template <class Sink>
 class View {
  public:

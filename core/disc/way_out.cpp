@@ -142,10 +142,6 @@ void DiscSpace::nearest_past(Point corner, double clearance, Nearest& nearest) c
 
 std::optional<Point> DiscSpace::way_out(Point p, Poller& poller, const std::optional<Point>& other,
                                         const std::function<bool(Point)>& taken) const {
-  const auto cell_at = [&](Point at) {
-    return Cell{static_cast<int>(std::clamp(at.x, 0.0, map_.width() - 1.0)),
-                static_cast<int>(std::clamp(at.y, 0.0, map_.height() - 1.0))};
-  };
   Nearest nearest{*this, p, {}, taken};
   if (other && blocked_.free(cell_at(*other))) nearest.other = cell_at(*other);
   for_rings(map_, cell_at(p), nearest.distance, poller, [&](Cell c) {

@@ -10,16 +10,19 @@
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
+#include "core/disc/sweep.h"
 #include "core/drive/doubts.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/live_map.h"
 #include "core/drive/path_walker.h"
+#include "core/drive/rejoin.h"
 #include "core/drive/retreat.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
+#include "core/grid/walk_cells.h"
+#include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
 #include "lasius/navigator.h"
@@ -69,23 +72,32 @@ class Navigator::Impl {
     return robot_disc ? &*robot_disc->space : nullptr;
   }
   /// Tells a disc's free space of the edits since the last call, and looks whether the way holds.
-  void update_space() {
-    if (edited.empty()) return;
-    std::erase_if(edited,
-                  [&](Cell c) { return space()->map().blocked(c) == map.map().blocked(c); });
-    std::ranges::sort(edited, {}, [](Cell c) { return std::pair(c.y, c.x); });
-    edited.erase(std::unique(edited.begin(), edited.end()), edited.end());
-    robot_disc->space->update(map.map(), edited);
+  /// False when stopped: then there is no space until the next call.
+  bool update_space(const StopCondition& stop) {
+    if (!robot_disc || (edited.empty() && robot_disc->space)) return true;
+    if (robot_disc->space) {
+      std::erase_if(edited,
+                    [&](Cell c) { return space()->map().blocked(c) == map.map().blocked(c); });
+      std::ranges::sort(edited, {}, [](Cell c) { return std::pair(c.y, c.x); });
+      edited.erase(std::unique(edited.begin(), edited.end()), edited.end());
+      if (!robot_disc->space->update(map.map(), edited, stop)) robot_disc->space.reset();
+    } else {
+      robot_disc->space = disc::DiscSpace::make(map.map(), options.radius, stop);
+    }
     edited.clear();
-    if (!std::exchange(hit, false) || way.path.empty()) return;
-    for (std::size_t i = 1; i < way.path.size() && holds && !way.way_out; ++i)
+    if (!robot_disc->space) return false;
+    if (!std::exchange(wall_rose, false) || way.path.empty()) return true;
+    // What leads out keeps no radius.
+    holds = holds && !way.way_out && keeps(way.path[0], way.path[0]);
+    for (std::size_t i = 1; i < way.path.size() && holds; ++i)
       holds = keeps(way.path[i - 1], way.path[i]);
-    for (std::size_t i = 1; i < way.walk.size() && holds && !way.way_out; ++i)
+    for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
       holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
+    return true;
   }
   /// Between points that may not be clear any more.
   bool keeps(Point a, Point b) const noexcept {
-    return segment_clearance(map.map(), a, b, options.radius) >= options.radius - 2 * disc::kSlack;
+    return disc::sweeps_clear(map.map(), a, b, options.radius - 2 * disc::kSlack);
   }
 
   void prepare(const PrepareOptions& how) {
@@ -115,7 +127,7 @@ class Navigator::Impl {
     if (std::exchange(disc_graph, nullptr)) preparation = {.seconds = preparation.seconds};
     const bool blocked = map.map().blocked(cells[0]);
     if (blocked && !way.path.empty()) {
-      hit = true;
+      wall_rose = true;
     } else {
       holds =
           holds && !blocked && std::ranges::none_of(cells, [this](Cell c) { return shortens(c); });
@@ -158,7 +170,7 @@ class Navigator::Impl {
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); },
         .disc = robot_disc ? &*robot_disc : nullptr,
         .disc_graph = disc_graph.get(),
-        .leads_out = false};
+        .walked = true};
     if (colony) {
       known.colony = [&](const Request& request, const Observer& observer) {
         if (colony->goal() != request.goal) send_colony(request.goal);
@@ -173,29 +185,27 @@ class Navigator::Impl {
     return answer(known, request, options.params, &workspace, {});
   }
 
-  void take(Result&& result) {
+  void take(Result&& result, const StopCondition& stop) {
     static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
     way.walk.clear();
     walker.begin(way.path, robot_disc.has_value());
-    if (robot_disc && way.path.size() > 1) walk_somehow();
+    if (robot_disc && way.path.size() > 1) walk_over_cells(stop);
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
   }
-  /// Where no walk follows a disc's path, which passes between centres of cells, the fewest moves
-  /// over cells become the path.
-  void walk_somehow() {
-    const auto cell_of = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
-    const Cell from = cell_of(way.path.front()), to = cell_of(way.path.back());
+  /// Where no walk follows a disc's path, which passes between centres of cells, the shortest walk
+  /// over cells becomes the path.
+  void walk_over_cells(const StopCondition& stop) {
+    const Cell from = cell_at(way.path.front()), to = cell_at(way.path.back());
     const Corners rule = rule_of_walks(corners);
     std::vector<Cell> piece(1, from);
     PathWalker ahead = walker;
     do {
       ahead.next(map.passable(), rule, piece.back(), piece);
     } while (piece.size() > 1 && piece.back() != to);
-    if (piece.back() == to || connected(from, to, corners, {}) != true) return;
-    const auto walk = find_way_out(
-        map.passable(), rule, from, [&](Cell c) { return c == to; },
-        static_cast<std::size_t>(map.map().width()) * static_cast<std::size_t>(map.map().height()));
+    if (piece.back() == to || connected(from, to, corners, stop) == false) return;
+    const auto walk = shortest_walk_cells(map.passable(), from, to, Neighbours::eight, rule, stop);
+    if (walk.empty()) return end_run(way, stop.poll(), Status::limit);
     way.path.clear();
     for (const Cell c : walk) way.path.push_back(centre(c));
     way.curve.clear();
@@ -206,7 +216,7 @@ class Navigator::Impl {
   bool blocked() const noexcept { return way.status == Status::invalid; }
 
   void plan(Cell robot, const StopCondition& stop) {
-    take(ask(robot, stop));
+    take(ask(robot, stop), stop);
     if (way.fault == Fault::start_blocked) leave(robot, stop);
   }
   /// The way of a robot that is where it may not be: out first, over what is free on the map.
@@ -228,11 +238,18 @@ class Navigator::Impl {
     rest.length += length_of(out);
     rest.lower_bound.reset();
     rest.optimal = false;
-    take(std::move(rest));
+    take(std::move(rest), stop);
     way.way_out = centre(out.back());
     for (std::size_t i = out.size() - 1; i > 0; --i)
       way.path.insert(way.path.begin(), centre(out[i - 1]));
     way.walk = std::move(out);
+  }
+
+  /// The answer of a step that was stopped before it could plan.
+  void cut(const StopCondition& stop) {
+    Result result;
+    end_run(result, stop.poll(), Status::limit);
+    take(std::move(result), stop);
   }
 
   /// The robot went on by the first moves of its walk: what is left of the path begins there, and
@@ -244,13 +261,7 @@ class Navigator::Impl {
       path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(moves));
       if (centre(way.walk[moves]) == way.way_out) way.way_out.reset();
     } else if (robot_disc) {
-      // The farthest of the next vertices that the robot sees.
-      std::size_t i = std::min<std::size_t>(path.size() - 1, 16);
-      const Point robot = centre(way.walk[moves]);
-      while (i > 0 && !space()->sees(robot, path[i])) --i;
-      if (i == 0) return false;
-      path.erase(path.begin() + 1, path.begin() + static_cast<std::ptrdiff_t>(i));
-      path.front() = robot;
+      if (!rejoin(*space(), centre(way.walk[moves]), path)) return false;
       way.curve.clear();
     } else {
       const std::size_t left = walker.vertices_after(way.walk[moves]);
@@ -285,7 +296,7 @@ class Navigator::Impl {
     const std::vector<Cell> walls = doubts.wait(map.map());
     if (walls.empty()) return;
     map.set(walls, false, on_change, on_edit);
-    update_space();
+    if (!update_space(stop)) return cut(stop);
     plan(robot, stop);
     way.doubted = static_cast<std::int64_t>(walls.size());
   }
@@ -302,14 +313,17 @@ class Navigator::Impl {
     const auto here = std::ranges::find(way.walk, robot);
     const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
     at = robot;
-    update_space();
+    if (!update_space(stop)) {
+      cut(stop);
+      return way;
+    }
     if (!holds || !on_way || way_out_is_shut() ||
         !(way.path.empty() || go_on(static_cast<std::size_t>(here - way.walk.begin())))) {
       plan(robot, stop);
     } else {
       if (colony && options.search_on && robot != goal && !way.way_out) {
         Result result = ask(robot, stop);
-        if (!result.path.empty() && result.length < way.length) take(std::move(result));
+        if (!result.path.empty() && result.length < way.length) take(std::move(result), stop);
       }
     }
     doubt(robot, stop);
@@ -325,7 +339,7 @@ class Navigator::Impl {
   EditedMap map;
   std::optional<DiscMap> robot_disc;  ///< only where there is a DiscSpace for its radius
   std::vector<Cell> edited;           ///< that its space does not know of
-  bool hit = false;                   ///< some of them became blocked since the way was looked at
+  bool wall_rose = false;             ///< some of them became blocked since the way was looked at
   std::shared_ptr<disc::DiscGraph> disc_graph;
   Doubts doubts{options.doubt_after};
   Corners corners;

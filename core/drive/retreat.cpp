@@ -52,7 +52,7 @@ std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
 }
 
 std::vector<Cell> find_way_out(const Grid& map, Corners corners, Cell from,
-                               const std::function<bool(Cell)>& wanted, std::size_t most) {
+                               const std::function<bool(Cell)>& wanted) {
   static const kernels::Moves moves = [] {
     kernels::Moves straight_first = moves_of(Neighbours::eight);
     std::stable_sort(straight_first.move.begin(),
@@ -62,7 +62,7 @@ std::vector<Cell> find_way_out(const Grid& map, Corners corners, Cell from,
   }();
   bool found = false;
   const auto reached =
-      reach(map, corners, moves, from, most, [&](Cell c) { return found = wanted(c); });
+      reach(map, corners, moves, from, 65536, [&](Cell c) { return found = wanted(c); });
   if (!found) return {};
   std::vector<Cell> way = walk_back(reached, reached.size() - 1);
   way.push_back(from);

@@ -18,8 +18,8 @@ std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
                                std::uint32_t word);
 
 /// The fewest such moves over free cells to one that is wanted, `from` first, which may be blocked;
-/// empty where none of the `most` nearest is.
+/// empty where none of the 65536 nearest is.
 std::vector<Cell> find_way_out(const Grid& map, Corners corners, Cell from,
-                               const std::function<bool(Cell)>& wanted, std::size_t most = 65536);
+                               const std::function<bool(Cell)>& wanted);
 
 }  // namespace lasius

@@ -15,18 +15,17 @@ using exact::Corner;
 using exact::CornerTable;
 using exact::distance;
 using exact::kBucketWidth;
+using exact::kDefaultWeight;
+using exact::kFirstWeighted;
 using exact::kTrailBuckets;
+using exact::kWeightedShare;
 using exact::kWordsPerExpansion;
 using exact::kWordsPerPoll;
 
 namespace {
 
-// W of the weighted search, but for the bounding one; the number of expansions before it first
-// runs, and its share of the expansions since.
-constexpr double kDefaultWeight = 1.2;
-constexpr std::int64_t kFirstWeighted = 16;
-constexpr std::int64_t kWeightedShare = 8;
-// In between it rests, for so many expansions: most searches are over before.
+// Between its runs the weighted search rests, for so many expansions: most searches are over
+// before.
 constexpr std::int64_t kWeightedRest = 256;
 constexpr std::int64_t kWeightedReturn = 4096;
 // The expansions of the weighted search before any other, for each cell of the straight distance:

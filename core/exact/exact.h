@@ -16,9 +16,6 @@
 namespace lasius {
 
 namespace exact {
-/// What an expansion counts for, besides the words that it scans.
-constexpr std::int64_t kWordsPerExpansion = 16;
-
 /// Buckets of a weighted frontier from the least key to the greatest that is wanted.
 constexpr double kTrailBuckets = 1024;
 

@@ -101,8 +101,15 @@ constexpr double rounded_down(double lower) noexcept { return lower * (1 - round
 
 /// Work between two looks at the stop condition, 20 to 100 microseconds.
 constexpr std::int64_t kWordsPerPoll = 8192;
+/// What an expansion counts for, besides the words that it scans.
+constexpr std::int64_t kWordsPerExpansion = 16;
 /// Of frontiers, in cells.
 constexpr double kBucketWidth = 0.03125;
+/// W of the weighted search that runs now and then, but for the bounding one; the number of
+/// expansions before it first runs, and its share of the expansions since.
+constexpr double kDefaultWeight = 1.2;
+constexpr std::int64_t kFirstWeighted = 16;
+constexpr std::int64_t kWeightedShare = 8;
 
 /// Tells whoever looks on of each shorter path, once.
 class Improvements {

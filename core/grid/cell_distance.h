@@ -1,4 +1,4 @@
-// How far apart cells are.
+// Where cells are, and how far apart.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,9 @@
 #include "lasius/geometry.h"
 
 namespace lasius {
+
+/// The cell that a point lies in, on a border that right of it or below.
+inline Cell cell_at(Point p) noexcept { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
 
 /// Straight, from centre to centre.
 inline double distance(Cell a, Cell b) noexcept {

@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lasius {
 namespace {
+
+/// More rows than any map has: what lies outside is not blocked.
+constexpr std::int32_t kFar = 3 * Grid::kMaxSide;
 
 // A cell's centre has odd coordinates in half cells, edges of cells have even ones. Straight up or
 // down, a centre is 2k - 1 half cells from the edge of the blocked cell k rows away, and a whole
 // cell 2k - 2.
 std::int32_t edge_distance(std::int32_t rows, ClearanceOf of) noexcept {
+  if (of == ClearanceOf::blocked_centres) return 2 * rows;
   return std::max(0, 2 * rows - (of == ClearanceOf::centres ? 1 : 2));
 }
 
@@ -18,7 +23,8 @@ std::int32_t edge_distance(std::int32_t rows, ClearanceOf of) noexcept {
 bool measure_columns(const Grid& grid, ClearanceOf of, std::vector<std::int32_t>& field,
                      Poller& poller) {
   const int width = grid.width();
-  std::vector<std::int32_t> rows(width, 0);  // to the nearest blocked cell met so far
+  const std::int32_t outside = of == ClearanceOf::blocked_centres ? kFar : 0;
+  std::vector<std::int32_t> rows(width, outside);  // to the nearest blocked cell met so far
   const auto sweep = [&](int y, auto&& put) {
     const std::uint64_t* words = grid.row(y);
     std::int32_t* target = field.data() + std::ptrdiff_t{y} * width;
@@ -32,7 +38,7 @@ bool measure_columns(const Grid& grid, ClearanceOf of, std::vector<std::int32_t>
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = from; });
     if (poller.stop_after(width)) return false;
   }
-  std::ranges::fill(rows, 0);
+  std::ranges::fill(rows, outside);
   for (int y = grid.height() - 1; y >= 0; --y) {
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = std::min(to, from); });
     if (poller.stop_after(width)) return false;
@@ -44,12 +50,13 @@ bool measure_columns(const Grid& grid, ClearanceOf of, std::vector<std::int32_t>
 // own column lies on the edge of a column, at an even abscissa 2i, and the distance to it is a
 // parabola about 2i: (2x + 1 - 2i)^2 + h(i)^2, with h(i) the lesser distance of the columns that
 // meet there. From whole cells, column i counts in the columns beside it, too, and the parabolas
-// are about centres: (2x - 2i)^2 + h(i)^2, h(i) the least of three. Column -1 and column `width`
-// are blocked.
+// are about centres: (2x - 2i)^2 + h(i)^2, h(i) the least of three; to blocked centres h(i) is the
+// column's own. Column -1 and column `width` are blocked, but as centres not.
 class RowTransform {
  public:
   RowTransform(int width, ClearanceOf of)
       : width_(width),
+        of_(of),
         shift_(of == ClearanceOf::centres ? 1 : 0),
         height_(width + shift_),
         edge_(width + shift_),
@@ -59,14 +66,16 @@ class RowTransform {
     const auto in = [&](int i) { return i >= 0 && i < width_ ? row[i] : 0; };
     for (int i = 0; i < width_ + shift_; ++i) {
       std::int64_t h = std::min(in(i - 1), in(i));
-      if (shift_ == 0) h = std::min<std::int64_t>(h, in(i + 1));
+      if (of_ == ClearanceOf::blocked_centres) h = row[i];
+      if (of_ == ClearanceOf::cells) h = std::min<std::int64_t>(h, in(i + 1));
       height_[i] = h * h;
     }
     build_envelope();
     for (int x = 0, k = 0; x < width_; ++x) {
       while (k < last_ && start_[k + 1] <= x) ++k;
       const std::int64_t own = std::int64_t{row[x]} * row[x];
-      row[x] = static_cast<std::int32_t>(std::min(own, value(edge_[k], x)));
+      const std::int64_t most = std::numeric_limits<std::int32_t>::max();
+      row[x] = static_cast<std::int32_t>(std::min({own, value(edge_[k], x), most}));
     }
   }
 
@@ -95,6 +104,7 @@ class RowTransform {
   }
 
   int width_;
+  ClearanceOf of_;
   int shift_;                         // of a parabola's place, in half cells
   std::vector<std::int64_t> height_;  // h(i)^2
   std::vector<int> edge_;             // of the envelope's parabolas, from left to right

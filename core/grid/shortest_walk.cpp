@@ -12,6 +12,7 @@
 #include "core/base/bucket_queue.h"
 #include "core/base/poller.h"
 #include "core/grid/move_rule.h"
+#include "core/grid/walk_cells.h"
 
 namespace lasius {
 namespace {
@@ -84,17 +85,24 @@ class WalkSearch {
     return true;
   }
 
-  /// The goal's length, summed move by move on the way back; nothing if it was not reached, or when
-  /// stopped.
-  std::optional<double> length(Cell start, Poller& poller) {
-    if (known_[goal_].length() == kFar) return std::nullopt;
-    std::array<std::int64_t, kernels::kMaxMoves> made{};
+  /// Calls visit(cell, the move that leads there) from the goal back to the first cell after the
+  /// start; false if the goal was not reached, or when stopped.
+  template <class Visit>
+  bool go_back(Cell start, Poller& poller, const Visit& visit) {
+    if (known_[goal_].length() == kFar) return false;
     for (Cell c = goal_; c != start;) {
       const int k = last_move(c);
-      ++made[k];
+      visit(c, k);
       c = c + moves_[k].to;  // moves can be walked both ways
-      if (poller.stop_after(moves_.count)) return std::nullopt;
+      if (poller.stop_after(moves_.count)) return false;
     }
+    return true;
+  }
+
+  /// The goal's length, summed move by move; nothing if it was not reached, or when stopped.
+  std::optional<double> length(Cell start, Poller& poller) {
+    std::array<std::int64_t, kernels::kMaxMoves> made{};
+    if (!go_back(start, poller, [&](Cell, int k) { ++made[k]; })) return std::nullopt;
     double sum = 0;
     for (int k = 0; k < moves_.count; ++k) sum += static_cast<double>(made[k]) * moves_[k].length;
     return sum;
@@ -164,15 +172,39 @@ class WalkSearch {
   BucketQueue open_;
 };
 
+/// What `make(WalkSearch&, Poller&)` makes of a search from start to goal; nothing if that was
+/// stopped, or one is blocked.
+template <class Value, class Make>
+Value search(const Grid& grid, Cell start, Cell goal, Neighbours neighbours, Corners corners,
+             const StopCondition& stop, const Make& make) {
+  if (grid.blocked(start) || grid.blocked(goal)) return {};
+  const auto search = std::make_unique<WalkSearch>(grid, goal, neighbours, corners);
+  Poller poller(stop, Poller::kWords - kernels::kMaxMoves);  // one cell more is not too much
+  if (!search->run(start, poller)) return {};
+  return make(*search, poller);
+}
+
 }  // namespace
 
 std::optional<double> shortest_walk(const Grid& grid, Cell start, Cell goal, Neighbours neighbours,
                                     Corners corners, const StopCondition& stop) {
-  if (grid.blocked(start) || grid.blocked(goal)) return std::nullopt;
-  const auto search = std::make_unique<WalkSearch>(grid, goal, neighbours, corners);
-  Poller poller(stop, Poller::kWords - kernels::kMaxMoves);  // one cell more is not too much
-  if (!search->run(start, poller)) return std::nullopt;
-  return search->length(start, poller);
+  return search<std::optional<double>>(
+      grid, start, goal, neighbours, corners, stop,
+      [&](WalkSearch& found, Poller& poller) { return found.length(start, poller); });
+}
+
+std::vector<Cell> shortest_walk_cells(const Grid& grid, Cell start, Cell goal,
+                                      Neighbours neighbours, Corners corners,
+                                      const StopCondition& stop) {
+  return search<std::vector<Cell>>(
+      grid, start, goal, neighbours, corners, stop, [&](WalkSearch& found, Poller& poller) {
+        std::vector<Cell> walk;
+        if (!found.go_back(start, poller, [&](Cell c, int) { walk.push_back(c); }))
+          return std::vector<Cell>{};
+        walk.push_back(start);
+        std::ranges::reverse(walk);
+        return walk;
+      });
 }
 
 }  // namespace lasius

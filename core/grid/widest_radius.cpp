@@ -26,7 +26,8 @@ std::vector<std::int32_t> widest_first(const std::vector<std::int32_t>& levels) 
 }  // namespace
 
 bool WidestRadius::plant(Forest& forest, const Grid& grid, int reach, Poller& poller) {
-  auto& [parent, joined] = forest;
+  auto& parent = forest.parent;
+  auto& joined = forest.joined;
   parent.assign(levels_.size(), 0);  // 0, of a cell that is not there yet or blocked
   joined.assign(levels_.size(), 0);
   const auto root_of = [&](std::int32_t cell) {
@@ -73,9 +74,9 @@ std::int32_t WidestRadius::level_between(const Forest& forest, std::int32_t a,
   std::int32_t least = std::min(levels_[a], levels_[b]);
   while (a != b && least > 0) {
     // Trees were joined from wide to narrow: on the way up the level falls, so the higher one goes.
-    std::int32_t& lower = forest.joined[a] > forest.joined[b] ? a : b;
-    least = std::min(least, forest.joined[lower]);
-    lower = forest.parent[lower];
+    std::int32_t& higher = forest.joined[a] > forest.joined[b] ? a : b;
+    least = std::min(least, forest.joined[higher]);
+    higher = forest.parent[higher];
   }
   return least;
 }

@@ -45,6 +45,18 @@ struct ClearanceField {
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
                                                                const StopCondition& stop);
 
+/// What is blocked nearest to a point.
+struct NearestBlocked {
+  double distance = 0;  ///< to its square, cells
+  Cell cell{};          ///< perhaps outside; any where nothing is as near as `most`
+};
+/// Of the blocked squares and the outside; O(distance^2).
+/// @param at      a point of the map
+/// @param most    cells; what is farther is not looked for
+/// @param beside  the nearest to any point so far from `at` along each axis
+[[nodiscard]] LASIUS_EXPORT NearestBlocked nearest_blocked(const Grid& grid, Point at, double most,
+                                                           double beside = 0);
+
 /// With how wide a disc the cells of a map are still joined by walks over cells, as colonies,
 /// drives and Planner::passable() have it, for any number of pairs (by its curves:
 /// Planner::widest_disc). Made in O(log) and 24 bytes a cell, of which it keeps 20; a question

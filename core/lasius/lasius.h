@@ -4,6 +4,8 @@
 #include "lasius/batch.h"
 #include "lasius/batch_options.h"
 #include "lasius/clearance.h"
+#include "lasius/cost_field.h"
+#include "lasius/cost_planner.h"
 #include "lasius/drive.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"

@@ -49,8 +49,8 @@ struct Way : Result {
   /// The next cells, by moves to one of the eight neighbours, the robot's own first. They are cells
   /// that the planned path touches, or of a disc's path beside those. Some dozens of moves; the
   /// rest comes with later steps. Empty without a path. A disc's path may pass a door that no walk
-  /// does, between centres of cells: then the path is the fewest moves over cells that lead to the
-  /// goal, and where there are none, the robot's cell is alone here. Eight directions make it up
+  /// does, between centres of cells: then the path is the shortest walk over cells that leads to
+  /// the goal, and where there is none, the robot's cell is alone here. Eight directions make it up
   /// to 8.3% longer than the path, which goes at any angle: a robot that can, follows `path`.
   std::vector<Cell> walk;
   /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
@@ -102,8 +102,8 @@ class LASIUS_EXPORT Pilot {
 /// sequence of calls, as Planner::plan.
 class LASIUS_EXPORT Navigator final : public Pilot {
  public:
-  /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
-  /// map if asked to. Start and goal may be blocked or outside: the answer tells.
+  /// Labels the map's components, where the robot has a radius makes a disc's free space, and
+  /// prepares the map if asked to. Start and goal may be blocked or outside: the answer tells.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a radius or a gap out
   /// of range, and for options that are for other algorithms.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});

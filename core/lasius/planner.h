@@ -115,8 +115,8 @@ class LASIUS_EXPORT Planner {
   bool joined(Cell a, Cell b) const;
   /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell
   /// to that of another, whatever this planner's; nothing where not even a point can, or when
-  /// stopped (ask its token), or one is outside. Makes a disc's free space for up to 14 radii, and
-  /// keeps a quarter of a byte a cell of 32 of all that it made.
+  /// stopped (ask its token), or one is outside. Makes a disc's free space for some 15 radii, plans
+  /// with the last ones, and keeps a quarter of a byte a cell of 32 of all that it made.
   std::optional<double> widest_disc(Cell a, Cell b, const StopCondition& stop = {}) const;
 
   /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for
@@ -216,7 +216,8 @@ class LASIUS_EXPORT Planner {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
     std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
-    std::int64_t disc = 0;              ///< the map before it grew, and a disc's free space
+    std::int64_t disc = 0;              ///< the map before it grew, a disc's free space, and
+                                        ///< what widest_disc() keeps
   };
   Footprint footprint() const noexcept;  ///< now
 

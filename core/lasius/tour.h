@@ -46,7 +46,7 @@ struct LeftOut {
 };
 
 /// What is answered.
-struct Tour {
+struct TourResult {
   Status status = Status::no_path;
   std::string error;                  ///< where it is invalid; else empty
   std::vector<int> order;             ///< stops; of a closed tour the first is not told again
@@ -71,7 +71,7 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// is not prepared is prepared for 30 stops and more, in the memory that PrepareOptions allow.
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, and where
 /// a number is out of range.
-LASIUS_EXPORT Tour plan_tour(const Planner& planner, const TourRequest& request,
-                             const TourObserver& observer = {});
+LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
+                                   const TourObserver& observer = {});
 
 }  // namespace lasius

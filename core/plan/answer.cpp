@@ -5,10 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "core/base/nearest_text.h"
 #include "core/base/special_values.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/disc/disc_cells.h"
+#include "core/disc/sweep.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
@@ -17,25 +19,13 @@
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/disc_path.h"
+#include "core/plan/exact_view.h"
 #include "core/plan/workspace.h"
+#include "lasius/clearance.h"
 #include "lasius/path.h"
 
 namespace lasius {
 namespace {
-
-/// What an observer sees of `exact`: one more path, shorter than those before.
-class ExactView final : public GridProgress {
- public:
-  ExactView(const std::vector<Point>& path, int number, double length, double bound) : path_(path) {
-    iteration = number;
-    best_length = length;
-    lower_bound = bound;
-  }
-  std::vector<Point> path() const override { return path_; }
-
- private:
-  const std::vector<Point>& path_;
-};
 
 Result result_of(const ExactAnswer& answer) {
   Result result;
@@ -62,8 +52,6 @@ struct Places {
   Point from, to;
   std::optional<Point> way_out = {};  ///< from where it begins, if not at the start
 };
-
-Cell cell_at(Point p) noexcept { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
 
 Result run_exact(const PlanningMap& map, const Request& request, const Places& places,
                  WorkspaceMemory& memory, const Observer& observer) {
@@ -124,9 +112,9 @@ class Ends {
     const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
     return nearest_free(map_.grid, c, poller, leads_on);
   }
-  /// The same, of a disc's curve any point.
+  /// The same, of a disc's curve any point, if it is not walked.
   std::optional<Point> nearest_point(Cell c, const std::stop_token& token, Point other) const {
-    if (space_ == nullptr) {
+    if (space_ == nullptr || map_.walked) {
       const auto cell = nearest(c, token, other);
       return cell ? std::optional(centre(*cell)) : std::nullopt;
     }
@@ -138,13 +126,12 @@ class Ends {
   /// given of those joined to `goal`, to which a leg leads that is nowhere nearer to what is
   /// blocked than the start.
   std::optional<Point> way_out(Cell start, const std::optional<Point>& goal, Poller& poller) const {
-    if (!map_.leads_out || map_.disc == nullptr || map_.disc->map().blocked(start))
-      return std::nullopt;
+    if (map_.walked || map_.disc == nullptr || map_.disc->map().blocked(start)) return std::nullopt;
     const Grid& map = map_.disc->map();
     const Point from = centre(start);
     const double most = std::min(map_.disc->radius, 1.0 * map.width() + map.height());
-    const double clearance = segment_clearance(map, from, from, most);
-    const auto leads_there = [&](Point to) { return keeps_clearance(map, from, to, clearance); };
+    const double clearance = nearest_blocked(map, from, most).distance - disc::kSlack;
+    const auto leads_there = [&](Point to) { return disc::sweeps_clear(map, from, to, clearance); };
     if (space_ != nullptr) return space_->way_out(from, poller, goal, leads_there);
     std::optional<Point> best;
     double nearest = kInfinity;
@@ -159,13 +146,12 @@ class Ends {
   }
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
-    auto [fault, text] =
-        fault_of_end(map_.disc != nullptr ? map_.disc->map() : map_.grid, at_start, c);
-    if (map_.disc == nullptr || map_.disc->map().blocked(c)) return {fault, text};
-    text.replace(
-        text.find(" is blocked"), std::string::npos,
-        " is nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
-    return {fault, text};
+    if (map_.disc == nullptr) return fault_of_end(map_.grid, at_start, c);
+    const Grid& map = map_.disc->map();
+    if (map.blocked(c)) return fault_of_end(map, at_start, c);
+    return fault_of_end(
+        map, at_start, c,
+        "nearer to what is blocked than the radius of " + rounded_text(map_.disc->radius));
   }
 
  private:
@@ -173,16 +159,6 @@ class Ends {
   const disc::DiscSpace* space_;
   Corners corners_;
 };
-
-/// What a sentence about such an end goes on with.
-std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& reachable) {
-  const std::string nearest = "; the nearest free cell ";
-  if (!reachable || *reachable == free) return nearest + "is " + cell_name(free);
-  return nearest + (at_start ? "from which the goal" : "that") + " can be reached" +
-         (at_start ? "" : " from the start") + " is " + cell_name(*reachable) + "; " +
-         cell_name(free) + " is nearer, but " +
-         (at_start ? "does not lead there" : "cannot be reached");
-}
 
 /// The answer to a start or goal that is blocked or outside; `other` is the other end, if good.
 Result invalid(const Ends& ends, bool at_start, const Request& request,
@@ -198,7 +174,9 @@ Result invalid(const Ends& ends, bool at_start, const Request& request,
                                    : ends.nearest(cell, token, other);
   }
   if (result.nearest_free) {
-    result.error += nearest_text(at_start, *result.nearest_free, result.nearest_reachable);
+    const auto& reachable = result.nearest_reachable;
+    result.error += nearest_text(at_start, cell_name(*result.nearest_free),
+                                 reachable ? std::optional(cell_name(*reachable)) : std::nullopt);
   } else if (!token.stop_requested()) {
     result.error += "; the map has no free cell";
   }
@@ -273,12 +251,13 @@ void lead_out(Result& result, Point start, Point way_out, bool curved) {
 
 }  // namespace
 
-std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell) {
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell,
+                                           const std::string& what) {
   const bool inside = grid.contains(cell);
   const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
                                : (inside ? Fault::goal_blocked : Fault::goal_outside);
-  return {fault, (at_start ? "start " : "goal ") + cell_name(cell) +
-                     (inside ? " is blocked" : " is outside the map")};
+  return {fault, (at_start ? "start " : "goal ") + cell_name(cell) + " is " +
+                     (inside ? what : "outside the map")};
 }
 
 void check_serves(const Algorithm& algorithm, Disc robot) {

@@ -35,16 +35,19 @@ struct PlanningMap {
   std::function<Result(const Request&, const Observer&)> colony = {};
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
-  bool leads_out = true;  ///< a disc that stands too near is led out; false: it is refused
+  /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
+  /// goal's tolerance leads to the centre of a cell.
+  bool walked = false;
 };
 
 /// What Planner::plan answers, and throws. `own`: the caller's, if any.
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
               Workspace* workspace, const Observer& observer, const OwnRules& own = {});
 
-/// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked or
-/// outside the map.
-std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell);
+/// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked, or
+/// what else makes it useless, or outside the map.
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell,
+                                           const std::string& what = "blocked");
 
 /// Looks for the free cell nearest to a start or goal that is invalid, and for the nearest of those
 /// that are joined to the other end; `joined` is empty where that is bad too. False when stopped.

@@ -15,13 +15,6 @@ namespace lasius {
 std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& poller,
                                   const std::optional<Point>& other = {});
 
-/// The least distance from a segment to a blocked cell or the outside, at most `most` cells. Both
-/// ends lie on the map.
-double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept;
-
-/// Is no point of a segment nearer than that to a blocked cell or the outside, up to disc::kSlack?
-bool keeps_clearance(const Grid& map, Point a, Point b, double clearance) noexcept;
-
 /// Why a disc's path, or its curve if there is one, is none, or comes nearer than the radius (up to
 /// twice disc::kSlack), or nothing. Shares nothing with the search but what bits of a row say.
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,

@@ -145,7 +145,7 @@ Planner::Footprint Planner::footprint() const noexcept {
   return {.bitmap = bitmap_bytes(impl_->grid),
           .components = impl_->component_bytes(),
           .visibility_graph = impl_->preparation.bytes,
-          .disc = impl_->disc != nullptr ? disc_bytes(*impl_->disc) : 0};
+          .disc = (impl_->disc != nullptr ? disc_bytes(*impl_->disc) : 0) + impl_->region_bytes()};
 }
 
 }  // namespace lasius

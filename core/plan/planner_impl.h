@@ -13,6 +13,7 @@
 
 #include "core/exact/corner_graph.h"
 #include "core/grid/components.h"
+#include "core/grid/grid_view.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
 #include "lasius/planner.h"
@@ -107,6 +108,15 @@ class Planner::Impl {
   std::int64_t component_bytes() const noexcept {
     const Components* const eight = eight_.load(std::memory_order_acquire);
     return four.bytes() + (eight != nullptr ? eight->bytes() : 0);
+  }
+
+  /// Memory that regions() keeps.
+  std::int64_t region_bytes() const noexcept {
+    const std::scoped_lock lock(regions_kept_);
+    std::int64_t bytes = 0;
+    for (const auto& [radius, kept] : regions_)
+      bytes += bitmap_bytes(kept->blocked) + kept->four.bytes();
+    return bytes;
   }
 
   const Grid grid;  ///< grown, for a disc

@@ -1,9 +1,12 @@
 // How wide a disc can be that goes from one cell to another.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "core/plan/disc_path.h"
+#include "core/disc/disc_search.h"
 #include "core/plan/planner_impl.h"
+#include "lasius/clearance.h"
 
 namespace lasius {
 namespace {
@@ -13,9 +16,22 @@ double radius_of(int squared_half_cells) { return std::sqrt(1.0 * squared_half_c
 /// The square of the distance in half cells from a cell's centre to what is blocked, as far as it
 /// matters: whole.
 int squared_clearance(const Grid& map, Cell c) {
-  const double clearance =
-      2 * segment_clearance(map, centre(c), centre(c), disc::kLargestRadius + 1);
+  const double clearance = 2 * nearest_blocked(map, centre(c), disc::kLargestRadius + 1).distance;
   return static_cast<int>(std::lround(clearance * clearance));
+}
+
+/// Can a disc go from one cell's centre to another's? Nothing if stopped.
+std::optional<bool> leads(const Grid& map, double radius, Cell a, Cell b,
+                          const StopCondition& stop) {
+  const auto space = disc::DiscSpace::make(map, radius, stop);
+  if (!space) return std::nullopt;
+  if (!space->clear(centre(a)) || !space->clear(centre(b))) return false;
+  constexpr double kAny = 1e9;  // a gap that ends the search at the first path
+  disc::DiscSearch search;
+  disc::DiscAnswer answer;
+  search.search(*space, nullptr, centre(a), centre(b), {.target_gap = kAny}, stop, answer);
+  if (!answer.path.empty()) return true;
+  return answer.end == ExactEnd::unreachable ? std::optional(false) : std::nullopt;
 }
 
 }  // namespace
@@ -39,27 +55,33 @@ std::shared_ptr<const Planner::Impl::Regions> Planner::Impl::regions(
 
 // The narrowest place of the widest way lies midway between the two points of blocked squares that
 // hold the disc there, which are lattice points or straight across from one, or it is one of the
-// ends. So four times the square of the radius is a whole number.
+// ends. So four times the square of the radius is a whole number. Cells that are not blocked say
+// quickly what is closed; what they leave open is searched.
 std::optional<double> Planner::widest_disc(Cell a, Cell b, const StopCondition& stop) const {
   const Grid& map = impl_->map();
   if (map.blocked(a) || map.blocked(b)) return std::nullopt;
   constexpr int kMost = static_cast<int>(4 * disc::kLargestRadius * disc::kLargestRadius);
   const int ends = std::min(squared_clearance(map, a), squared_clearance(map, b));
   if (a == b) return radius_of(std::min(ends, kMost));
-  int open = 0, closed = kMost + 1;
-  while (closed - open > 1) {
-    const int middle = open + (closed - open) / 2;
-    bool joined = middle <= ends;
-    if (joined) {
-      const auto regions = impl_->regions(middle, stop);
+  int open = 0, closed = std::min(ends, kMost) + 1;
+  for (const bool searched : {false, true}) {
+    if (searched) closed = std::exchange(open, 0) + 1;
+    // Mostly nothing is closed but what cells say: then the first radius searched is the last.
+    for (int next = searched ? closed - 1 : closed / 2; closed - open > 1;
+         next = open + (closed - open) / 2) {
+      const auto regions = impl_->regions(next, stop);
       if (regions == nullptr) return std::nullopt;
       // A cell that keeps a clear point may count as blocked by rounding alone.
-      joined = regions->blocked.free(a) && regions->blocked.free(b) &&
-               regions->four.connected(regions->blocked, a, b);
+      bool joined = regions->blocked.free(a) && regions->blocked.free(b) &&
+                    regions->four.connected(regions->blocked, a, b);
+      if (joined && searched) {
+        const auto found = leads(map, radius_of(next), a, b, stop);
+        if (!found) return std::nullopt;
+        joined = *found;
+      }
+      (joined ? open : closed) = next;
     }
-    (joined ? open : closed) = middle;
   }
-  // Cells that are joined at all are by doors as wide as a cell.
   return open > 0 ? std::optional(radius_of(open)) : std::nullopt;
 }
 

@@ -25,7 +25,7 @@ constexpr int kBoundRounds = 10;
 constexpr double kOrderShare = 0.6;
 
 // The stops that a tour visits, by their index in the request.
-std::vector<int> visited(const Planner& planner, const TourRequest& request, Tour& tour) {
+std::vector<int> visited(const Planner& planner, const TourRequest& request, TourResult& tour) {
   const int n = static_cast<int>(request.stops.size());
   std::vector<std::vector<int>> regions;
   std::vector<int> region_of(n, -1);
@@ -70,16 +70,17 @@ void check(const TourRequest& request) {
 
 }  // namespace
 
-std::optional<double> Tour::gap() const {
+std::optional<double> TourResult::gap() const {
   if (!lower_bound || status == Status::invalid || order.empty()) return std::nullopt;
   if (length == 0) return 0;
   if (*lower_bound <= 0) return std::nullopt;
   return (length - *lower_bound) / *lower_bound;
 }
 
-Tour plan_tour(const Planner& given, const TourRequest& request, const TourObserver& observer) {
+TourResult plan_tour(const Planner& given, const TourRequest& request,
+                     const TourObserver& observer) {
   check(request);
-  Tour tour;
+  TourResult tour;
   const std::vector<int> indices = visited(given, request, tour);
   const int n = static_cast<int>(indices.size());
   if (n == 0 || !tour.error.empty()) {

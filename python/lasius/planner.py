@@ -11,7 +11,8 @@ from . import _lasius
 from ._lasius import Grid, Progress, Workspace
 from .arguments import explained
 from .arrays import Cell, IntArray, flags_of, int_rows
-from .errors import finish, made
+from .errors import finish, invalid, made
+from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole
 from .progress import Shown, counted, watched
 from .results import BatchResult, Result, answer, batch_result
@@ -58,7 +59,8 @@ class Planner:
 
     def __init__(self, grid: Grid, *, radius: float = 0.0, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
         if not isinstance(grid, Grid):
-            raise TypeError(f"grid is a {type(grid).__name__}: make one by lasius.Grid(array, free=...)")
+            remedy = "give its .grid" if isinstance(grid, Map) else "make one by lasius.Grid(array, free=...)"
+            raise TypeError(f"grid is a {type(grid).__name__}: {remedy}")
         threads = whole("threads", threads)
         self._grid = grid
         self._raw = made(*_lasius.make_planner(grid, radius))
@@ -218,6 +220,8 @@ class Planner:
         schedule: Optional[Schedule],
     ) -> Tuple[Params, OwnRules]:
         """The parameters of a call, and what of a colony is the caller's own."""
+        if "radius" in settings:
+            raise invalid("radius is the planner's, not a plan's", "make a Planner(grid, radius=...)")
         own = own_rules(heuristic, update, schedule, self._grid)
         return chosen(Params, params, named(settings, update, heuristic)), own
 
@@ -304,11 +308,15 @@ def directions_of(rows: npt.ArrayLike) -> IntArray:
 
 
 @explained
-def plan(grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, **options: Any) -> Result:
+def plan(
+    grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, *, radius: float = 0.0, **options: Any
+) -> Result:
     """Answers one question on a map. For more than one make a Planner, whose `plan` this is.
 
     >>> grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
     >>> plan(grid, (0, 0), (29, 0)).length
     29.0
+    >>> plan(grid, (2, 2), (27, 2), radius=2.5).length
+    25.0
     """
-    return Planner(grid).plan(start, goal, params, **options)
+    return Planner(grid, radius=radius).plan(start, goal, params, **options)

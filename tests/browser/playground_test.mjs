@@ -40,6 +40,19 @@ async function opened(options) {
     await download.saveAs(path.join(folder, name));
     return readFileSync(path.join(folder, name), "utf8");
   };
+  /** On a new sheet of 60 x 40 cells, from the top down to some way above the bottom. */
+  tools.drawWall = async () => {
+    await tools.set("Width, cells", 60);
+    await tools.set("Height, cells", 40);
+    await tools.press("Empty sheet");
+    const before = await tools.shown(), box = await page.locator(".map canvas").boundingBox();
+    await tools.tool("Draw walls");
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.7 * box.height, { steps: 8 });
+    await page.mouse.up();
+    assert.notEqual(await tools.shown(), before);
+  };
   tools.run = async () => {
     await tools.press("Run");
     await tools.told(".state", /^(Solved|No path|Proven|Invalid)/);
@@ -78,18 +91,25 @@ test("a generated map: every kind of algorithm gives the program's path", async 
   await tools.done();
 });
 
+test("a disc: the exact curve's polyline and a colony's path are the program's", async () => {
+  const { run, ...tools } = await opened();
+  await tools.drawWall();
+  await tools.saved("Save as .map", "playground.map");
+  await tools.set("Radius of the robot, cells", 1.5);
+  assert.match(await tools.command(), /--radius 1.5 /);
+  for (const algorithm of ["acs", "exact"]) {
+    await tools.choose(algorithm);
+    if (algorithm === "acs") await tools.parameter("iterations", 10);
+    await run();
+    const native = await sameByProgram(tools);
+    if (algorithm === "exact") assert.ok(native.curve.some(({ turn }) => turn), "it goes around something");
+  }
+  await tools.done();
+});
+
 test("a drawn map is saved, and its command gives the same path", async () => {
-  const { page, run, ...tools } = await opened();
-  await tools.set("Width, cells", 60);
-  await tools.set("Height, cells", 40);
-  await tools.press("Empty sheet");
-  const before = await tools.shown(), box = await page.locator(".map canvas").boundingBox();
-  await tools.tool("Draw walls");
-  await page.mouse.move(box.x + 0.5 * box.width, box.y + 2);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.7 * box.height, { steps: 8 });
-  await page.mouse.up();
-  assert.notEqual(await tools.shown(), before);
+  const { run, ...tools } = await opened();
+  await tools.drawWall();
   await tools.parameter("iterations", 12);
   await tools.parameter("ants", 5);
   await run();

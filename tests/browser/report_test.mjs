@@ -166,7 +166,7 @@ test("grown obstacles are paler than those of the map", async () => {
     return ["148,154,163", "211,214,218", "255,255,255"].map((colour) => colours.has(colour));
   });
   assert.deepEqual(seen, [true, true, true]);
-  await tab.getByText("in part or wholly nearer than 1 cell to that", { exact: true }).waitFor();
+  await tab.getByText("centre nearer than 1 cell to that", { exact: true }).waitFor();
   await close();
 });
 

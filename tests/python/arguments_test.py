@@ -34,6 +34,8 @@ def test_a_keyword_of_another_function(planner):
 
 
 @pytest.mark.parametrize("use, error, words", [
+    (lambda p: lasius.Planner(lasius.Map(p.grid, None, "")), TypeError, "grid is a Map: give its .grid"),
+    (lambda p: p.plan(START, GOAL, radius=2), lasius.InvalidParameter, "make a Planner(grid, radius"),
     (lambda p: p.plan(START, GOAL, time_limit="1"), TypeError, "time_limit is '1': give a number, or None"),
     (lambda p: p.plan(START, GOAL, target_gap=None), TypeError, "target_gap is None: give a number"),
     (lambda p: p.plan(START, GOAL, observer=3), TypeError, "observer is 3: give a function"),

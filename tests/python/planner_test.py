@@ -39,7 +39,7 @@ def test_a_disc():
     assert sum(straight) + sum(arcs) == pytest.approx(result.length, abs=1e-9)
     assert {p.centre for p in result.curve if p.turn} == {(15.0, 17.0), (16.0, 17.0)} and result.curve[0].centre is None
     assert result.length <= lasius.path_length(result.path) <= 1.001 * result.length
-    assert (disc.radius, disc.grid, disc.passable) == (1.5, grid, lasius.grow_obstacles(grid, 1.5))
+    assert (disc.radius, disc.grid, disc.passable) == (1.5, grid, lasius.Grid(lasius.clearance(grid) < 1.5, free=0))
     assert disc.clear((1, 3)) and not disc.clear((0, 3)) and disc.widest_disc((3, 3), (26, 3)) == 1.5
     assert lasius.Planner(grid).plan((3, 3), (26, 3)).curve == ()
     assert lasius.Planner(grid, radius=1.500001).plan((3, 3), (26, 3)).status == "unreachable"

@@ -124,9 +124,9 @@ class Reasons(ProgramTest):
         self.assertEqual([round(m, 9) for m in known["extent_m"]], [2.0, 0.9])
         self.assertNotIn("joined", known)
         text = self.info("--frame", "world", "--radius", "0.12", "--start", "-0.65,2.45", "--goal", "0.35,2.45").out
-        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m for exact, for the others up to 0.1 m"):
+        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m for exact, for the others up to 0.15 m"):
             self.assertIn(words, text)
-        self.assertIn("no, up to --radius 1.5 cells for exact, for the others up to 1 cell", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
+        self.assertIn("no, up to --radius 1.5 cells for exact, for the others up to 1.5 cells", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
         self.assertIn("counted as free", self.info("--unknown-free").out)
         self.assertIn("joined      no\n", self.info("--start", "3,4", "--goal", "99,4").out)
         self.assertIsNone(self.run_program("info", "small.map", "--json").json["unknown_cells"])

@@ -1,6 +1,7 @@
-#include "tools/arm/arm_task.h"
+#include "tools/arm/arm_command.h"
+#include "tools/arm/arm_kind.h"
 #include "tools/console/exit_code.h"
-#include "tools/options/commands.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 namespace {
@@ -14,6 +15,13 @@ namespace {
 }  // namespace
 
 int run_command(const ArmCommand&) { refuse(); }
-std::unique_ptr<Task> recorded_arm(const Recorded&) { refuse(); }
+
+const ProblemKind& arm_kind() {
+  static const ProblemKind kKind{
+      .commands = {"arm"},
+      .format = kArmFormat,
+      .again = [](const Recorded&, const Problem*) -> std::unique_ptr<Problem> { refuse(); }};
+  return kKind;
+}
 
 }  // namespace lasius::tool

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lasius/arm.h"
-#include "tools/options/options.h"
+#include "tools/arm/arm_command.h"
 
 namespace lasius::tool {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/arm/arm_answer.h"
-#include "tools/record/json_values.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 
@@ -25,7 +25,7 @@ Json questions_json(const arm::Result& plan);
 /// The motion as knots, and as samples, `rate` a second; null without one.
 Json trajectory_json(const ArmAnswer& answer, double rate);
 
-/// The reverse of goals_json, of a result. @throws UsageError
-std::vector<ArmGoal> recorded_goals(const Json& result);
+/// The question of a saved result. @throws UsageError for what is missing or no such value.
+ArmCommand recorded_command(const Recorded& recorded);
 
 }  // namespace lasius::tool

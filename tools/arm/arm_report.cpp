@@ -132,9 +132,9 @@ Json motion_json(const ArmAnswer& answer) {
 
 }  // namespace
 
-void write_arm_report(std::ostream& out, const Task& task, const ArmCommand& command,
+void write_arm_report(std::ostream& out, const Record& run, const ArmCommand& command,
                       const ArmAnswer& answer) {
-  Json content = run_json(task, "arm", arm_title(command, answer));
+  Json content = run_json(run, "arm", arm_title(command, answer));
   content["solids"] = solids_json(answer);
   content["motion"] = motion_json(answer);
   const Eigen::AlignedBox3d bounds = bounds_of(answer);

@@ -66,7 +66,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   in_metres_asked(map, run, [&] {
-    answer.result = map.planner->plan(request, as_read(run.params), &workspace, observer);
+    answer.result = map.planner->plan(request, run.params, &workspace, observer);
   });
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum) add_optima(map, run, stop, answer);
@@ -137,7 +137,7 @@ std::optional<double> grid_gap(const Answer& answer, const Params& params) {
 
 Params optimum_params(const RunOptions& run) {
   Params params;
-  params.threads = run.params.threads;
+  params.threads = run.threads;
   return params;
 }
 

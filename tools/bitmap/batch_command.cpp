@@ -9,13 +9,13 @@
 #include "core/base/parallel.h"
 #include "lasius/batch.h"
 #include "tools/bitmap/answer.h"
-#include "tools/bitmap/bitmap_task.h"
+#include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
-#include "tools/options/commands.h"
+#include "tools/console/values.h"
 #include "tools/record/batch.h"
 #include "tools/record/queries.h"
 
@@ -51,7 +51,7 @@ std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOpt
 }
 
 /// The command's queries: a file's, or its own one.
-QueryFile queries_of(const BatchCommand& command, const LoadedMap& map) {
+QueryFile queries_of(const PlanCommand& command, const LoadedMap& map) {
   if (command.queries.empty()) return {.queries = {{command.start, command.goal}}};
   const bool cells = command.run.frame == Frame::cell;
   return read_queries(command.queries, map.width, map.height, cells, cells && map.frame);
@@ -75,19 +75,24 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
   return requests;
 }
 
+/// Start and goal as they were asked for, a coordinate a text.
+std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) {
+  const auto text = run.frame == Frame::world ? to_text : whole_text;
+  const Point start = answer.start.asked, goal = answer.goal.asked;
+  return {text(start.x), text(start.y), text(goal.x), text(goal.y)};
+}
+
 }  // namespace
 
-int run_command(const BatchCommand& command) {
-  const RunOptions& run = command.run;
-  check_outputs(run.outputs, {run.map.file, command.queries, run.preset_file});
+int run_bitmap_batch(const PlanCommand& command) {
+  RunOptions run = command.run;
+  check_outputs(run.outputs, run.inputs);
   SignalWatcher signals;
-  const auto shared = std::make_shared<LoadedMap>(
-      load_map(run.map, run.frame, run.params.corners, signals.token()));
-  const LoadedMap& map = *shared;
+  LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
   check_outputs(run.outputs, {map.image});
   check_radius(map, run);
   const QueryFile file = queries_of(command, map);
-  BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);
+  note_map(map, run);
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
                                const Batch::Take& take) {
@@ -105,14 +110,13 @@ int run_command(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = 1e3 * found.elapsed.count()};
       if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
-      set_remedy(*shared, run, how.token, answer);
-      task.set_index(index);
-      task.set_seed(found.seed);
-      task.take(std::move(answer));
-      take(task.end_texts(), task.result().path);
+      set_remedy(map, run, how.token, answer);
+      Record record = record_of(map, run, answer);
+      record.index = index;
+      record.seed = found.seed;
+      take(record, end_texts(run, answer), found.result.path);
     };
-    in_metres_asked(map, run,
-                    [&] { plan_batch(*map.planner, part, as_read(run.params), how, receive); });
+    in_metres_asked(map, run, [&] { plan_batch(*map.planner, part, run.params, how, receive); });
   };
   // Optima are asked beside each part, so that answers still stream.
   const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
@@ -123,7 +127,8 @@ int run_command(const BatchCommand& command) {
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_batch_picture(picture, map, run, paths, caption);
   };
-  return run_batch({task, queries.size(), command.queries.empty(), answer_all, draw}, signals);
+  const std::string unit = run.frame == Frame::world ? "m" : "";
+  return run_batch({run, unit, queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }
 
 }  // namespace lasius::tool

@@ -30,12 +30,14 @@ Json walls_json(const Grid& grid, const Window& window) {
 }
 
 Json map_view_json(const LoadedMap& map, const Window& window) {
+  const bool any_unknown =
+      map.unknown && map.unknown->count_free() < std::int64_t{1} * map.width * map.height;
   Json json = {{"width", map.width},
                {"height", map.height},
                {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
                {"walls", walls_json(map.grid(), window)},
                {"obstacles", map.grown() ? walls_json(map.as_read(), window) : Json(nullptr)},
-               {"unknown", map.unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
+               {"unknown", any_unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
                {"unknown_free", map.unknown_is_free},
                {"to_world", nullptr}};
   if (map.frame) {
@@ -54,12 +56,12 @@ Json clearance_json(const Grid& grid, const std::vector<Point>& path, double len
   return {{"step", along.step}, {"values", values}, {"most", kMostClearance}};
 }
 
-void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,
+void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMap& map,
                          const RunOptions& run, const std::vector<Cell>& ends,
                          const std::vector<Point>& path, const RunFrames* frames) {
-  Json content = run_json(task, "bitmap", map_title(map, run));
+  Json content = run_json(record, "bitmap", map_title(map, run));
   content["map"] = map_view_json(map, shown_of(map, ends));
-  content["clearance"] = clearance_json(map.as_read(), path, task.result().length);
+  content["clearance"] = clearance_json(map.as_read(), path, record.result.length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
   write_report_page(out, content);

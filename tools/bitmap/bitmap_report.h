@@ -6,7 +6,7 @@
 
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/run_frames.h"
-#include "tools/record/task.h"
+#include "tools/record/record.h"
 
 namespace lasius::tool {
 
@@ -21,7 +21,7 @@ Json map_view_json(const LoadedMap& map, const Window& window);
 Json clearance_json(const Grid& grid, const std::vector<Point>& path, double length);
 
 /// `frames` may be null.
-void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,
+void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMap& map,
                          const RunOptions& run, const std::vector<Cell>& ends,
                          const std::vector<Point>& path, const RunFrames* frames);
 

@@ -1,16 +1,31 @@
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
-#include "tools/bitmap/map_record.h"
+#include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/reasons.h"
+#include "tools/command_line/map_options.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/streams.h"
+#include "tools/console/threads.h"
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
+
+constexpr std::array<std::string_view, 3> kCornerRules{"forbid", "one-side", "allow"};
+
+/// What is asked.
+struct InfoCommand {
+  MapOptions map;
+  Frame frame = Frame::cell;
+  std::optional<Point> start, goal;  ///< both or none
+  Corners corners = Corners::forbid;
+  bool json = false;
+};
 
 Json frame_json(const std::optional<WorldFrame>& frame) {
   if (!frame) return nullptr;
@@ -37,8 +52,11 @@ void add_joined(Json& json, LoadedMap& map, const InfoCommand& command) {
   const Route cells{.corners = command.corners};
   json["start"] = cell_json(start);
   json["goal"] = cell_json(goal);
+  // Of a disc cells that are joined prove no way.
   json["joined"] =
-      (map.grown() ? Route{.curved = true} : cells).joined(*map.planner, start.cell, goal.cell);
+      map.grown() ? map.planner->joined(start.cell, goal.cell) &&
+                        !map.planner->plan({.start = start.cell, .goal = goal.cell}).path.empty()
+                  : cells.joined(*map.planner, start.cell, goal.cell);
   const auto add = [&](const std::string& key, const Route& route) {
     const auto widest = widest_of(map, start.cell, goal.cell, route, {}).widest_radius;
     json[key] = optional_number(widest);
@@ -147,12 +165,61 @@ std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand&
 
 }  // namespace
 
-int run_command(const InfoCommand& command) {
-  LoadedMap map = load_map(command.map, command.frame);
-  Json json = info_json(map, command.corners);
-  add_joined(json, map, command);
-  print(command.json ? line(json) : info_text(json, map, command));
-  return kFound;
+Subcommand add_info(CLI::App& app) {
+  struct Text : InfoCommand {
+    std::string start_text, goal_text;
+    WorldOptions world;
+  };
+  auto text = std::make_shared<Text>();
+  OptionTable table(app, "info", "Describe a map or a polygon world");
+  table.file("MAP", text->map.file, kMapHelp, map_endings(true))->required();
+  table.choice("--corners", text->corners, kCornerRules, "Rule by which components are joined",
+               "forbid|one-side|allow");
+  table.real("--radius", text->map.radius, 0, kNoLimit,
+             "Of a disc as plan --radius has it, in cells (metres with --frame world)", "R");
+  table.choice("--frame", text->frame, kFrames, "Of --radius, --start and --goal, as plan has it",
+               "cell|world");
+  table.text("--start", text->start_text,
+             "With --goal: tell whether both are joined, and up to which radius they are", "X,Y");
+  table.text("--goal", text->goal_text, "The other end", "X,Y");
+  table.flag("--unknown-free", text->map.unknown_is_free,
+             "Unknown cells of a ROS map count as free");
+  table.flag("--prepare", text->map.prepare,
+             "Show the visibility graph that plan --prepare makes for exact, and its cost");
+  add_world_options(table, text->world);
+  table.flag("--json", text->json, "Print one JSON object");
+  return table.command(
+      {.examples = {{"lasius info maps/fan400x200.map --prepare",
+                     "size, components, and what the visibility graph costs"},
+                    {"lasius info maps/fan400x200.map --start 14,14 --goal 380,179",
+                     "how wide a robot may be that is to go there"}},
+       .exits = {{kBadFile, "the map is missing or broken"}}},
+      [=](const Call&) {
+        InfoCommand& info = *text;
+        const std::string& file = info.map.file;
+        if (is_polygon_file(file)) {
+          if (info.map.prepare) throw UsageError("--prepare is for bitmaps");
+          for (const char* option : {"--frame", "--start", "--goal"})
+            if (table.given(option))
+              throw UsageError("--frame, --start and --goal of info are for bitmaps");
+          refuse_radius(table);
+          text->world.file = file;
+          return run_command(WorldInfoCommand{text->world, info.json});
+        }
+        refuse_world_options(table);
+        info.map.radius_metres = info.frame == Frame::world;
+        if (text->start_text.empty() != text->goal_text.empty())
+          throw UsageError("info takes --start and --goal together");
+        if (!text->start_text.empty()) {
+          info.start = end_value("--start", text->start_text, info.frame, file);
+          info.goal = end_value("--goal", text->goal_text, info.frame, file);
+        }
+        LoadedMap map = load_map(info.map, info.frame, Corners::forbid, thread_count(""));
+        Json json = info_json(map, info.corners);
+        add_joined(json, map, info);
+        print(info.json ? line(json) : info_text(json, map, info));
+        return static_cast<int>(kFound);
+      });
 }
 
 }  // namespace lasius::tool

@@ -24,11 +24,11 @@ double finite(double number) {
 }
 
 /// Nothing, and the grid as it was, when stopped.
-std::optional<Planner> make_planner(Grid& grid, Disc robot, const MapOptions& options,
+std::optional<Planner> make_planner(Grid& grid, Disc robot, bool prepare, int threads,
                                     Corners corners, const StopCondition& stop) {
-  const PrepareOptions more{.threads = options.threads, .stop = stop};
-  auto planner = options.prepare ? Planner::make_prepared(std::move(grid), robot, more)
-                                 : Planner::make(std::move(grid), robot, stop);
+  const PrepareOptions more{.threads = threads, .stop = stop};
+  auto planner = prepare ? Planner::make_prepared(std::move(grid), robot, more)
+                         : Planner::make(std::move(grid), robot, stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
   return planner;
@@ -61,12 +61,13 @@ LoadedMap read_map(const MapOptions& options, Frame frame) {
   return map;
 }
 
-LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
+LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int threads,
                    const std::stop_token& token) {
   LoadedMap map = read_map(options, frame);
   const StopCondition stop{.token = token};
   const auto start = Clock::now();
-  map.planner = make_planner(*map.grid_alone, {map.radius}, options, corners, stop);
+  map.planner =
+      make_planner(*map.grid_alone, {map.radius}, options.prepare, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
   map.ready_ms = ms_since(start);
   return map;

@@ -58,10 +58,11 @@ struct LoadedMap {
 /// @throws Error; UsageError where metres are asked for and the file gives no frame.
 LoadedMap read_map(const MapOptions& options, Frame frame);
 
-/// Reads a map and makes it ready for plans under a rule of corners. `token` ends what follows the
-/// reading. @throws as read_map.
+/// Reads a map and makes it ready for plans under a rule of corners, by so many threads. `token`
+/// ends what follows the reading. @throws as read_map.
 LoadedMap load_map(const MapOptions& options, Frame frame = Frame::cell,
-                   Corners corners = Corners::forbid, const std::stop_token& token = {});
+                   Corners corners = Corners::forbid, int threads = 1,
+                   const std::stop_token& token = {});
 
 /// Does what --prepare asks for, for a map with a planner.
 void prepare(LoadedMap& map, int threads, const std::stop_token& token);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lasius/clearance.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 
@@ -10,14 +11,6 @@ namespace lasius::tool {
 
 /// Farther than this, in cells, counts as this.
 inline constexpr int kMostClearance = 64;
-
-/// What is blocked nearest to a point.
-struct NearestBlocked {
-  double distance = 0;  ///< to its square, cells
-  Cell cell{};          ///< perhaps outside; any where nothing is as near as `most`
-};
-/// @param beside  the nearest to any point so far from `at` along each axis
-NearestBlocked nearest_blocked(const Grid& grid, Point at, double most, double beside = 0);
 
 /// Distance from a point to the nearest blocked cell's square or the outside, at most `most`.
 double distance_to_blocked(const Grid& grid, Point at, double most = kMostClearance);

@@ -89,7 +89,7 @@ Page Sheet::page(std::string title) const {
                  kUnknownCell));
   if (map.grown())
     page.legend.push_back(
-        area_key("in part or wholly nearer than " + length(map.radius) + " to that", kGrown));
+        area_key("centre nearer than " + length(map.radius) + " to that", kGrown));
   return page;
 }
 

@@ -7,15 +7,14 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/version.h"
-#include "tools/command_line/notes.h"
 #include "tools/command_line/subcommands.h"
 #include "tools/console/exit_code.h"
-#include "tools/options/manual.h"
+#include "tools/console/streams.h"
+#include "tools/options/commands.h"
 
 namespace lasius::tool {
 namespace {
@@ -114,22 +113,23 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return names;
 }
 
-/// Of the program itself where `command` is empty.
-OptionText describe(const CLI::Option& option, std::string_view command) {
+using ShellValues = std::map<const CLI::Option*, Values>;
+
+OptionText describe(const CLI::Option& option, const ShellValues& values) {
   OptionText text{.names = names_of(option),
                   .value = option.get_type_name(),
                   .help = option.get_description(),
                   .required = option.get_required(),
                   .repeatable = option.get_items_expected_max() > 1};
-  text.values = values_of(command, text.names.back(), text.value);
+  if (const auto known = values.find(&option); known != values.end()) text.values = known->second;
   return text;
 }
 
 /// Without those that are only there to be refused.
-std::vector<OptionText> options_of(const CLI::App& app, std::string_view command) {
+std::vector<OptionText> options_of(const CLI::App& app, const ShellValues& values) {
   std::vector<OptionText> options;
   for (const CLI::Option* option : app.get_options())
-    if (option->get_group() != kRefused) options.push_back(describe(*option, command));
+    if (option->get_group() != kRefused) options.push_back(describe(*option, values));
   std::stable_partition(options.begin(), options.end(),
                         [](const OptionText& option) { return option.is_argument(); });
   return options;
@@ -137,19 +137,12 @@ std::vector<OptionText> options_of(const CLI::App& app, std::string_view command
 
 /// The commands and their options as data, read off CLI11's tables.
 Manual describe(const CLI::App& app, const std::vector<Subcommand>& commands) {
-  Manual manual{.summary = app.get_description(), .options = options_of(app, ""), .commands = {}};
-  for (const auto& command : commands) {
-    const std::string name = command.app->get_name();
-    manual.commands.push_back(
-        {notes_of(name), name, command.app->get_description(), options_of(*command.app, name)});
-  }
+  Manual manual{.summary = app.get_description(), .options = options_of(app, {}), .commands = {}};
+  for (const auto& command : commands)
+    manual.commands.push_back({command.notes, command.app->get_name(),
+                               command.app->get_description(),
+                               options_of(*command.app, command.values)});
   return manual;
-}
-
-/// What `help` tells of is all the commands.
-Command described(Command command, const CLI::App& app, const std::vector<Subcommand>& commands) {
-  if (auto* help = std::get_if<HelpCommand>(&command)) help->manual = describe(app, commands);
-  return command;
 }
 
 /// A word as a shell reads it back.
@@ -168,32 +161,32 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-/// A command that knows how it was called, for its report.
-Command called(Command command, std::span<const std::string_view> words) {
+/// The command line, for a shell to read.
+std::string line_of(std::span<const std::string_view> words) {
   std::string text = "lasius";
   for (const auto word : words.subspan(1)) text += " " + shell_word(word);
-  std::visit(
-      [&](auto& kind) {
-        if constexpr (requires { kind.run.called; })
-          kind.run.called = text;
-        else if constexpr (requires { kind.called; })
-          kind.called = text;
-      },
-      command);
-  return command;
+  return text;
 }
 
 }  // namespace
 
-Command parse_command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv) {
   CLI::App app{"Ant-colony and exact motion planning on maps", "lasius"};
   app.set_version_flag("--version", LASIUS_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  const auto commands = add_subcommands(app);
+  std::vector<Subcommand> commands;
+  for (const AddSubcommand add : subcommands()) commands.push_back(add(app));
+  const auto manual = [&] { return describe(app, commands); };
+  const auto help = [&] {
+    const auto chosen = app.get_subcommands();
+    if (chosen.empty()) return run_command(HelpCommand{manual(), ""});
+    return run_command(
+        HelpCommand{.manual = manual(), .topic = chosen.front()->get_name(), .of_command = true});
+  };
   const std::vector<std::string_view> words(argv, argv + argc);
   if (argc < 2) throw UsageError("no command; " + known_commands(commands));
   if (words[1] == "complete")
-    return CompleteCommand{describe(app, commands), {words.begin() + 2, words.end()}};
+    return run_command(CompleteCommand{manual(), {words.begin() + 2, words.end()}});
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
   for (const auto& command : commands)
     if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, words);
@@ -201,20 +194,24 @@ Command parse_command_line(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    if (chosen.empty()) return HelpCommand{describe(app, commands), ""};
-    return HelpCommand{
-        .manual = describe(app, commands), .topic = chosen.front()->get_name(), .of_command = true};
+    return help();
   } catch (const CLI::CallForVersion&) {
-    return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
+    print(std::string("lasius ") + LASIUS_VERSION + "\n");
+    return kFound;
   } catch (const CLI::ParseError& fault) {
     refuse_extras(app, commands, words);
     throw UsageError(plain_words(fault.what()) + "; see --help");
+  } catch (const UsageError&) {  // of a value, which CLI11 reads before it looks for --help
+    for (const CLI::App* chosen : app.get_subcommands())
+      if (chosen->get_help_ptr()->count() > 0) return help();
+    refuse_extras(app, commands, words);
+    throw;
   }
   refuse_extras(app, commands, words);
-  for (const auto& command : commands)
-    if (command.app->parsed()) return described(called(command.make(), words), app, commands);
-  throw UsageError("no command; " + known_commands(commands));
+  const auto asked = std::ranges::find_if(
+      commands, [](const Subcommand& command) { return command.app->parsed(); });
+  if (asked == commands.end()) throw UsageError("no command; " + known_commands(commands));
+  return asked->run({line_of(words), manual});
 }
 
 }  // namespace lasius::tool

@@ -1,33 +1,25 @@
 // lasius study, lasius tune.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <tuple>
 
-#include "tools/command_line/option_kinds.h"
-#include "tools/command_line/run_text.h"
-#include "tools/command_line/subcommands.h"
+#include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/parameters.h"
 #include "tools/console/threads.h"
-#include "tools/console/values.h"
+#include "tools/options/commands.h"
 #include "tools/yaml/document.h"
 #include "tools/yaml/preset_file.h"
 
 namespace lasius::tool {
 namespace {
 
-/// What only `study run` takes, as typed.
+/// What is typed of `study run`, beside what is read.
 struct ShortText {
-  std::string map, start, goal, frame, radius, algorithms, preset, steps, time_limit;
+  std::string start, goal, algorithms;
   std::vector<std::string> set;
-};
-
-struct StudyText {
-  std::string name, seeds, folder, threads, maps;
-  bool quiet = false;
-  ShortText run;
 };
 
 std::vector<std::string> values_in(const std::string& option, const std::string& text,
@@ -61,66 +53,46 @@ std::pair<std::string, std::vector<std::string>> factor_of(
   return {name, std::move(values)};
 }
 
-ShortStudy short_study(const ShortText& text) {
-  if (text.map.empty()) throw UsageError("study run: MAP is required; see --help");
-  if (is_polygon_file(text.map))
-    throw UsageError("study run: " + text.map +
+/// What `study run` asks for. @throws UsageError
+void finish_run(ShortStudy& run, const ShortText& text) {
+  require("study run: ", "MAP", run.map);
+  if (is_polygon_file(run.map))
+    throw UsageError("study run: " + run.map +
                      " is a polygon world; own studies plan on bitmaps alone");
-  if (text.start.empty()) throw UsageError("study run: --start is required; see --help");
-  if (text.goal.empty()) throw UsageError("study run: --goal is required; see --help");
-  const Frame frame = frame_of(text.frame);
+  require("study run: ", "--start", text.start);
+  require("study run: ", "--goal", text.goal);
   const auto end = [&](const char* option, const std::string& value) {
-    const Point p = end_value(option, value, frame, text.map);
+    const Point p = end_value(option, value, run.frame, run.map);
     constexpr double kOutside = 1e9;  // outside of every map
     return Point{std::clamp(p.x, -kOutside, kOutside), std::clamp(p.y, -kOutside, kOutside)};
   };
-  ShortStudy run{.map = text.map,
-                 .start = end("--start", text.start),
-                 .goal = end("--goal", text.goal),
-                 .frame = frame,
-                 .algorithms = {},
-                 .preset = text.preset,
-                 .factors = {},
-                 .steps = {},
-                 .seconds = {}};
+  run.start = end("--start", text.start);
+  run.goal = end("--goal", text.goal);
   if (!text.algorithms.empty())
     run.algorithms = values_in("--algorithm", text.algorithms);
-  else if (is_document(text.preset))
-    run.algorithms = {read_preset_file(text.preset).algorithm};
+  else if (is_document(run.preset))
+    run.algorithms = {read_preset_file(run.preset).algorithm};
   else
-    throw UsageError("study run: --algorithm is required; see --help");
+    require("study run: ", "--algorithm", "");
   for (const std::string& algorithm : run.algorithms) {
-    (void)algorithm_of(World::Kind::bitmap, algorithm);
+    (void)algorithm_of(bitmaps(), algorithm);
     if (std::ranges::count(run.algorithms, algorithm) > 1)
       throw UsageError("--algorithm " + text.algorithms + ": " + algorithm + " is given twice");
   }
-  if (!text.preset.empty() && !is_document(text.preset))
-    (void)choice_value("--preset", text.preset, kPresetNames);
+  if (!run.preset.empty() && !is_document(run.preset))
+    (void)choice_value("--preset", run.preset, kPresetNames);
   refuse_repeats(text.set);
   for (const std::string& setting : text.set)
     run.factors.push_back(factor_of(setting, run.algorithms));
-  if (!text.radius.empty()) run.radius = real_value("--radius", text.radius, 0, kNoLimit);
-  if (!text.steps.empty()) run.steps = real_value("--steps", text.steps, 1, 1e15);
-  if (!text.time_limit.empty())
-    run.seconds = real_value("--time-limit", text.time_limit, 1e-6, 1e9);
-  return run;
 }
 
-void refuse_short_options(const ShortText& text, const std::string& name) {
-  const char* option = !text.map.empty()          ? "a second argument"
-                       : !text.start.empty()      ? "--start"
-                       : !text.goal.empty()       ? "--goal"
-                       : !text.frame.empty()      ? "--frame"
-                       : !text.radius.empty()     ? "--radius"
-                       : !text.algorithms.empty() ? "--algorithm"
-                       : !text.preset.empty()     ? "--preset"
-                       : !text.steps.empty()      ? "--steps"
-                       : !text.time_limit.empty() ? "--time-limit"
-                       : !text.set.empty()        ? "--set"
-                                                  : nullptr;
-  if (option != nullptr)
-    throw UsageError(std::string(option) + " is for `lasius study run MAP`; what " + name +
-                     " runs is in its file");
+void refuse_short_options(const OptionTable& table, const std::string& name) {
+  for (const char* option : {"MAP", "--start", "--goal", "--frame", "--radius", "--algorithm",
+                             "--preset", "--steps", "--time-limit", "--set"})
+    if (table.given(option))
+      throw UsageError((*option == 'M' ? "a second argument" : option) +
+                       std::string(" is for `lasius study run MAP`; what ") + name +
+                       " runs is in its file");
 }
 
 /// Where reports go unless -o says so: the file's name, or "run" for a map that is in none.
@@ -130,87 +102,123 @@ std::string usual_folder(const std::string& prefix, const std::string& file) {
   return prefix + (there ? std::filesystem::path(file).stem().string() : "run");
 }
 
-void read_seeds(const std::string& text, StudyCommand& command) {
-  if (text.empty()) return;
-  std::tie(command.first_seed, command.seeds) = seed_range("--seeds", text, 1);
+int run_asked(const OptionTable& table, StudyCommand& study, const ShortText& text,
+              const Call& call) {
+  study.called = call.line;
+  if (study.threads == 0) study.threads = thread_count("");
+  const bool run = study.name == "run";
+  if (run)
+    finish_run(study.run, text);
+  else
+    refuse_short_options(table, study.name);
+  if (study.folder.empty())
+    study.folder = run || is_document(study.name)
+                       ? usual_folder("study-", run ? study.run.map : study.name)
+                       : "study-" + study.name;
+  return run_command(study);
 }
 
-StudyCommand make_study(const StudyText& text) {
-  StudyCommand command{.name = text.name,
-                       .threads = thread_count(text.threads),
-                       .folder = text.folder,
-                       .maps = text.maps};
-  const bool run = text.name == "run";
-  if (run)
-    command.run = short_study(text.run);
-  else
-    refuse_short_options(text.run, text.name);
-  if (text.folder.empty())
-    command.folder = run || is_document(text.name)
-                         ? usual_folder("study-", run ? text.run.map : text.name)
-                         : "study-" + text.name;
-  read_seeds(text.seeds, command);
-  command.messages.quiet = text.quiet;
-  return command;
+void add_threads_and_maps(OptionTable& table, int& threads, std::string& maps) {
+  threads = 0;
+  table.add("--threads", "Runs at a time", "N",
+            [&](const auto& text) { threads = thread_count(text); });
+  table.text("--maps", maps, "Folder of the maps, instead of the program's own", "DIR");
 }
 
 }  // namespace
 
 Subcommand add_study(CLI::App& app) {
-  auto raw = std::make_shared<StudyText>();
-  auto* study = app.add_subcommand("study", "Run a study: a source's, your own, or a sweep");
-  study
-      ->add_option("NAME", raw->name,
-                   "A study that the program holds, or FILE.yaml; run: a sweep on MAP; list: what "
-                   "there is; all: each of them, and one table of claims")
+  struct Text : StudyCommand {
+    ShortText texts;
+  };
+  auto to = std::make_shared<Text>();
+  ShortStudy& run = to->run;
+  OptionTable table(app, "study", "Run a study: a source's, your own, or a sweep");
+  using enum Values::Names;
+  table
+      .shell(table.text("NAME", to->name,
+                        "A study that the program holds, or FILE.yaml; run: a sweep on MAP; list: "
+                        "what there is; all: each of them, and one table of claims",
+                        "TEXT"),
+             {.choices = {"list", "all", "run"},
+              .files = true,
+              .endings = kDocuments,
+              .names = studies})
       ->required();
-  const AddOption option = option_adder(*study);
-  option("MAP", raw->run.map, "With run: the map, a file or \"KIND WxH DENSITY SEED\"", "FILE");
-  option("--seeds", raw->seeds, "Seeds of the runs, 1 to N or A to B (default: the study's own)",
-         "N|A-B|A..B");
-  option(
-      "-o,--output", raw->folder,
+  table.text("MAP", run.map, "With run: the map, a file or \"KIND WxH DENSITY SEED\"", "FILE");
+  table.add("--seeds", "Seeds of the runs, 1 to N or A to B (default: the study's own)",
+            "N|A-B|A..B", [=](const auto& text) {
+              std::tie(to->first_seed, to->seeds) = seed_range("--seeds", text, 1);
+            });
+  table.text(
+      "-o,--output", to->folder,
       "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",
       "DIR|FILE.html");
-  option("--threads", raw->threads, "Runs at a time", "N");
-  option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
-  option("--start", raw->run.start, "With run: where paths start", "X,Y");
-  option("--goal", raw->run.goal, "With run: where they end", "X,Y");
-  option("--frame", raw->run.frame, "With run: of --start, --goal and --radius, as plan has it",
-         "cell|world");
-  option("--radius", raw->run.radius, "With run: of the robot, a disc, as plan --radius has it",
-         "R");
-  option("--algorithm", raw->run.algorithms, "With run: the algorithms", "NAME,NAME");
-  option("--preset", raw->run.preset, "With run: numbers to start with", "usual|book|FILE");
-  add_repeatable(*study, "--set", raw->run.set,
-                 "With run: values of a parameter; all combinations are run (repeatable)",
-                 "NAME=VALUE,VALUE");
-  option("--steps", raw->run.steps, "With run: end a run after so many steps of its ants", "N");
-  option("--time-limit", raw->run.time_limit, "With run: end a run after this processor time",
-         "SECONDS");
-  add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
-  return {study, [raw]() -> Command { return make_study(*raw); }};
+  add_threads_and_maps(table, to->threads, to->maps);
+  table.text("--start", to->texts.start, "With run: where paths start", "X,Y");
+  table.text("--goal", to->texts.goal, "With run: where they end", "X,Y");
+  table.choice("--frame", run.frame, kFrames,
+               "With run: of --start, --goal and --radius, as plan has it", "cell|world");
+  table.real("--radius", run.radius, 0, kNoLimit,
+             "With run: of the robot, a disc, as plan --radius has it", "R");
+  table.shell(
+      table.text("--algorithm", to->texts.algorithms, "With run: the algorithms", "NAME,NAME"),
+      {.names = algorithms, .list = true});
+  table.shell(
+      table.text("--preset", run.preset, "With run: numbers to start with", "usual|book|FILE"),
+      {.choices = texts(kPresetNames), .files = true, .endings = kDocuments});
+  table.shell(
+      table.repeatable("--set", to->texts.set,
+                       "With run: values of a parameter; all combinations are run (repeatable)",
+                       "NAME=VALUE,VALUE"),
+      {.names = parameters});
+  table.real("--steps", run.steps, 1, 1e15, "With run: end a run after so many steps of its ants",
+             "N");
+  table.real("--time-limit", run.seconds, 1e-6, 1e9,
+             "With run: end a run after this processor time", "SECONDS");
+  table.flag("-q,--quiet", to->messages.quiet, "Print errors only");
+  return table.command(
+      {.detail =
+           "A source's experiments are run again and set beside its figures. A file describes "
+           "maps, questions, algorithms, a sweep of parameters, seeds, budget and claims: see "
+           "`lasius help studies`. run asks one question of every algorithm at every combination "
+           "of "
+           "the values of --set, and writes the file that says the same, study.yaml. A study "
+           "goes on where an earlier call stopped.",
+       .examples = {{"lasius study list", "the studies that there are"},
+                    {"lasius study fan2004 -o fan", "the report fan/report.md, with all runs"},
+                    {"lasius study run maps/grid20a.map --start 0,0 --goal 19,19 --algorithm "
+                     "as,mmas --set persistence=0.5,0.9 --seeds 1..5 -o sweep",
+                     "two algorithms, two values each, five seeds"}},
+       .exits = {{kBadFile, "a map or a study's file is missing or broken"},
+                 {kInvalidQuery, "run's start or goal outside or blocked"},
+                 kOutput,
+                 {kInterrupted,
+                  "interrupted: the report is partial and the same command goes on"}}},
+      [=](const Call& call) { return run_asked(table, *to, to->texts, call); });
 }
 
 Subcommand add_tune(CLI::App& app) {
-  auto raw = std::make_shared<StudyText>();
-  auto* tune = app.add_subcommand("tune", "Find an algorithm's parameters for your maps by racing");
-  const AddOption option = option_adder(*tune);
-  option("FILE", raw->name, "What is tuned, and on which maps: see docs/studies.md", "FILE")
+  auto to = std::make_shared<TuneCommand>();
+  OptionTable table(app, "tune", "Find an algorithm's parameters for your maps by racing");
+  table.file("FILE", to->file, "What is tuned, and on which maps: see docs/studies.md", kDocuments)
       ->required();
-  option("-o,--output", raw->folder, "Folder to write (default tune-NAME)", "DIR");
-  option("--threads", raw->threads, "Runs at a time", "N");
-  option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
-  add_switch(*tune, "-q,--quiet", raw->quiet, "Print errors only");
-  return {tune, [raw]() -> Command {
-            TuneCommand command{
-                .file = raw->name,
-                .threads = thread_count(raw->threads),
-                .folder = raw->folder.empty() ? usual_folder("tune-", raw->name) : raw->folder,
-                .maps = raw->maps};
-            command.messages.quiet = raw->quiet;
-            return command;
-          }};
+  table.text("-o,--output", to->folder, "Folder to write (default tune-NAME)", "DIR");
+  add_threads_and_maps(table, to->threads, to->maps);
+  table.flag("-q,--quiet", to->messages.quiet, "Print errors only");
+  return table.command(
+      {.detail = "The result is judged on maps that were not used to find it, and written as a "
+                 "preset for --preset. See `lasius help studies`.",
+       .exits = {{kBadFile, "a map or the file is missing or broken"},
+                 kOutput,
+                 {kInterrupted,
+                  "interrupted: the best so far is in preset.yaml, and the same command "
+                  "goes on"}}},
+      [to](const Call&) {
+        if (to->threads == 0) to->threads = thread_count("");
+        if (to->folder.empty()) to->folder = usual_folder("tune-", to->file);
+        return run_command(*to);
+      });
 }
 
 }  // namespace lasius::tool

@@ -11,7 +11,7 @@
 
 #include "lasius/params.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/worlds.h"
+#include "tools/console/kinds.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -68,14 +68,13 @@ void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
   }
 }
 
-/// Says in `notes` which of the parameters that were asked for the others leave unread.
+/// Says in the options which of the parameters that were asked for the others leave unread.
 template <class Params>
-void note_unread(const SearchOptions& options, const Params& params, const Algorithm& algorithm,
-                 std::vector<std::string>& notes) {
+void note_unread(SearchOptions& options, const Params& params, const Algorithm& algorithm) {
   if constexpr (std::same_as<Params, lasius::Params>) {
     const auto note = [&](const std::string& told, std::string_view name) {
       const std::string why = why_unread(params, name);
-      if (!why.empty()) notes.push_back(told + " has no effect: " + why);
+      if (!why.empty()) options.notes.push_back(told + " has no effect: " + why);
     };
     for (const auto& [name, value] : options.preset_settings)
       note("the preset's " + name + "=" + value, name);
@@ -86,21 +85,13 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
   }
 }
 
-/// The parameters of the same run for a plan, which refuses values that are not read: one set of
-/// options may serve several algorithms, and a result tells what was asked for.
-template <class Params>
-Params as_read(Params params) {
-  if constexpr (std::same_as<Params, lasius::Params>) reset_unread(params);
-  return params;
-}
-
-/// The parameters that were asked for, valid as as_read(). What has no effect is said in `notes`.
+/// The parameters that were asked for, for a plan: those that are not read have their defaults.
+/// Tells in the options what was asked for, and what of it has no effect.
 /// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
 template <class Params>
-Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
-                   std::vector<std::string>& notes) {
+Params make_params(SearchOptions& options, const ProblemKind& kind) {
   const Algorithm& algorithm =
-      *std::ranges::find(all, algorithm_of(kind, options.algorithm), &Algorithm::name);
+      *std::ranges::find(kind.algorithms, algorithm_of(kind, options.algorithm), &Algorithm::name);
   auto params = params_of<Params>(algorithm.name, options.preset);
   for (const auto& [name, value] : options.preset_settings) set_parameter(params, name, value);
   for (const auto& [name, value] : options.named) {
@@ -108,19 +99,33 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
       set_parameter(params, name, value);
       continue;
     }
-    check_elsewhere<Params>(all, name, value);
-    notes.push_back("--" + name + " has no effect: " + std::string(algorithm.name) +
-                    " has no such parameter");
+    check_elsewhere<Params>(kind.algorithms, name, value);
+    options.notes.push_back("--" + name + " has no effect: " + std::string(algorithm.name) +
+                            " has no such parameter");
   }
   for (const auto& setting : options.settings) {
-    const auto [name, value] = setting_of(setting, algorithm, all);
+    const auto [name, value] = setting_of(setting, algorithm, kind.algorithms);
     set_parameter(params, name, value);
   }
-  note_unread(options, params, algorithm, notes);
+  for (const Parameter& parameter : algorithm.parameters)
+    options.asked[std::string(parameter.name)] = get_parameter(params, parameter.name);
+  note_unread(options, params, algorithm);
+  if constexpr (std::same_as<Params, lasius::Params>) reset_unread(params);
   params.seed = options.seed;
   params.threads = options.threads;
-  validate(as_read(params));
+  validate(params);
   return params;
+}
+
+// Of ProblemKind: an algorithm's values until it is told others, and its formulas.
+template <class Params>
+std::string default_text(const Algorithm& algorithm, std::string_view parameter, Preset preset) {
+  const bool has = std::same_as<Params, lasius::Params> && has_preset(algorithm.name, preset);
+  return get_parameter(params_of<Params>(algorithm.name, has ? preset : Preset::usual), parameter);
+}
+template <class Params>
+std::vector<std::string> formulas_of(const Algorithm& algorithm) {
+  return formulas(Params(algorithm.name));
 }
 
 }  // namespace lasius::tool

@@ -1,15 +1,15 @@
 // lasius complete: what a shell may complete, from the same tables as --help.
 #include <algorithm>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
-#include "tools/console/worlds.h"
 #include "tools/manual/topics.h"
 #include "tools/options/commands.h"
 #include "tools/options/manual.h"
@@ -18,118 +18,107 @@
 namespace lasius::tool {
 namespace {
 
-struct Candidate {
-  std::string word;     ///< in place of the last one; more is to be typed behind a final "="
-  std::string meaning;  ///< a line; may be empty
-};
-
-struct Completion {
-  std::vector<Candidate> candidates;  ///< all of them begin with the last word
-  bool files = false;                 ///< files with `endings`, too; behind "=", where it has one
-  bool folders = false;
-  std::vector<std::string> endings;
-};
-
-/// What stands before the word that is typed.
-struct Typed {
-  const CommandText* command = nullptr;
-  const OptionText* pending = nullptr;  ///< option whose value comes next
-  std::set<const OptionText*> used;
-  std::vector<std::string> arguments;
-  std::string algorithm;
-  bool options_ended = false;  ///< by "--"
-};
-
-const OptionText* find_option(const std::vector<OptionText>& options, std::string_view name) {
-  const auto found = std::ranges::find_if(options, [&](const OptionText& option) {
-    return std::ranges::find(option.names, name) != option.names.end();
-  });
-  return found == options.end() ? nullptr : &*found;
-}
-
-void take_value(Typed& typed, const OptionText& option, std::string_view value) {
-  if (option.values.names == Values::Names::algorithms) typed.algorithm = value;
-}
-
-void take_option(Typed& typed, std::string_view word) {
-  const auto equals = word.find('=');
-  const OptionText* option = find_option(typed.command->options, word.substr(0, equals));
-  if (option == nullptr) return;
-  typed.used.insert(option);
-  if (option->value.empty()) return;
-  if (equals == word.npos)
-    typed.pending = option;
-  else
-    take_value(typed, *option, word.substr(equals + 1));
-}
-
-void take_word(Typed& typed, const std::string& word) {
-  if (typed.pending != nullptr) {
-    take_value(typed, *typed.pending, word);
-    typed.pending = nullptr;
-  } else if (word == "--") {
-    typed.options_ended = true;
-  } else if (word.size() > 1 && word.front() == '-' && !typed.options_ended) {
-    take_option(typed, word);
-  } else {
-    typed.arguments.push_back(word);
-  }
-}
-
-/// Whether the command's algorithms are those of this world, as far as what is typed tells.
-bool concerns(const Typed& typed, World::Kind kind) {
-  const CommandText& command = *typed.command;
-  if (!command.on_arms && !command.on_bitmaps && !command.on_polygons) return true;
-  if (kind == World::Kind::arm) return command.on_arms;
-  const bool polygons = kind == World::Kind::polygon;
-  if (!command.on_polygons || typed.arguments.empty())
-    return polygons ? command.on_polygons : command.on_bitmaps;
-  return is_polygon_file(typed.arguments.front()) == polygons;
-}
-
+/// Completes the last word of a command line, told the words before it.
 class Completer {
  public:
-  Completer(const Manual& manual, Typed typed, std::string_view word)
-      : manual_(manual), typed_(std::move(typed)), word_(word) {}
+  explicit Completer(const Manual& manual) : manual_(manual) {
+    // The program itself is like a command whose argument is the command's name.
+    program_.options = manual.options;
+    program_.options.push_back({.names = {"COMMAND"}, .value = {}, .help = {}});
+  }
 
-  Completion complete() {
-    if (typed_.pending != nullptr) {
-      add_values(typed_.pending->values, "");
-    } else if (word_.starts_with('-') && !typed_.options_ended) {
-      add_options();
+  /// Takes a word before the last one.
+  void take(const std::string& word) {
+    if (command_ == nullptr) return;
+    if (pending_ != nullptr) {
+      take_value(*std::exchange(pending_, nullptr), word);
+    } else if (word == "--") {
+      options_ended_ = true;
+    } else if (word.size() > 1 && word.front() == '-' && !options_ended_) {
+      take_option(word);
+    } else if (command_ != &program_) {
+      arguments_.push_back(word);
     } else {
-      add_argument();
+      const auto known = std::ranges::find(manual_.commands, word, &CommandText::name);
+      command_ = known == manual_.commands.end() ? nullptr : &*known;
+      options_ended_ = false;
     }
-    return std::move(completion_);
+  }
+
+  /// What the scripts in shells/ read of the last word, empty or not: "WORD<tab>MEANING",
+  /// ":files<tab>ENDING ENDING...",
+  /// ":folders". More is to be typed behind a final "="; files stand behind it, too.
+  std::string complete(std::string_view word) {
+    word_ = word;
+    if (command_ == nullptr) return {};
+    if (pending_ != nullptr)
+      add_values(pending_->values, "");
+    else if (word.starts_with('-') && !options_ended_)
+      add_options();
+    else
+      add_argument();
+    return std::move(text_);
   }
 
  private:
+  const OptionText* find_option(std::string_view name) const {
+    const auto found = std::ranges::find_if(command_->options, [&](const OptionText& option) {
+      return std::ranges::find(option.names, name) != option.names.end();
+    });
+    return found == command_->options.end() ? nullptr : &*found;
+  }
+
+  void take_value(const OptionText& option, std::string_view value) {
+    if (option.values.names == Values::Names::algorithms) algorithm_ = value;
+  }
+
+  void take_option(std::string_view word) {
+    const auto equals = word.find('=');
+    const OptionText* option = find_option(word.substr(0, equals));
+    if (option == nullptr) return;
+    used_.insert(option);
+    if (option->value.empty()) return;
+    if (equals == word.npos)
+      pending_ = option;
+    else
+      take_value(*option, word.substr(equals + 1));
+  }
+
+  /// Whether the command's algorithms are those of a kind, as far as what is typed tells.
+  bool concerns(const ProblemKind& kind) const {
+    const auto runs = [&](const ProblemKind* one) {
+      return std::ranges::find(one->commands, command_->name) != one->commands.end();
+    };
+    const auto many = std::ranges::count_if(kinds(), runs);
+    if (many == 0) return true;
+    return runs(&kind) && (many == 1 || arguments_.empty() || kind.takes(arguments_.front()));
+  }
+
   void add(const std::string& word, std::string_view meaning) {
-    if (!word.starts_with(word_)) return;
-    Candidate candidate{word, std::string(meaning.substr(0, meaning.find('\n')))};
-    if (std::ranges::find(completion_.candidates, word, &Candidate::word) ==
-        completion_.candidates.end())
-      completion_.candidates.push_back(std::move(candidate));
+    if (word.starts_with(word_) && told_.insert(word).second)
+      text_.append(word).append("\t").append(meaning.substr(0, meaning.find('\n'))).append("\n");
   }
 
   /// Options; or behind "--option=" its values.
   void add_options() {
     const auto equals = word_.find('=');
     if (equals != word_.npos) {
-      const OptionText* option = find_option(typed_.command->options, word_.substr(0, equals));
+      const OptionText* option = find_option(word_.substr(0, equals));
       if (option != nullptr) add_values(option->values, std::string(word_.substr(0, equals + 1)));
       return;
     }
-    for (const OptionText& option : typed_.command->options)
-      if (!option.is_argument() && (option.repeatable || !typed_.used.contains(&option)))
+    for (const OptionText& option : command_->options)
+      if (!option.is_argument() && (option.repeatable || !used_.contains(&option)))
         add(word_ == "-" || option.names.back().starts_with(word_) ? option.names.back()
                                                                    : option.names.front(),
             option.help);
   }
 
   void add_argument() {
-    std::size_t left = typed_.arguments.size();
-    for (const OptionText& option : typed_.command->options)
+    if (command_ == &program_)
+      for (const auto& command : manual_.commands) add(command.name, command.summary);
+    std::size_t left = arguments_.size();
+    for (const OptionText& option : command_->options)
       if (option.is_argument() && left-- == 0) return add_values(option.values, "");
     if (word_.empty()) add_options();
   }
@@ -143,11 +132,18 @@ class Completer {
 
   void add_values(const Values& values, std::string before) {
     if (values.list) before = before_part(before.size());
-    completion_.files = values.files;
-    completion_.folders = values.folders;
-    completion_.endings = values.endings;
     for (const auto& choice : values.choices) add(before + choice, "");
-    switch (values.names) {
+    add_names(values.names, before);
+    if (values.files) {
+      text_ += ":files\t";
+      for (const auto& ending : values.endings) text_ += ending + " ";
+      text_ += "\n";
+    }
+    if (values.folders) text_ += ":folders\t\n";
+  }
+
+  void add_names(Values::Names names, const std::string& before) {
+    switch (names) {
       case Values::Names::none:
         return;
       case Values::Names::studies:
@@ -160,25 +156,21 @@ class Completer {
       case Values::Names::algorithms:
         for_algorithms([&](const Algorithm& a) { add(before + std::string(a.name), a.summary); });
         return;
-      case Values::Names::parameters:
-        return add_settings(before);
+      case Values::Names::parameters:  // of the algorithm that was named, else of any
+        for_algorithms([&](const Algorithm& a) {
+          if (!algorithm_.empty() && a.name != algorithm_) return;
+          for (const Parameter& parameter : a.parameters) add_setting(before, parameter);
+        });
     }
   }
 
   template <class Use>
   void for_algorithms(const Use& use) {
-    for (const World& world : worlds())
-      if (concerns(typed_, world.kind)) std::ranges::for_each(world.algorithms, use);
+    for (const ProblemKind* kind : kinds())
+      if (concerns(*kind)) std::ranges::for_each(kind->algorithms, use);
   }
 
-  /// NAME=VALUE, of the algorithm that was named, else of any.
-  void add_settings(const std::string& before) {
-    for_algorithms([&](const Algorithm& a) {
-      if (!typed_.algorithm.empty() && a.name != typed_.algorithm) return;
-      for (const Parameter& parameter : a.parameters) add_setting(before, parameter);
-    });
-  }
-
+  /// NAME=VALUE.
   void add_setting(const std::string& before, const Parameter& parameter) {
     const std::string name = before + std::string(parameter.name) + "=";
     if (!word_.starts_with(name)) return add(name, parameter.summary);
@@ -187,55 +179,28 @@ class Completer {
   }
 
   const Manual& manual_;
-  Typed typed_;
+  CommandText program_;
+  const CommandText* command_ = &program_;  ///< null: there is none of that name
+  const OptionText* pending_ = nullptr;     ///< option whose value comes next
+  std::set<const OptionText*> used_;
+  std::vector<std::string> arguments_;
+  std::string algorithm_;
+  bool options_ended_ = false;  ///< by "--"
   std::string_view word_;
-  Completion completion_;
+  std::set<std::string> told_;
+  std::string text_;
 };
-
-/// For the words behind the program's name, of which the last one, empty or not, is being typed.
-Completion complete(const Manual& manual, std::span<const std::string> words) {
-  static const std::string kNothing;
-  const std::string& word = words.empty() ? kNothing : words.back();
-  // The program itself is like a command whose argument is the command's name.
-  CommandText program;
-  program.options = manual.options;
-  program.options.push_back({.names = {"COMMAND"}, .value = {}, .help = {}});
-  for (const auto& command : manual.commands)
-    program.options.back().values.choices.push_back(command.name);
-  Typed typed;
-  typed.command = &program;
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (typed.command != &program || words[i].starts_with('-')) {
-      take_word(typed, words[i]);
-      continue;
-    }
-    const auto known = std::ranges::find(manual.commands, words[i], &CommandText::name);
-    if (known == manual.commands.end()) return {};
-    typed = {};
-    typed.command = &*known;
-  }
-  Completion completion = Completer(manual, std::move(typed), word).complete();
-  for (Candidate& candidate : completion.candidates)  // of commands, what they do
-    if (const auto command = std::ranges::find(manual.commands, candidate.word, &CommandText::name);
-        command != manual.commands.end() && candidate.meaning.empty())
-      candidate.meaning = command->summary;
-  return completion;
-}
 
 }  // namespace
 
-// What the scripts in shells/ read: "WORD<tab>MEANING", ":files<tab>ENDING ENDING...", ":folders".
 int run_command(const CompleteCommand& command) {
-  const Completion completion = complete(command.manual, command.words);
-  std::string text;
-  for (const auto& [word, meaning] : completion.candidates) text += word + "\t" + meaning + "\n";
-  if (completion.files) {
-    text += ":files\t";
-    for (const auto& ending : completion.endings) text += ending + " ";
-    text += "\n";
+  Completer completer(command.manual);
+  if (command.words.empty()) {
+    print(completer.complete(""));
+    return kFound;
   }
-  if (completion.folders) text += ":folders\t\n";
-  print(text);
+  for (std::size_t i = 0; i + 1 < command.words.size(); ++i) completer.take(command.words[i]);
+  print(completer.complete(command.words.back()));
   return kFound;
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/console/worlds.h"
+#include "tools/console/kinds.h"
 
 namespace lasius::tool {
 namespace {
@@ -10,9 +10,10 @@ namespace {
 Blocks algorithms_topic() {
   Blocks blocks{
       paragraph("For `--algorithm`. Formulas and parameters of one: `lasius algorithms NAME`.")};
-  for (const World& world : worlds()) {
-    blocks.push_back({Block::Kind::heading, std::string("Algorithms ").append(world.plans), {}, 1});
-    for (const Algorithm& a : world.algorithms)
+  for (const ProblemKind* kind : kinds()) {
+    if (kind->algorithms.empty()) continue;
+    blocks.push_back({Block::Kind::heading, std::string("Algorithms ").append(kind->plans), {}, 1});
+    for (const Algorithm& a : kind->algorithms)
       blocks.push_back({Block::Kind::item, std::string(a.summary) + ". " + std::string(a.source),
                         std::string(a.name)});
   }

@@ -1,22 +1,15 @@
-// What each subcommand does. All return the exit code.
+// What commands do that several files call. All return the exit code.
 #pragma once
 
+#include "tools/options/manual.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
 
-int run_command(const PlanCommand& command);
 int run_command(const DriveCommand& command);
-int run_command(const BatchCommand& command);
-int run_command(const InfoCommand& command);
-int run_command(const AlgorithmsCommand& command);
-int run_command(const GenerateCommand& command);
-int run_command(const VerifyCommand& command);
 int run_command(const StudyCommand& command);
 int run_command(const TuneCommand& command);
-int run_command(const ArmCommand& command);
 int run_command(const PolygonCommand& command);
-int run_command(const PolygonBatchCommand& command);
 int run_command(const WorldInfoCommand& command);
 
 int run_command(const HelpCommand& command);

@@ -47,7 +47,6 @@ struct Notes {
   std::vector<Example> examples = {};
   std::vector<ExitText> exits = {};
   std::string_view json = {};  ///< heading that tells its fields: a `RESULTS` of make_manual
-  bool on_bitmaps = false, on_polygons = false, on_arms = false;  ///< whose algorithms it runs
 };
 
 struct CommandText : Notes {

@@ -8,13 +8,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "lasius/generate.h"
 #include "lasius/geometry.h"
 #include "lasius/params.h"
-#include "tools/options/manual.h"
 
 namespace lasius::tool {
 
@@ -29,7 +26,6 @@ struct MapOptions {
   double radius = 0;           ///< of the robot, a disc
   bool radius_metres = false;  ///< else cells; so a goal tolerance
   bool prepare = false;        ///< make the visibility graph
-  int threads = 1;             ///< that make it
 };
 
 /// How much is said on stderr.
@@ -48,6 +44,8 @@ struct SearchOptions {
   std::vector<std::pair<std::string, std::string>> preset_settings;
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE
+  /// All parameters of the algorithm as they were asked for, once they are made.
+  std::map<std::string, std::string> asked;
   static constexpr int kMostSeeds = 100000;
   std::uint64_t seed = 1;
   int seeds = 1;        ///< runs of `plan` and `batch`, with `seed` and those after it
@@ -60,8 +58,9 @@ struct SearchOptions {
   bool json = false;
   std::vector<std::string> outputs;
   Messages messages;
-  std::vector<std::string> notes;  ///< what was asked for and has no effect
-  std::string called;              ///< the command line, for a shell to read
+  std::vector<std::string> inputs;  ///< files to read, and once they are read those that they name
+  std::vector<std::string> notes;   ///< what was asked for and has no effect; with -v what was read
+  std::string called;               ///< the command line, for a shell to read
 };
 
 /// The options that `plan` and `batch` share on bitmaps.
@@ -72,9 +71,11 @@ struct RunOptions : SearchOptions {
   std::vector<int> track_iterations;  ///< of the pictures, rising, from 1; empty: the usual
 };
 
+/// `plan` and `batch`.
 struct PlanCommand {
   RunOptions run;
-  Point start, goal;  ///< cells, or metres in the world frame
+  Point start, goal;         ///< cells, or metres in the world frame
+  std::string queries = {};  ///< of `batch`: a file, in place of these
 };
 
 struct DriveCommand : PlanCommand {
@@ -85,39 +86,6 @@ struct DriveCommand : PlanCommand {
   std::string changes = {};          ///< empty: none
   std::optional<double> sense = {};  ///< as MapOptions::radius
   std::int64_t max_ticks = 1'000'000;
-};
-
-/// `batch`; or `plan` with several seeds.
-struct BatchCommand {
-  RunOptions run;
-  std::string queries;    ///< a file; empty: the one query of `plan`
-  Point start{}, goal{};  ///< of that
-};
-
-struct InfoCommand {
-  MapOptions map;
-  Frame frame = Frame::cell;
-  std::optional<Point> start, goal;  ///< both or none
-  Corners corners = Corners::forbid;
-  bool json = false;
-};
-
-struct AlgorithmsCommand {
-  std::string name;  ///< the only one listed; empty: all
-  bool json = false;
-};
-
-struct GenerateCommand {
-  MapKind kind{};
-  GenerateOptions options;
-  std::string output;
-};
-
-struct VerifyCommand {
-  std::string result;
-  std::string map;  ///< empty: the one that the result names
-  int threads = 1;
-  bool quiet = false;
 };
 
 /// `study run`: a study without a file.
@@ -154,42 +122,6 @@ struct TuneCommand {
   Messages messages = {};
 };
 
-/// What an arm is to reach.
-struct ArmGoal {
-  enum class Kind { position, pose, joints };
-  Kind kind = Kind::position;
-  std::vector<double> values;  ///< x, y, z; and roll, pitch, yaw; or a value for each joint
-  std::string state;           ///< name of the joint values; empty: `values` says them
-};
-inline constexpr std::array<std::string_view, 3> kGoalKinds{"position", "pose", "joints"};
-
-struct ArmCommand : SearchOptions {
-  static constexpr double kLeastClearance = 1e-6, kMostClearance = 1;
-  static constexpr double kLeastRate = 1e-3, kMostRate = 1e5;
-  static constexpr double kLeastDuration = 1e-3, kMostDuration = 1e6;
-  static constexpr double kLeastTolerance = 1e-7, kMostTolerance = 10;
-  static constexpr int kMostRecheck = 1000000;
-
-  std::string robot;
-  std::string base_link, tip_link;  ///< of a URDF's chain; empty: the root, the only leaf
-  std::string srdf, joint_limits;   ///< files; empty: none
-  std::map<std::string, std::string> packages;                ///< their folders by name
-  std::vector<std::pair<std::string, std::string>> contacts;  ///< links that may touch
-  std::map<std::string, double> joint_values;                 ///< of joints beside the chain
-  bool visual = false;    ///< visual geometry stands for collision geometry that is missing
-  bool bodiless = false;  ///< a robot without any body will do
-  std::string scene;
-  std::vector<double> start;  ///< a value for each joint
-  std::string start_state;    ///< their name; empty: `start` says them
-  std::vector<ArmGoal> goals;
-  double position_tolerance = kLeastTolerance;  ///< metres, of poses
-  double angle_tolerance = kLeastTolerance;     ///< radians, likewise
-  double clearance = 0;                         ///< metres; 0: the sensor's own
-  double duration = 0;                          ///< seconds; 0: as few as the limits allow
-  double rate = 100;                            ///< samples of the trajectory a second
-  int recheck = 0;                              ///< samples of the independent check
-};
-
 /// Corners of grown obstacles, in the order of polygon::Join.
 inline constexpr std::array<std::string_view, 4> kJoins{"mitre", "round", "bevel", "chords"};
 /// What the margin does to the boundary, in the order of polygon::Boundary.
@@ -206,31 +138,16 @@ struct WorldOptions {
   friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
 };
 
-/// `plan` on a polygon world.
+/// `plan` and `batch` on a polygon world.
 struct PolygonCommand : SearchOptions {
   WorldOptions world;
   std::optional<Point> start, goal;  ///< in place of the world's
-};
-
-/// `batch` on a polygon world.
-struct PolygonBatchCommand {
-  PolygonCommand plan;
-  std::string queries;  ///< a file; empty: the one that `plan` asks
+  std::string queries = {};          ///< of `batch`: a file, in place of these
 };
 
 struct WorldInfoCommand {
   WorldOptions world;
   bool json = false;
 };
-
-/// Text that was asked for, as by --version: printed on stdout.
-struct Text {
-  std::string text;
-};
-
-using Command = std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand,
-                             AlgorithmsCommand, GenerateCommand, VerifyCommand, StudyCommand,
-                             TuneCommand, ArmCommand, PolygonCommand, PolygonBatchCommand,
-                             WorldInfoCommand, HelpCommand, CompleteCommand>;
 
 }  // namespace lasius::tool

@@ -219,9 +219,10 @@ val frame_object(const GridProgress& progress, const PictureRecorder& rasters) {
 /// A map ready for planning.
 class World {
  public:
-  /// Takes one byte a cell, not 0 where it is blocked, row by row from the top left.
-  World(int width, int height, const std::string& cells)
-      : planner_(Grid(width, height, bytes(cells), Nonzero::blocked)) {}
+  /// Takes one byte a cell, not 0 where it is blocked, row by row from the top left; for a disc of
+  /// a radius in cells, a point's is 0.
+  World(int width, int height, const std::string& cells, double radius)
+      : planner_(Grid(width, height, bytes(cells), Nonzero::blocked), Disc{radius}) {}
 
   /// The question is that of params_of with {start: {x, y}, goal: {x, y}}. `watch`, unless null, is
   /// called with the frames that a KeyFrames of `most` asks for, and after the last iteration.
@@ -278,7 +279,7 @@ EMSCRIPTEN_BINDINGS(lasius) {
   function("generate", &generated);
   function("read", &read);
   emscripten::class_<World>("World")
-      .constructor<int, int, const std::string&>()
+      .constructor<int, int, const std::string&, double>()
       .function("plan", &World::plan)
       .function("text", &World::text);
 }

@@ -1,6 +1,7 @@
 #include "tools/console/exit_code.h"
 #include "tools/options/commands.h"
-#include "tools/polygon/polygon_task.h"
+#include "tools/polygon/polygon_kind.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 namespace {
@@ -13,8 +14,17 @@ namespace {
 }  // namespace
 
 int run_command(const PolygonCommand&) { refuse(); }
-int run_command(const PolygonBatchCommand&) { refuse(); }
 int run_command(const WorldInfoCommand&) { refuse(); }
-std::unique_ptr<Task> recorded_polygon(const Recorded&, SharedWorld&) { refuse(); }
+
+const ProblemKind& polygon_kind() {
+  static const ProblemKind kKind{
+      .commands = {"plan", "batch"},
+      .takes = is_polygon_file,
+      .format = kPlanFormat,
+      .wrote =
+          [](const Json& json) { return is_polygon_file(json["map"]["file"].get<std::string>()); },
+      .again = [](const Recorded&, const Problem*) -> std::unique_ptr<Problem> { refuse(); }};
+  return kKind;
+}
 
 }  // namespace lasius::tool

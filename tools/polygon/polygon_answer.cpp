@@ -4,7 +4,6 @@
 
 #include "lasius/error.h"
 #include "tools/console/elapsed.h"
-#include "tools/console/parameters.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
@@ -53,10 +52,6 @@ LoadedWorld load_world(const WorldOptions& options) {
 std::string polygon_title(const LoadedWorld& world, const polygon::Params& parameters) {
   return parameters.algorithm() + " on " + file_name(world.options.file) + ", seed " +
          std::to_string(parameters.seed);
-}
-
-polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {
-  return make_params<polygon::Params>(command, World::Kind::polygon, polygon::algorithms(), notes);
 }
 
 PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Request& asked,

@@ -38,9 +38,6 @@ struct PolygonAnswer {
 /// What ran on what.
 std::string polygon_title(const LoadedWorld& world, const polygon::Params& parameters);
 
-/// @throws UsageError for unknown names; Error(invalid_parameter) for values.
-polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
-
 /// The answer to `asked`, whose start and goal are given; `elapsed` with the search for the
 /// optimum.
 PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Request& asked,

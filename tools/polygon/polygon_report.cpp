@@ -62,9 +62,9 @@ Json PolygonFrames::json() const {
   return json;
 }
 
-void write_polygon_report(std::ostream& out, const Task& task, const LoadedWorld& world,
+void write_polygon_report(std::ostream& out, const Record& run, const LoadedWorld& world,
                           const PolygonAnswer& answer, const PolygonFrames* frames) {
-  Json content = run_json(task, "polygon", polygon_title(world, answer.parameters));
+  Json content = run_json(run, "polygon", polygon_title(world, answer.parameters));
   content["world"] = world_json(world);
   const auto& dijkstra = answer.result.dijkstra;
   content["dijkstra"] = dijkstra ? points(dijkstra->path) : Json(nullptr);

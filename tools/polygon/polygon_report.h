@@ -5,7 +5,7 @@
 #include <iosfwd>
 
 #include "tools/polygon/polygon_answer.h"
-#include "tools/record/task.h"
+#include "tools/record/record.h"
 #include "tools/report/key_frames.h"
 #include "tools/report/path_frames.h"
 
@@ -27,7 +27,7 @@ class PolygonFrames {
 
 /// Adds to run_json: world {free, obstacles: polygons as lists of rings, walls, lines [[a, b]...],
 /// low, high, margin}, dijkstra, frames. `frames` may be null.
-void write_polygon_report(std::ostream& out, const Task& task, const LoadedWorld& world,
+void write_polygon_report(std::ostream& out, const Record& run, const LoadedWorld& world,
                           const PolygonAnswer& answer, const PolygonFrames* frames);
 
 }  // namespace lasius::tool

@@ -16,60 +16,86 @@
 namespace lasius::tool {
 namespace {
 
+std::string header(const std::string& unit) {
+  const std::string m = unit.empty() ? "" : "_" + unit;
+  std::string row = "index";
+  for (const char* column : {"sx", "sy", "gx", "gy"}) row += std::string(",") + column + m;
+  return row + ",status,length" + m + ",lower_bound" + m +
+         ",gap,iterations,elapsed_ms,seed,optimum" + m + ",optimum_gap\n";
+}
+
+std::string row(const Record& run, const std::vector<std::string>& ends) {
+  const SearchResult& result = run.result;
+  std::ostringstream row;
+  const auto add = [&](const std::optional<double>& value) {
+    row << "," << finite_text(value.value_or(std::nan("")));
+  };
+  const auto shown = [&](const std::optional<double>& length) {
+    add(length ? std::optional(run.scale * *length) : length);
+  };
+  row << run.index.value_or(0);
+  for (const std::string& end : ends) row << "," << end;
+  row << "," << to_string(result.status);
+  shown(result.length);
+  shown(result.lower_bound);
+  add(result.gap());
+  row << "," << result.iterations << "," << to_text(run.elapsed_ms) << "," << run.seed;
+  shown(run.optimum);
+  add(gap_to(run.optimum, result.length));
+  row << "\n";
+  return row.str();
+}
+
 /// Prints answers as they come, and keeps what the files that are asked for need of them.
 class BatchOutput {
  public:
-  /// `total`: answers that will come.
-  BatchOutput(const Task& task, std::size_t total)
-      : task_(task),
-        total_(static_cast<std::int64_t>(total)),
-        delivery_(task.options().outputs),
-        bar_(std::in_place, wants_progress(task.options().messages), total_) {
-    for (const auto& file : task.options().outputs) {
+  explicit BatchOutput(const Batch& batch)
+      : batch_(batch),
+        total_(static_cast<std::int64_t>(batch.queries) * batch.options.seeds),
+        delivery_(batch.options.outputs),
+        bar_(std::in_place, wants_progress(batch.options.messages), total_),
+        rows_(header(batch.unit)) {
+    for (const auto& file : batch.options.outputs) {
       csv_ |= is_table(file);
       paths_ |= is_picture(file);
       json_ |= !is_table(file) && !is_picture(file);
     }
-    const std::string m = task.unit().empty() ? "" : "_" + task.unit();
-    rows_ = "index";
-    for (const char* column : {"sx", "sy", "gx", "gy"}) rows_ += std::string(",") + column + m;
-    rows_ += ",status,length" + m + ",lower_bound" + m + ",gap,iterations,elapsed_ms,seed,optimum" +
-             m + ",optimum_gap\n";
   }
 
-  void add(const std::vector<std::string>& ends, const std::vector<Point>& path) {
-    const std::string text = json_line(task_);
+  void add(const Record& run, const std::vector<std::string>& ends,
+           const std::vector<Point>& path) {
+    const std::string text = json_line(run);
     delivery_.print(text);
     bar_->update(++done_, "queries");
     if (json_) lines_ += text;
-    ++answers_[task_.result().status];
-    if (paths_ && task_.has_path()) kept_.push_back(path);
-    if (csv_) rows_ += row(ends);
+    ++answers_[run.result.status];
+    if (paths_ && run.has_path()) kept_.push_back(path);
+    if (csv_) rows_ += row(run, ends);
     if (code_ == kFound) return;
-    code_ = exit_code(task_);
-    why_ = explain(task_);
+    code_ = exit_code(run);
+    why_ = explain(run);
   }
 
   /// Tells of answers that are missing or not final. The exit code.
-  int finish(const Batch& batch, bool interrupted) {
+  int finish(bool interrupted) {
     bar_.reset();
     const auto say = [&](const char* what, std::int64_t count) {
-      if (!task_.options().messages.quiet)
+      if (!batch_.options.messages.quiet)
         message(what + std::to_string(count) + " of " + counted(total_, "answer"));
     };
     if (const auto cut = answers_[Status::limit]) say("the time limit ended ", cut);
     if (interrupted) say("interrupted after ", done_ - answers_[Status::interrupted]);
     if (interrupted) return kInterrupted;
-    if (!batch.is_plan || code_ == kFound) return kFound;
+    if (!batch_.is_plan || code_ == kFound) return kFound;
     message(why_);
     return code_;
   }
 
-  void write_files(const Batch& batch) {
+  void write_files() {
     delivery_.write([&](const std::string& file) {
       write_output(file, {.json = [&](auto& out) { out << lines_; },
                           .csv = [&](auto& out) { out << rows_; },
-                          .picture = [&] { batch.draw(file, kept_, caption()); }});
+                          .picture = [&](auto& name) { batch_.draw(name, kept_, caption()); }});
     });
   }
 
@@ -81,22 +107,8 @@ class BatchOutput {
           printed(" %lld", static_cast<long long>(count));
     return text;
   }
-  std::string row(const std::vector<std::string>& ends) const {
-    const SearchResult& result = task_.result();
-    const double none = std::nan("");
-    std::ostringstream row;
-    row << task_.index().value_or(0);
-    for (const std::string& end : ends) row << "," << end;
-    row << "," << to_string(result.status) << "," << finite_text(task_.shown(result.length)) << ","
-        << finite_text(task_.shown(result.lower_bound.value_or(none))) << ","
-        << finite_text(result.gap().value_or(none)) << "," << result.iterations << ","
-        << to_text(task_.elapsed_ms()) << "," << task_.options().seed << ","
-        << finite_text(task_.shown(task_.optimum().value_or(none))) << ","
-        << finite_text(gap_to(task_.optimum(), result.length).value_or(none)) << "\n";
-    return row.str();
-  }
 
-  const Task& task_;
+  const Batch& batch_;
   std::int64_t total_;
   Delivery delivery_;
   std::optional<ProgressLine> bar_;
@@ -106,20 +118,21 @@ class BatchOutput {
   std::string why_;
   bool json_ = false, csv_ = false, paths_ = false;
   std::string lines_, rows_;
-  std::vector<std::vector<Point>> kept_;
+  Batch::Paths kept_;
 };
 
 }  // namespace
 
 int run_batch(const Batch& batch, const SignalWatcher& signals) {
-  const SearchOptions& options = batch.task.options();
-  if (!options.messages.quiet) batch.task.announce();
+  const SearchOptions& options = batch.options;
+  if (!options.messages.quiet)
+    for (const auto& note : options.notes) message(note);
   BatchOptions how{.threads = options.threads, .token = signals.token(), .seeds = options.seeds};
   if (options.time_limit) how.time_limit = std::chrono::duration<double>(*options.time_limit);
-  BatchOutput output(batch.task, batch.queries * static_cast<std::size_t>(options.seeds));
-  batch.answer(how, [&](const auto& ends, const auto& path) { output.add(ends, path); });
-  output.write_files(batch);
-  return output.finish(batch, signals.interrupted());
+  BatchOutput output(batch);
+  batch.answer(how, [&](const auto&... answer) { output.add(answer...); });
+  output.write_files();
+  return output.finish(signals.interrupted());
 }
 
 }  // namespace lasius::tool

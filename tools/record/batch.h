@@ -1,5 +1,5 @@
-// `batch`, whatever the world: a line a query as answers come, a row a query, a picture of all
-// paths.
+// `batch`, whatever the kind of problem: a line a query as answers come, a row a query, a picture
+// of all paths.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,18 @@
 #include "lasius/batch_options.h"
 #include "lasius/geometry.h"
 #include "tools/console/signals.h"
-#include "tools/record/task.h"
+#include "tools/record/record.h"
 
 namespace lasius::tool {
 
-/// What a world plugs into run_batch.
+/// What a kind plugs into run_batch.
 struct Batch {
-  /// Takes the answer that the task holds now: start and goal as texts, and its path.
-  using Take = std::function<void(const std::vector<std::string>&, const std::vector<Point>&)>;
+  /// Takes an answer: start and goal as texts, and its path as pictures have it.
+  using Take = std::function<void(const Record&, const std::vector<std::string>& ends,
+                                  const std::vector<Point>& path)>;
 
-  Task& task;  ///< tells of options and columns, too: those in metres end in _m
+  const SearchOptions& options;
+  std::string unit;  ///< of lengths; columns in it end in its name
   std::size_t queries = 0;
   bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
   /// Answers the queries with each seed, in order, each taken in its turn.

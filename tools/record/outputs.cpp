@@ -24,7 +24,7 @@ bool is_film(std::string_view file) { return has_ending(file, ".gif"); }
 bool is_page(std::string_view file) { return has_ending(file, ".html"); }
 
 void write_output(const std::string& file, const Forms& forms) {
-  if (is_picture(file)) return forms.picture();
+  if (is_picture(file)) return forms.picture(file);
   write_file(file, is_table(file)                ? forms.csv
                    : is_yaml(file) && forms.yaml ? forms.yaml
                    : is_film(file) && forms.film ? forms.film

@@ -19,10 +19,10 @@ bool is_page(std::string_view file);   ///< .html
 
 /// The forms of a file, each made when it is asked for.
 struct Forms {
-  std::function<void(std::ostream&)> json;
-  std::function<void(std::ostream&)> csv;
-  std::function<void()> picture;
-  std::function<void(std::ostream&)> yaml = {}, film = {}, page = {};  ///< of those that have it
+  using Write = std::function<void(std::ostream&)>;
+  Write json = {}, csv = {};
+  std::function<void(const std::string& file)> picture = {};
+  Write yaml = {}, film = {}, page = {};  ///< of those that have it
 };
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,20 +13,25 @@
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
-#include "tools/arm/arm_task.h"
-#include "tools/bitmap/bitmap_task.h"
+#include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
 #include "tools/console/streams.h"
+#include "tools/console/threads.h"
 #include "tools/console/values.h"
-#include "tools/console/worlds.h"
-#include "tools/drive/drive_task.h"
-#include "tools/options/commands.h"
-#include "tools/polygon/polygon_task.h"
+#include "tools/record/problem.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
+
+struct VerifyCommand {
+  std::string result;
+  std::string map;  ///< empty: the one that the result names
+  int threads = 0;  ///< 0: as many as usual
+  bool quiet = false;
+};
 
 /// A result, and the byte of its file at which it begins.
 struct Saved {
@@ -180,41 +186,37 @@ std::string text_of(const Json& recorded, const char* key) {
   return there ? recorded[key].get<std::string>() : std::string();
 }
 
-/// What the result before was planned in, for the next: the lines of a batch share it.
-struct Last {
-  SharedMap map;
-  SharedWorld world;
-};
-
-std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
-  const std::string format = text_of(recorded.result, "format");
-  if (format == kArmFormat) return recorded_arm(recorded);
-  if (format == kDriveFormat) return recorded_drive(recorded);
-  const bool world = is_polygon_file(tool::recorded<std::string>(recorded.result, "map/file"));
-  return world ? recorded_polygon(recorded, last.world) : recorded_bitmap(recorded, last.map);
+/// The kind that a result is of. @throws Error where no kind has its format.
+const ProblemKind& kind_of(const Json& result, const Error::Place& place) {
+  const std::string format = text_of(result, "format");
+  std::vector<std::string_view> known;
+  for (const ProblemKind* kind : kinds()) {
+    if (kind->format == format && (kind->wrote == nullptr || kind->wrote(result))) return *kind;
+    if (std::ranges::find(known, kind->format) == known.end()) known.push_back(kind->format);
+  }
+  std::string wanted;
+  for (const auto name : known)
+    wanted.append(wanted.empty() ? "" : name == known.back() ? " or " : ", ").append(name);
+  throw broken(place, "is not of format " + wanted);
 }
 
-/// True for what was planned on a bitmap with a radius before 0.4.0.
-bool radius_has_changed(const Json& result, const std::string& version) {
-  if (version_of(version) >= Version{0, 4, 0} || !result.contains("map")) return false;
-  const Json radius = result.value(Json::json_pointer("/parameters/radius"), Json());
-  return !is_polygon_file(text_of(result["map"], "file")) && radius.is_number() && radius != 0;
+/// Why a result cannot be replayed; empty where it can.
+std::string obstacle(const Json& result, const ProblemKind& kind) {
+  const std::string status = text_of(result, "status");
+  const bool clock = status == "limit" && (kind.counted == nullptr || !kind.counted(result));
+  if (clock || status == "interrupted")
+    return std::string(clock ? "a time limit" : "a signal") +
+           " ended it, and no clock runs twice the same";
+  if (const auto own = result.find("own_rules"); own != result.end() && *own == true)
+    return "rules of the caller's own took part, which it does not hold";
+  return kind.unlike != nullptr ? kind.unlike(result) : "";
 }
 
-/// True where no clock took part: the number of questions, or of ticks, was what ended it.
-bool ended_by_count(const Json& result) {
-  const Json& given = value_at(result, "parameters");
-  if (given.is_object() && given.contains("max_ticks"))
-    return value_at(result, "ticks") == given["max_ticks"];
-  const bool counted =
-      given.is_object() && given.contains("max_questions") && given["max_questions"] != 0;
-  return counted && value_at(given, "time_limit").is_null();
-}
-
-/// Plans again; whatever is wrong with the recorded inputs is named by the result's place.
-Json replay_of(const Error::Place& place, const Recorded& recorded, Last& last) {
+/// Calls what reads a result; whatever is wrong with it is named by its place.
+template <class Read>
+decltype(auto) placed(const Error::Place& place, const Read& read) {
   try {
-    return replay(*task_of(recorded, last), recorded);
+    return read();
   } catch (const UsageError& fault) {
     throw broken(place, std::string("cannot be replayed: ") + fault.what());
   } catch (const Error& fault) {
@@ -223,42 +225,31 @@ Json replay_of(const Error::Place& place, const Recorded& recorded, Last& last) 
   }
 }
 
-/// Replays one result and says what is wrong. Its exit code.
-int verify(const VerifyCommand& command, const Saved& saved, const std::string& name, Last& last) {
+/// Replays one result and says what is wrong. Its exit code. `last`: the one before, or null.
+int verify(const VerifyCommand& command, const Saved& saved, const std::string& name,
+           std::unique_ptr<Problem>& last) {
   const Json& result = saved.json;
   const Error::Place place{.file = name, .offset = saved.offset};
-  const std::string format = text_of(result, "format");
-  if (format != kPlanFormat && format != kArmFormat && format != kDriveFormat)
-    throw broken(place, std::string("is not of format ") + kPlanFormat + ", " + kArmFormat +
-                            " or " + kDriveFormat);
+  const ProblemKind& kind = placed(
+      place, [&]() -> auto& { return kind_of(result, place); });
   const std::string version = checked_version(result, place);
-  const std::string status = text_of(result, "status");
-  const bool limit = status == "limit" && !ended_by_count(result);
-  if (limit || status == "interrupted") {
-    message(name + ": cannot be replayed: " + (limit ? "a time limit" : "a signal") +
-            " ended it, and no clock runs twice the same");
-    return kUsage;
-  }
-  if (const auto own = result.find("own_rules"); own != result.end() && *own == true) {
-    message(name +
-            ": cannot be replayed: rules of the caller's own took part, which it does not hold");
-    return kUsage;
-  }
-  if (radius_has_changed(result, version)) {
-    message(name + ": cannot be replayed: version " + version +
-            " kept a radius by half a cell's diagonal less; plan it anew, the radius asked is now "
-            "the radius kept");
+  if (const auto why = placed(place, [&] { return obstacle(result, kind); }); !why.empty()) {
+    message(name + ": cannot be replayed: " + why);
     return kUsage;
   }
   if (version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
-  if (format == kArmFormat && !command.map.empty())
-    throw UsageError("--map: " + name + " is of an arm, it has no map");
+  if (!command.map.empty() && !result.contains("map"))
+    throw UsageError("--map: " + name + " has no map");
   const Recorded recorded{.result = result,
                           .found = [&](const auto& file) { return found(command, file); },
                           .threads = command.threads,
                           .map = command.map};
-  Json replay = replay_of(place, recorded, last);
+  Json replay = placed(place, [&] {
+    auto problem = kind.again(recorded, last.get());
+    last = std::move(problem);
+    return tool::replay(*last, recorded);
+  });
   if (version != LASIUS_VERSION) {
     keep_known(replay, result);
     // Messages are worded anew now and then.
@@ -278,11 +269,9 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   return kInternal;
 }
 
-}  // namespace
-
-int run_command(const VerifyCommand& command) {
+int verify_all(const VerifyCommand& command) {
   const auto results = read_results(command.result);
-  Last last;
+  std::unique_ptr<Problem> last;
   int code = kFound;
   std::size_t equal = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -296,6 +285,38 @@ int run_command(const VerifyCommand& command) {
     print(std::to_string(equal) + " of " + std::to_string(results.size()) +
           (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
   return code;
+}
+
+}  // namespace
+
+Subcommand add_verify(CLI::App& app) {
+  auto to = std::make_shared<VerifyCommand>();
+  OptionTable table(app, "verify", "Replay saved results and compare");
+  table
+      .file("RESULT", to->result, "A result of plan, drive or arm, or the lines of batch",
+            {".json", ".jsonl", ".ndjson"})
+      ->required();
+  table.file("--map", to->map, "The map, where it is no longer where it was", map_endings(true));
+  table.add("--threads", "Threads of the replay", "N",
+            [to](const auto& text) { to->threads = thread_count(text); });
+  table.flag("-q,--quiet", to->quiet, "Print differences only");
+  return table.command(
+      {.detail =
+           "Results are replayed from their recorded inputs, and all is compared but threads, "
+           "times, version and optima of --gap that were not found in time.",
+       .examples = {{"lasius verify run.json", "replays what plan -o run.json wrote"}},
+       .exits = {{kFound, "every result was replayed and is equal, bit for bit"},
+                 {kInternal, "one differs; internal error"},
+                 {kUsage,
+                  "usage, or a result that cannot be replayed, because a time limit or a signal "
+                  "ended it"},
+                 {kBadFile,
+                  "a result or its map, robot or scene is missing, broken, or not the one "
+                  "recorded"}}},
+      [to](const Call&) {
+        if (to->threads == 0) to->threads = thread_count("");
+        return verify_all(*to);
+      });
 }
 
 }  // namespace lasius::tool

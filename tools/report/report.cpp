@@ -48,11 +48,11 @@ Json take_curves(Json& result) {
 
 }  // namespace
 
-Json run_json(const Task& task, std::string_view kind, std::string title) {
-  Json result = result_json(task);
-  Json content = {{"kind", kind}, {"title", std::move(title)}, {"command", task.options().called}};
-  content["unit"] = task.unit();
-  content["scale"] = task.shown(1);
+Json run_json(const Record& run, std::string_view kind, std::string title) {
+  Json result = result_json(run);
+  Json content = {{"kind", kind}, {"title", std::move(title)}, {"command", run.options.called}};
+  content["unit"] = run.unit;
+  content["scale"] = run.scale;
   content["curves"] = take_curves(result);
   for (const char* path : {"path", "path_world", "track"}) {
     if (!result.contains(path) || !result[path].is_array()) continue;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "tools/record/json_values.h"
-#include "tools/record/task.h"
+#include "tools/record/record.h"
 
 namespace lasius::tool {
 
@@ -21,7 +21,7 @@ inline constexpr std::size_t kMostVertices = 50'000;
 ///   curves {iteration, best, ...}  by iteration; of long runs every second, fourth ... one
 ///   unit, scale                    of lengths: name, and how many a unit of the result is
 /// A path of more than kMostVertices is thinned, and `thinned` says to each how many-th vertex.
-Json run_json(const Task& task, std::string_view kind, std::string title);
+Json run_json(const Record& run, std::string_view kind, std::string title);
 
 /// Writes the page of `content`: an object of run_json with a view's own keys. Text from outside is
 /// only in its JSON, where no character can end the script that holds it, and escaped in the title.

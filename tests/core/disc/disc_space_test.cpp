@@ -170,9 +170,10 @@ TEST(DiscSpace, AnUpdatedOneIsAsAFreshOne) {
   for (int round = 0; round < scaled(60); ++round) {
     const double radius = random_radius(round % 6 == 0 ? 7 : 2.5, random);
     const double size = 14 * radius + 20;
-    Grid grid = random_grid(static_cast<int>(size) + random_in(0, 90, random),
-                            static_cast<int>(size) + random_in(0, 90, random),
-                            random_in(0, 3, random) + (radius < 1 ? 15 : 0), random);
+    const int width = static_cast<int>(size) + random_in(0, 90, random);
+    const int height = static_cast<int>(size) + random_in(0, 90, random);
+    const int share = random_in(0, 3, random) + (radius < 1 ? 15 : 0);
+    Grid grid = random_grid(width, height, share, random);
     auto space = DiscSpace::make(grid, radius);
     for (int edit = 0; edit < 12; ++edit) {
       std::vector<Cell> cells;
@@ -190,7 +191,8 @@ TEST(DiscSpace, AnUpdatedOneIsAsAFreshOne) {
       const auto fresh = DiscSpace::make(grid, radius);
       expect_same(*space, *fresh, random);
       if (HasFatalFailure()) FAIL() << "round " << round << ", edit " << edit << ", " << radius;
-      ASSERT_LT(space->bytes(), 2 * fresh->bytes() + 4096);
+      // Half of a list may be waste, and a vector has room for twice as much.
+      ASSERT_LT(space->bytes(), 4 * fresh->bytes() + 4096);
     }
   }
 }

@@ -3,6 +3,7 @@
 // LASIUS_DISC_DRIVES=N with the shared folder: N drives, and each colony on each of its maps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,9 @@
 
 #include "lasius/drive.h"
 #include "lasius/map_io.h"
+#include "lasius/navigator.h"
+#include "lasius/path.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/near_clearance.h"
 #include "tests/worlds/changing_world.h"
 #include "tests/worlds/planning.h"
@@ -47,6 +51,7 @@ std::vector<NamedMap> maps() {
     halls.fill(wall, true);
   maps.push_back({"halls", std::move(halls)});
   if (wanted_drives() == 0) return maps;
+  EXPECT_FALSE(bench_test::shared_tables().empty()) << "so many drives are for the shared maps";
   for (const auto& table : bench_test::shared_tables())
     add(std::filesystem::path(table).replace_extension(".map"));
   const auto nav2 = bench_test::shared_dir().parent_path() / "nav2";
@@ -76,7 +81,6 @@ double least_clearance(const Grid& grid, const std::vector<Point>& path, double 
 
 TEST(DiscDrives, KeepTheRadius) {
   const bool all = wanted_drives() > 0;
-  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
   const std::vector<NamedMap> worlds = maps();
   const int drives = all ? wanted_drives() : 15;
   for (const double radius : kRadii) {
@@ -131,7 +135,6 @@ TEST(DiscDrives, KeepTheRadius) {
 
 TEST(DiscDrives, ColoniesKeepTheRadius) {
   const bool all = wanted_drives() > 0;
-  if (all && bench_test::shared_tables().empty()) GTEST_SKIP() << "no shared maps";
   const std::vector<NamedMap> worlds = maps();
   for (const double radius : kRadii) {
     int plans = 0, n = 0;
@@ -194,6 +197,71 @@ TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
   EXPECT_EQ(way.walk, std::vector<Cell>{request.start});
   const auto result = drive(grid, grid, request.start, request.goal, {}, {}, {.radius = 2});
   EXPECT_EQ(result.status, Status::unreachable);
+}
+
+// Centres of cells lie beside the path, from where its vertices cannot all be seen.
+TEST(DiscDrives, AWayIsKeptWhereNothingChanges) {
+  int steps = 0, plans = 0;
+  for (const double radius : {0.5, 1.7, 4.4, 8.0}) {
+    for (const NamedMap& world : maps()) {
+      const Planner planner(world.grid, Disc{radius});
+      Draw draw(11);
+      for (int i = 0; i < 3; ++i) {
+        const auto ends = draw_ends(planner, draw);
+        if (!ends) continue;
+        Navigator navigator(world.grid, ends->goal, {.radius = radius});
+        double before = std::numeric_limits<double>::infinity();
+        for (Cell robot = ends->start; robot != ends->goal; ++steps) {
+          ASSERT_LT(steps, 20'000);
+          const Way& way = navigator.step(robot);
+          ASSERT_GT(way.walk.size(), 1u) << world.name << radius << way.error;
+          plans += way.replanned && robot != ends->start;
+          EXPECT_EQ(way.path.front(), centre(robot));
+          EXPECT_EQ(way.path.back(), centre(ends->goal));
+          EXPECT_GE(least_clearance(world.grid, way.path, radius + 1), radius - kRoom);
+          EXPECT_EQ(way.length, way.replanned ? way.length : path_length(way.path));
+          EXPECT_LE(way.length, before + 1.5);
+          before = way.length;
+          robot = way.walk[1 + static_cast<std::size_t>(steps) %
+                                   std::min<std::size_t>(3, way.walk.size() - 1)];
+        }
+      }
+    }
+  }
+  std::printf("%d of %d steps planned anew\n", plans, steps);
+  EXPECT_LE(plans, steps / 100);
+  EXPECT_GT(steps, 1000);
+}
+
+// A door between centres of cells is passed by a path, and by no walk, which leads around.
+TEST(DiscDrives, AStepCanBeStopped) {
+  Grid map(900, 900);
+  map.fill({440, 0, 20, 860}, true);
+  map.fill({440, 448, 20, 4}, false);
+  const Cell start{430, 450}, goal{470, 450};
+  const NavigatorOptions options{.radius = 2};
+  const auto edit = [](Navigator& navigator) {
+    navigator.observe(Rectangle{100, 100, 9, 9}, true);
+  };
+  Navigator whole(map, goal, options);
+  edit(whole);
+  const CountingTime counted(1 << 30);
+  const Way way = whole.step(start, counted.is_up());
+  EXPECT_EQ(way.status, Status::solved);
+  EXPECT_GT(way.length, 800) << "around";
+  EXPECT_EQ(way.length, path_length(way.path));
+  ASSERT_GT(counted.polls(), 20);
+  for (int polls = 0; polls < counted.polls(); polls += counted.polls() / 12) {
+    Navigator navigator(map, goal, options);
+    edit(navigator);
+    const CountingTime time(polls);
+    const Way& cut = navigator.step(start, time.is_up());
+    EXPECT_EQ(cut.status, Status::limit) << polls;
+    EXPECT_LE(time.polls(), polls + 4) << "what follows ends at once";
+    const Way& then = navigator.step(start);
+    EXPECT_EQ(then.path, way.path) << polls;
+    EXPECT_EQ(then.walk, way.walk) << polls;
+  }
 }
 
 }  // namespace

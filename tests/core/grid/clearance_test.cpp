@@ -160,6 +160,25 @@ TEST(WidestRadius, IsWorkedOutByHand) {
   EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, {.token = stop.get_token()}));
 }
 
+TEST(NearestBlocked, IsASquareOrTheOutside) {
+  Grid grid(9, 9);
+  grid.set_blocked({4, 5}, true);
+  const struct {
+    Point at;
+    double most, beside, distance;
+    Cell cell;
+  } cases[] = {
+      {{2.5, 5.5}, 9, 0, 1.5, {4, 5}},      {{2.5, 5.5}, 9, 0.5, 1, {4, 5}},
+      {{3, 4}, 9, 0, std::sqrt(2), {4, 5}}, {{0.25, 3.5}, 9, 0, 0.25, {-1, 3}},
+      {{4.5, 5}, 9, 0, 0, {4, 5}},          {{2.5, 2.5}, 2, 0, 2, {}},
+  };
+  for (const auto& [at, most, beside, distance, cell] : cases) {
+    const NearestBlocked found = nearest_blocked(grid, at, most, beside);
+    EXPECT_EQ(found.distance, distance) << at.x << ' ' << at.y;
+    EXPECT_EQ(found.cell, cell) << at.x << ' ' << at.y;
+  }
+}
+
 TEST(GrowObstacles, RefusesBadRadii) {
   for (const double radius : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW((void)grow_obstacles(Grid(3, 3), radius), Error) << radius;

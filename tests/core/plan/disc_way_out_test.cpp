@@ -2,13 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <stop_token>
 
-#include "core/plan/disc_path.h"
 #include "lasius/planner.h"
-#include "tests/core/disc/disc_worlds.h"
-#include "tests/oracle/disc_paths.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -63,26 +59,6 @@ TEST(DiscWayOut, IsLedOutOfWhereItMayNotStand) {
       Planner(large, Disc{2.25})
           .plan({.start = {11, 7}, .goal = {300, 300}, .stop = {.token = stop.get_token()}});
   EXPECT_EQ(stopped.status, Status::interrupted);
-}
-
-TEST(SegmentClearance, AgreesWithTheDistanceToAllSquares) {
-  std::mt19937 random(11);
-  for (int round = 0; round < 70; ++round) {
-    // Long ones, too, that pass a row far from what lies in it.
-    const Grid grid = round < 60 ? disc::random_map(1 + round % 4, random)
-                                 : random_grid(200 + round, 30, round - 59, random);
-    const oracle::DiscPaths judge(grid, 1, oracle::DiscPaths::Lines::none);
-    for (int i = 0; i < 40; ++i) {
-      const int grain = 1 << random_in(0, 9, random);
-      const auto point = [&] {
-        return Point{1.0 * random_in(0, grain * grid.width(), random) / grain,
-                     1.0 * random_in(0, grain * grid.height(), random) / grain};
-      };
-      const Point a = point(), b = i % 4 == 0 ? a : point();
-      EXPECT_NEAR(segment_clearance(grid, a, b, 7), std::min(7.0, judge.clearance(a, b)), 1e-12)
-          << a.x << ' ' << a.y << " to " << b.x << ' ' << b.y;
-    }
-  }
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(Tours, VisitEveryStopOnceByShortestLegs) {
       if (kind > 1) request.start = 0;
       if (kind > 2) request.goal = count - 1;
       request.generations = 2;
-      const Tour tour = plan_tour(planner, request);
+      const TourResult tour = plan_tour(planner, request);
       EXPECT_EQ(tour.status, Status::solved);
       EXPECT_EQ(std::set<int>(tour.order.begin(), tour.order.end()).size(), tour.order.size());
       ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count));
@@ -114,9 +114,9 @@ TEST(Tours, AreTheSameOnAnyThreads) {
   TourRequest request = ask(some_stops(planner.grid(), 110));
   request.generations = 1;
   request.threads = 1;
-  const Tour one = plan_tour(planner, request);
+  const TourResult one = plan_tour(planner, request);
   request.threads = 3;
-  const Tour three = plan_tour(planner, request);
+  const TourResult three = plan_tour(planner, request);
   EXPECT_EQ(one.order, three.order);
   EXPECT_EQ(one.lower_bound, three.lower_bound);
 }
@@ -129,7 +129,7 @@ TEST(Tours, NameWhatTheyLeaveOut) {
   grid.set_blocked({4, 2});
   const Planner planner(grid);
   TourRequest request = ask({{0, 0}, {20, 20}, {30, 0}, {-1, 5}, {40, 30}});
-  const Tour tour = plan_tour(planner, request);
+  const TourResult tour = plan_tour(planner, request);
   ASSERT_EQ(tour.left_out.size(), 3u);
   EXPECT_EQ(tour.left_out[0].why, "stop 0 at (0, 0) cannot be reached from the others");
   EXPECT_EQ(tour.left_out[1].why, "stop 2 at (30, 0) is blocked");

@@ -1,7 +1,7 @@
 // The command that gives the same run.
 //
 //   commandOf(map, run)   map.source: {kind: "generated", wish}, {kind: "file", name} or
-//                         {kind: "drawn"}; run: {algorithm, preset, seed, values, start, goal}, where
+//                         {kind: "drawn"}; run: {algorithm, preset, seed, values, start, goal, radius}, where
 //                         values are those that are not the preset's
 
 function quoted(word) {
@@ -18,12 +18,13 @@ function generateWords({ kind, width, height, density, seed }, file) {
   return [...words, "-o", file];
 }
 
-export function commandOf(map, { algorithm, preset, seed, values, start, goal }) {
+export function commandOf(map, { algorithm, preset, seed, values, start, goal, radius }) {
   const file = mapFileOf(map), lines = [];
   if (map.source.kind === "generated") lines.push(generateWords(map.source.wish, file));
   const words = ["lasius", "plan", file, "--start", `${start.x},${start.y}`, "--goal", `${goal.x},${goal.y}`,
                  "--algorithm", algorithm];
   if (preset !== "usual") words.push("--preset", preset);
+  if (radius > 0) words.push("--radius", String(radius));
   words.push("--seed", String(seed));
   for (const [name, value] of Object.entries(values)) words.push("--set", `${name}=${value}`);
   lines.push(words);

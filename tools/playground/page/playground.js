@@ -17,7 +17,7 @@ const kMostFrames = 500;
 
 class Playground {
   constructor(engine) {
-    Object.assign(this, { engine, running: false, comparing: true, maps: 0 });
+    Object.assign(this, { engine, running: false, comparing: true, maps: 0, radius: 0 });
     this.problem = element("p", { class: "problem", role: "alert" });
     this.figures = element("dl", { class: "figures" });
     this.left = element("div");
@@ -68,8 +68,10 @@ class Playground {
     this.ends = {
       start: [coordinate("Start, column", (x) => this.setEnds({ ...this.start, x }, this.goal)), coordinate("Start, row", (y) => this.setEnds({ ...this.start, y }, this.goal))],
       goal: [coordinate("Goal, column", (x) => this.setEnds(this.start, { ...this.goal, x })), coordinate("Goal, row", (y) => this.setEnds(this.start, { ...this.goal, y }))] };
-    this.card(this.right, "Start and goal").append(element("div", { class: "fields" },
-      ...Object.entries(this.ends).flatMap(([name, [x, y]]) => [field(`${name} x`, x), field(`${name} y`, y)])));
+    const radius = numberField({ value: 0, min: 0, max: 54, step: "any", label: "Radius of the robot, cells", onChange: (value) => this.setRadius(value) });
+    this.card(this.right, "Robot, start and goal").append(element("div", { class: "fields" },
+      ...Object.entries(this.ends).flatMap(([name, [x, y]]) => [field(`${name} x`, x), field(`${name} y`, y)]),
+      field("radius", radius, "of a disc, 0: a point")));
   }
 
   addCommandCard() {
@@ -127,6 +129,11 @@ class Playground {
     this.endsChanged();
   }
 
+  setRadius(radius) {
+    this.radius = radius;
+    this.setEnds(this.start, this.goal);
+  }
+
   endsChanged() {
     this.halt();
     for (const [name, [x, y]] of Object.entries(this.ends)) {
@@ -178,7 +185,7 @@ class Playground {
   }
 
   question() {
-    return { ...this.colony.question(), start: this.start, goal: this.goal };
+    return { ...this.colony.question(), start: this.start, goal: this.goal, radius: this.radius };
   }
 
   tellCommand() {
@@ -194,7 +201,7 @@ class Playground {
     const corners = this.colony.valueOf("corners");
     const exact = this.colony.algorithms.find(({ kind }) => kind === "exact");
     const values = corners && exact.parameters.some(({ name }) => name === "corners") ? { corners } : {};
-    return { algorithm: exact.name, preset: "usual", seed: 1, values, start: this.start, goal: this.goal };
+    return { algorithm: exact.name, preset: "usual", seed: 1, values, start: this.start, goal: this.goal, radius: this.radius };
   }
 
   async plan() {

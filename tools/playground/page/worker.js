@@ -4,7 +4,7 @@
 //   <- {id, name, words}           a call of tools/playground/binding.cpp; -> {id, answer}
 //   <- {id, map, question, most}  a plan; -> {id, frame} by iteration, then {id, answer}
 
-let lasius, world, worldMap;
+let lasius, world, worldMap, worldRadius;
 
 function instantiateWith(module) {
   return (imports, done) => {
@@ -13,12 +13,12 @@ function instantiateWith(module) {
   };
 }
 
-/** The map's world; the last one is kept. */
-function worldOf(map) {
-  if (worldMap?.number !== map.number) {
+/** The map's world for a disc; the last one is kept. */
+function worldOf(map, radius = worldRadius ?? 0) {
+  if (worldMap?.number !== map.number || worldRadius !== radius) {
     world?.delete();
-    world = new lasius.World(map.width, map.height, map.cells);
-    worldMap = map;
+    world = new lasius.World(map.width, map.height, map.cells, radius);
+    [worldMap, worldRadius] = [map, radius];
   }
   return world;
 }
@@ -27,7 +27,7 @@ function plan({ id, map, question, most }) {
   const watch = (frame) =>
     postMessage({ id, frame }, [frame.path.buffer, frame.trail.buffer, frame.tracks.buffer]);
   const begin = performance.now();
-  const answer = worldOf(map).plan(question, most > 0 ? watch : null, most);
+  const answer = worldOf(map, question.radius).plan(question, most > 0 ? watch : null, most);
   return { ...answer, elapsed_ms: performance.now() - begin };
 }
 

@@ -177,7 +177,7 @@ class BitmapStage {
     const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
-                               ...(map.obstacles ? [[`in part or wholly nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
+                               ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
     const note = (text) => this.card.append(element("p", { class: "note" }, text));

@@ -1,0 +1,196 @@
+#include "core/cost/cost_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/cost/coarse_bound.h"
+#include "core/cost/path_cost.h"
+
+namespace lasius::cost {
+namespace {
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// What marching of a level divides weights by, less 1: what is lost by straight lines between
+/// places falls with the square of their distance.
+double slack_of(int intervals) {
+  switch (intervals) {
+    case 2:
+      return 0.03;
+    case 4:
+      return 0.003;
+    case 8:
+      return 0.0003;
+    default:
+      return 0;
+  }
+}
+/// How far beyond the best path's cost a level marches, as a fraction of it: what lowering takes.
+double margin_of(int intervals) {
+  switch (intervals) {
+    case 2:
+      return 0.004;
+    case 4:
+      return 0.002;
+    case 8:
+      return 0.0012;
+    default:
+      return 0.0005;
+  }
+}
+
+/// The best path so far, and who is told of it.
+class Best {
+ public:
+  Best(const Terrain& terrain, const ExactOptions& options)
+      : weight_([&terrain](int x, int y) { return terrain.weight(x, y); }),
+        polish_(terrain),
+        options_(options) {}
+
+  /// Polishes a path and keeps it if it is cheaper. False where whoever looks on asks to end.
+  bool offer(Point start, std::span<const Leg> legs, double lower, Poller& poller) {
+    std::vector<Point> path = polish_.polish(start, legs, poller);
+    return offer(std::move(path), lower);
+  }
+  bool offer(std::vector<Point> path, double lower) {
+    PathCost sum(weight_);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (!sum.add(path[i - 1], path[i])) return true;
+    }
+    if (!(sum.sum() < cost_)) return true;
+    cost_ = sum.sum();
+    path_ = std::move(path);
+    return options_.improved == nullptr ||
+           (*options_.improved)(path_, cost_, exact::rounded_down(lower));
+  }
+  double cost() const noexcept { return cost_; }
+  const std::vector<Point>& path() const noexcept { return path_; }
+
+ private:
+  std::function<double(int, int)> weight_;
+  Polish polish_;
+  const ExactOptions& options_;
+  double cost_ = kInfinity;
+  std::vector<Point> path_;
+};
+
+std::vector<Point> centres_of(std::span<const Cell> walk) {
+  std::vector<Point> path;
+  for (const Cell c : walk) path.push_back(centre(c));
+  return path;
+}
+
+}  // namespace
+
+void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
+                        const StopCondition& stop, CostAnswer& answer) {
+  const double began = processor_seconds();
+  levels_.clear();
+  most_bytes_ = 0;
+  answer = {};
+  Poller poller(stop);
+  Best best(terrain, options);
+  double lower = 0;
+  bool go_on = true;
+  const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller);
+  if (!walk.empty()) {
+    go_on = best.offer(centres_of(walk), lower) &&
+            best.offer(centre(start), legs_of(walk), lower, poller);
+  }
+  levels_.push_back({1, 0, 0, lower, best.cost(), 1, processor_seconds() - began});
+  const auto reached = [&] {
+    return best.cost() - lower <= std::max(options.target_gap, 1e-9) * lower;
+  };
+  // A path that leaves the cells of some level costs this at least.
+  double leaving = kInfinity;
+  // The first level comes back from the goal, towards what the start's bound leaves.
+  const CellChords two(2);
+  std::optional<Terrain> coarse;
+  std::optional<CoarseBound> rest;
+  if (go_on && !poller.stopped()) {
+    coarse.emplace(blocks_of(terrain));
+    rest.emplace(terrain, *coarse, two, start);
+    rest->make(best.cost(), poller);
+  }
+  auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
+  std::unique_ptr<const CellChords> chords_before, chords;
+  for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
+    if (k > (options.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals)) break;
+    const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
+    const Cell source = backward ? goal : start, target = backward ? start : goal;
+    chords = std::make_unique<const CellChords>(k);
+    now->begin(*chords, source, slack_of(k), chords_before ? before.get() : nullptr);
+    Level level{.intervals = k};
+    double margin = margin_of(k);
+    for (level.rounds = 1;; ++level.rounds) {
+      const double limit = best.cost() * (1 + margin);
+      if (!now->march(*rest, limit, poller)) break;
+      if (level.rounds == 1) {
+        if (const auto legs = now->trace(target)) {
+          std::vector<Leg> path = *legs;
+          if (backward) {
+            // Traced from the start: the same pieces the other way.
+            std::vector<Leg> turned;
+            for (std::size_t i = path.size(); i-- > 0;)
+              turned.push_back({path[i].cell, i > 0 ? path[i - 1].to : centre(source)});
+            path.assign(turned.begin(), turned.end());
+          }
+          go_on = best.offer(centre(start), path, lower, poller);
+          if (!go_on) break;
+        }
+      }
+      if (!now->certify(poller)) break;
+      level.excess = now->excess();
+      const double within = now->bound(target);
+      const double out = now->bound_of_leaving();
+      level.cells = static_cast<std::int64_t>(now->cells().size());
+      lower = std::max(lower, std::min({within, out, leaving}));
+      const double miss = best.cost() * (1 - 1e-4) - out;
+      if (!(miss > 0) || reached() || level.rounds == 8) {
+        leaving = std::min(leaving, out);
+        break;
+      }
+      margin += std::max(margin, 1.5 * miss / best.cost());
+    }
+    level.lower = lower;
+    level.upper = best.cost();
+    level.seconds = processor_seconds() - began;
+    levels_.push_back(level);
+    most_bytes_ = std::max(most_bytes_, eight_moves_.bytes() + before->bytes() + now->bytes());
+    std::swap(before, now);
+    std::swap(chords_before, chords);
+  }
+  answer.path = best.path();
+  answer.length = best.cost();
+  answer.lower_bound = std::min(lower, answer.length);
+  answer.optimal = answer.length - answer.lower_bound <= 1e-9 * answer.length;
+  answer.cause = go_on ? poller.cause() : StopCondition::Cause::token;
+  answer.end = poller.stopped() || !go_on ? ExactEnd::stopped
+               : answer.optimal           ? ExactEnd::proven
+                                          : ExactEnd::target_gap;
+}
+
+void CostSearch::search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,
+                                    const StopCondition& stop, CostAnswer& answer) {
+  answer = {};
+  Poller poller(stop);
+  const ExactOptions options;
+  Best best(terrain, options);
+  const auto walk = eight_moves_.search(terrain, start, goal, corners, poller);
+  answer.cause = poller.cause();
+  answer.end = poller.stopped() ? ExactEnd::stopped : ExactEnd::unreachable;
+  if (walk.empty()) return;
+  answer.path = centres_of(walk);
+  best.offer(answer.path, 0);
+  answer.end = ExactEnd::proven;
+  answer.length = answer.lower_bound = best.cost();
+  answer.optimal = true;
+}
+
+}  // namespace lasius::cost

@@ -1,0 +1,379 @@
+#include "core/cost/edge_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/held_bytes.h"
+
+namespace lasius::cost {
+namespace {
+
+/// Of the least cost of one interval: a smaller improvement of what has been spread is kept, but
+/// not spread again, since values on a ring of intervals improve each other by less and less.
+/// `certify` asks nothing of how values were made.
+constexpr double kImprovement = 1e-3;
+
+double distance(Point a, Point b) noexcept {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+void EdgeField::begin(const CellChords& chords, Cell source, double slack,
+                      const EdgeField* before) {
+  chords_ = &chords;
+  before_ = before;
+  source_ = source;
+  scale_ = 1 / (1 + slack);
+  per_block_ = 2 * chords.intervals();
+  least_gain_ = kImprovement * terrain_.least() / chords.intervals();
+  blocks_.assign(static_cast<std::size_t>(terrain_.width() + 1) * (terrain_.height() + 1),
+                 kNoBlock);
+  reached_.assign(static_cast<std::size_t>(terrain_.stride()) * (terrain_.height() + 2), 0);
+  lattice_.clear();
+  split_.clear();
+  value_.clear();
+  spread_.clear();
+  cells_.clear();
+  waiting_.clear();
+  marched_.clear();
+  queue_.reset(0, terrain_.least() * scale_ / (4 * chords.intervals()));
+  reach(source);
+  std::uint32_t nodes[kMostPlaces];
+  places_of(source, nodes);
+  const double weight = terrain_.weight(source.x, source.y) * scale_;
+  for (int place = 0; place < chords.places(); ++place)
+    offer(nodes[place], weight * distance({0.5, 0.5}, chords.at(place)));
+}
+
+std::int32_t EdgeField::block(int x, int y) {
+  std::int32_t& block = blocks_[static_cast<std::size_t>(y) * (terrain_.width() + 1) + x];
+  if (block == kNoBlock) {
+    block = static_cast<std::int32_t>(lattice_.size());
+    lattice_.push_back(static_cast<std::uint32_t>(y) * (terrain_.width() + 1) + x);
+    split_.push_back(terrain_.squeeze(x, y));
+    for (int i = 0; i < per_block_; ++i) {
+      value_.push_back(kInfinity);
+      spread_.push_back(0);
+    }
+  }
+  return block;
+}
+
+void EdgeField::reach(Cell cell) {
+  std::uint8_t& reached = reached_[terrain_.index(cell.x, cell.y)];
+  if (reached != 0) return;
+  reached = 1;
+  cells_.push_back(static_cast<std::uint32_t>(terrain_.index(cell.x, cell.y)));
+  for (int dy = 0; dy < 2; ++dy) {
+    for (int dx = 0; dx < 2; ++dx) block(cell.x + dx, cell.y + dy);
+  }
+}
+
+void EdgeField::places_of(Cell cell, std::uint32_t* nodes) const noexcept {
+  const int k = chords_->intervals();
+  const std::int32_t* row =
+      blocks_.data() + static_cast<std::size_t>(cell.y) * (terrain_.width() + 1) + cell.x;
+  const std::int32_t* below = row + terrain_.width() + 1;
+  const std::uint32_t nw = row[0] * per_block_, ne = row[1] * per_block_;
+  const std::uint32_t sw = below[0] * per_block_, se = below[1] * per_block_;
+  for (int i = 1; i < k; ++i) {
+    nodes[i] = nw + i;
+    nodes[k + i] = ne + k + i;
+    nodes[3 * k - i] = sw + i;
+    nodes[4 * k - i] = nw + k + i;
+  }
+  nodes[0] = nw + (split_[row[0]] != 0 ? k : 0);
+  nodes[k] = ne;
+  nodes[2 * k] = se;
+  nodes[3 * k] = sw + (split_[below[0]] != 0 ? k : 0);
+}
+
+void EdgeField::values_of(Cell cell, double* values) const noexcept {
+  std::uint32_t nodes[kMostPlaces];
+  places_of(cell, nodes);
+  for (int place = 0; place < chords_->places(); ++place) values[place] = value_[nodes[place]];
+}
+
+// visit(cell, place of the node around it): the cells whose node it is, that can be marched.
+template <class Visit>
+void EdgeField::each_cell_at(std::uint32_t node, const Visit& visit) const {
+  const int k = chords_->intervals();
+  const std::uint32_t block = node / per_block_;
+  const int slot = static_cast<int>(node % per_block_);
+  const int x = static_cast<int>(lattice_[block] % (terrain_.width() + 1));
+  const int y = static_cast<int>(lattice_[block] / (terrain_.width() + 1));
+  const auto at = [&](int cx, int cy, int place) {
+    if (open({cx, cy})) visit(Cell{cx, cy}, place);
+  };
+  if (slot % k != 0) {
+    if (slot < k) {
+      at(x, y, slot);
+      at(x, y - 1, 3 * k - slot);
+    } else {
+      at(x - 1, y, slot);
+      at(x, y, 5 * k - slot);
+    }
+    return;
+  }
+  const bool split = split_[block] != 0;
+  if (!split || slot == 0) {
+    at(x - 1, y - 1, 2 * k);
+    at(x - 1, y, k);
+  }
+  if (!split || slot == k) {
+    at(x, y, 0);
+    at(x, y - 1, 3 * k);
+  }
+}
+
+double EdgeField::value_before(Cell cell, int place) const noexcept {
+  std::uint32_t nodes[kMostPlaces];
+  before_->places_of(cell, nodes);
+  const int step = chords_->intervals() / before_->intervals();
+  const int low = place / step, high = (low + 1) % before_->chords_->places();
+  const double share = static_cast<double>(place % step) / step;
+  const double value = before_->value_[nodes[low]];
+  return share == 0 ? value : value + share * (before_->value_[nodes[high]] - value);
+}
+
+double EdgeField::left(std::uint32_t node) const noexcept {
+  double least = kInfinity;
+  each_cell_at(node, [&](Cell cell, int place) {
+    if (least < kInfinity) return;
+    if (before_ != nullptr) {
+      least = value_before(cell, place);
+      return;
+    }
+    const Point at = chords_->at(place);
+    least = rest_->at({cell.x + at.x, cell.y + at.y});
+  });
+  return least;
+}
+
+bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
+  rest_ = &rest;
+  for (std::size_t i = 0; i < marched_.size(); ++i) value_[i] = marched_[i];
+  marched_.clear();
+  std::size_t kept = 0;
+  for (const std::uint32_t node : waiting_) {
+    if (spread_[node] != 0) continue;
+    if (value_[node] + left(node) <= limit)
+      queue_.push(node, value_[node]);
+    else
+      waiting_[kept++] = node;
+  }
+  waiting_.resize(kept);
+  while (queue_.advance(poller)) {
+    const std::uint32_t node = queue_.pop();
+    if (spread_[node] != 0) continue;
+    if (value_[node] > limit || value_[node] + left(node) > limit) {
+      waiting_.push_back(node);
+      continue;
+    }
+    spread_[node] = 1;
+    spread(node);
+    if (poller.stop_after(16)) return false;
+  }
+  return !poller.stopped();
+}
+
+void EdgeField::spread(std::uint32_t node) {
+  each_cell_at(node, [&](Cell cell, int place) { spread_into(cell, place, node); });
+}
+
+void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
+  reach(cell);
+  const int places = chords_->places(), k = chords_->intervals();
+  std::uint32_t nodes[kMostPlaces];
+  places_of(cell, nodes);
+  const double weight = terrain_.weight(cell.x, cell.y) * scale_;
+  const double here = value_[node];
+  const int before = place > 0 ? place - 1 : places - 1;
+  const int after = place + 1 < places ? place + 1 : 0;
+  const double step = here + weight / k;
+  offer(nodes[before], step);
+  offer(nodes[after], step);
+  double out[3 * CellChords::kMostIntervals];
+  bool from_interval = false;
+  for (const int interval : {before, place}) {
+    const int low = interval, high = interval + 1 < places ? interval + 1 : 0;
+    if (spread_[nodes[low]] == 0 || spread_[nodes[high]] == 0) continue;
+    from_interval = true;
+    const double a = value_[nodes[low]], b = value_[nodes[high]];
+    const double least = std::min(a, b);
+    chords_->reach(interval, a, b, weight, out);
+    int to = (interval / k + 1) * k + 1;
+    for (int i = 0; i < 3 * k - 1; ++i, ++to) {
+      const std::uint32_t other = nodes[to >= places ? to - places : to];
+      if (value_[other] > least) offer(other, out[i]);
+    }
+  }
+  if (from_interval) return;
+  const Point from = chords_->at(place);
+  for (int to = 0; to < places; ++to) {
+    if (value_[nodes[to]] > here) offer(nodes[to], here + weight * distance(from, chords_->at(to)));
+  }
+}
+
+void EdgeField::offer(std::uint32_t node, double value) {
+  const double gain = value_[node] - value;
+  if (!(gain > 0)) return;
+  value_[node] = value;
+  if (spread_[node] != 0 && gain < least_gain_) return;
+  spread_[node] = 0;
+  queue_.push(node, value);
+}
+
+// Places that marching has passed by, where it was not to go on.
+void EdgeField::fill(double* values, double weight) const {
+  for (int place = 0; place < chords_->places(); ++place) {
+    if (values[place] < kInfinity) continue;
+    for (int from = 0; from < chords_->places(); ++from) {
+      values[place] = std::min(
+          values[place], values[from] + weight * distance(chords_->at(from), chords_->at(place)));
+    }
+  }
+}
+
+bool EdgeField::certify(Poller& poller) {
+  const int places = chords_->places();
+  double most = 0;
+  for (std::size_t i = 0; i < value_.size(); ++i) marched_.push_back(value_[i]);
+  for (const std::uint32_t at : cells_) {
+    std::uint32_t nodes[kMostPlaces];
+    double values[kMostPlaces];
+    const Cell cell = terrain_.cell(at);
+    places_of(cell, nodes);
+    for (int i = 0; i < places; ++i) values[i] = value_[nodes[i]];
+    fill(values, terrain_.at(at) * scale_);
+    for (int i = 0; i < places; ++i) {
+      value_[nodes[i]] = values[i];
+      most = std::max(most, values[i]);
+    }
+  }
+  {
+    std::uint32_t nodes[kMostPlaces];
+    double values[kMostPlaces];
+    places_of(source_, nodes);
+    values_of(source_, values);
+    chords_->lower_from_centre(values, terrain_.weight(source_.x, source_.y));
+    for (int i = 0; i < places; ++i) value_[nodes[i]] = values[i];
+  }
+  std::vector<std::uint32_t> now = cells_, next;
+  constexpr std::uint8_t kDirty = 2;
+  for (const std::uint32_t at : now) reached_[at] |= kDirty;
+  for (int round = 0; round < 1000 && !now.empty(); ++round) {
+    for (const std::uint32_t at : now) {
+      if ((reached_[at] & kDirty) == 0) continue;
+      reached_[at] &= ~kDirty;
+      std::uint32_t nodes[kMostPlaces];
+      double values[kMostPlaces];
+      const Cell cell = terrain_.cell(at);
+      places_of(cell, nodes);
+      for (int i = 0; i < places; ++i) values[i] = value_[nodes[i]];
+      std::uint8_t lowered[kMostPlaces] = {};
+      const double tolerance = 1e-11 * terrain_.at(at) + 1e-15 * most;
+      if (poller.stop_after(places)) return false;
+      if (!chords_->lower(values, terrain_.at(at), tolerance, lowered)) continue;
+      for (int i = 0; i < places; ++i) {
+        if (lowered[i] == 0) continue;
+        value_[nodes[i]] = values[i];
+        each_cell_at(nodes[i], [&](Cell other, int) {
+          std::uint8_t& mark = reached_[terrain_.index(other.x, other.y)];
+          if (mark != 1) return;
+          mark |= kDirty;
+          next.push_back(static_cast<std::uint32_t>(terrain_.index(other.x, other.y)));
+        });
+      }
+    }
+    now.swap(next);
+    next.clear();
+  }
+  for (const std::uint32_t at : now) reached_[at] = 1;
+  // Where no chord was off by more than the tolerance, none is by more than that over its length,
+  // which is at least an interval.
+  const double off = 1e-11 + 1e-15 * most / terrain_.least();
+  excess_ = now.empty() && poller.cause() == StopCondition::Cause::none
+                ? 1 + 2 * off * chords_->intervals() + 1e-12
+                : measured_excess(poller);
+  return !poller.stopped();
+}
+
+double EdgeField::measured_excess(Poller& poller) const {
+  double most = 1, greatest = 0;
+  double values[kMostPlaces];
+  for (const std::uint32_t at : cells_) {
+    values_of(terrain_.cell(at), values);
+    most = std::max(most, chords_->excess(values, terrain_.at(at)));
+    for (int i = 0; i < chords_->places(); ++i) greatest = std::max(greatest, values[i]);
+    poller.stop_after(chords_->places());
+  }
+  // The source's cell: what its boundary costs from the centre.
+  values_of(source_, values);
+  most = std::max(most, chords_->excess_from_centre(values, terrain_.weight(source_.x, source_.y)));
+  // Differences of values are rounded, too.
+  return most + 1e-12 + 4e-16 * chords_->intervals() * greatest / terrain_.least();
+}
+
+double EdgeField::bound(Cell target) const {
+  if (!has(terrain_.index(target.x, target.y))) return kInfinity;
+  double values[kMostPlaces];
+  values_of(target, values);
+  return chords_->cheapest({0.5, 0.5}, values, terrain_.weight(target.x, target.y)).cost / excess_;
+}
+
+double EdgeField::bound_of_leaving() const {
+  const int k = chords_->intervals();
+  double least = kInfinity;
+  for (const std::uint32_t at : cells_) {
+    const Cell cell = terrain_.cell(at);
+    constexpr int kX[4] = {0, 1, 0, -1}, kY[4] = {-1, 0, 1, 0};
+    std::uint32_t nodes[kMostPlaces];
+    bool have = false;
+    for (int edge = 0; edge < 4; ++edge) {
+      const Cell beside{cell.x + kX[edge], cell.y + kY[edge]};
+      if (!open(beside) || has(terrain_.index(beside.x, beside.y))) continue;
+      if (!have) places_of(cell, nodes);
+      have = true;
+      if (before_ != nullptr) {
+        for (int i = 0; i <= k; ++i) {
+          const int place = (edge * k + i) % chords_->places();
+          least = std::min(least, value_[nodes[place]] + value_before(cell, place));
+        }
+      } else {
+        least = std::min(least, bound_of_leaving(cell, edge, beside, nodes));
+      }
+    }
+  }
+  // The values of both levels may be too great by as much as either is off.
+  return least / std::max(excess_, before_ != nullptr ? before_->excess_ : 1);
+}
+
+// At points of the edge, less what it may be less between them: what is left to the other end falls
+// along an edge by no more than the cheaper cell's weight.
+double EdgeField::bound_of_leaving(Cell cell, int edge, Cell beside,
+                                   const std::uint32_t* nodes) const {
+  constexpr int kPoints = 8;  // an interval
+  const int k = chords_->intervals();
+  const double weight =
+      std::min(terrain_.weight(cell.x, cell.y), terrain_.weight(beside.x, beside.y));
+  double least = kInfinity;
+  for (int i = 0; i <= kPoints * k; ++i) {
+    const int low = std::min(i / kPoints, k - 1) + edge * k, high = (low + 1) % chords_->places();
+    const double share = static_cast<double>(i) / kPoints - (low - edge * k);
+    const Point a = chords_->at(low), b = chords_->at(high);
+    const Point p{cell.x + a.x + share * (b.x - a.x), cell.y + a.y + share * (b.y - a.y)};
+    const double value = value_[nodes[low]] + share * (value_[nodes[high]] - value_[nodes[low]]);
+    least = std::min(least, value + rest_->at(p));
+  }
+  return least - weight * 0.5 / (kPoints * k);
+}
+
+std::int64_t EdgeField::bytes() const noexcept {
+  return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
+         marched_.bytes() + spread_.bytes() + queue_.bytes();
+}
+
+}  // namespace lasius::cost

@@ -1,0 +1,64 @@
+// Planning over costs on a bitmap: make a planner of a map and its costs once, then plan from as
+// many threads as you like.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "lasius/cost_field.h"
+#include "lasius/export.h"
+#include "lasius/moves.h"
+#include "lasius/planner.h"
+#include "lasius/progress.h"
+#include "lasius/request.h"
+#include "lasius/result.h"
+
+namespace lasius {
+
+/// One answer. `length` is the path's length; `lower_bound` and `optimal` are about its cost.
+struct CostResult : Result {
+  double cost = std::numeric_limits<double>::quiet_NaN();  ///< NaN without a path
+  /// Certified (cost - lower_bound) / lower_bound; 0 at cost 0; nothing where there is no path or
+  /// no bound above 0.
+  LASIUS_EXPORT std::optional<double> gap() const;
+};
+
+/// Which paths there are.
+struct CostOptions {
+  /// Only walks by eight moves from centre to centre, for comparison with other planners;
+  /// `lower_bound` and `optimal` are about these.
+  bool eight_moves = false;
+  Corners corners = Corners::forbid;  ///< of eight moves
+};
+
+/// Finds the cheapest path over costs, of any angle, within a gap that it proves. Immutable; copies
+/// share what they hold: 8 bytes a cell. A call takes 9 bytes a cell, and in the cells where a
+/// cheapest path may be, half of the map on long ways, 80 more.
+class LASIUS_EXPORT CostPlanner {
+ public:
+  /// @throws Error(invalid_parameter) where the costs are for a map of another size, or the planner
+  /// is for a disc: block the cells that it cannot enter and add inflation instead.
+  CostPlanner(Planner planner, const CostField& costs);
+  ~CostPlanner();
+  CostPlanner(const CostPlanner&) noexcept;
+  CostPlanner& operator=(const CostPlanner&) noexcept;
+  CostPlanner(CostPlanner&&) noexcept;
+  CostPlanner& operator=(CostPlanner&&) noexcept;
+
+  const Planner& planner() const noexcept;  ///< of the map
+
+  /// Answers one request, deterministic as Planner::plan. Of any angle: a path soon, then better
+  /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
+  /// (Status::solved). Where all free cells have one weight, the answer is that of
+  /// Planner::plan's `exact`. `observer` is called with every cheaper path; its best_length is a
+  /// cost. @throws as Planner::plan.
+  CostResult plan(const Request& request, const CostOptions& options = {},
+                  const Observer& observer = {}) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,132 @@
+// Weights: layers, inflation, what is refused; the cost of a polyline.
+#include "lasius/cost_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "lasius/error.h"
+#include "tests/oracle/cost_paths.h"
+#include "tests/worlds/grids.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kRoot2 = 1.4142135623730951;
+
+TEST(CostField, AddsLayersToOne) {
+  CostField costs(2, 1);
+  costs.add(std::vector<double>{0.5, 3}, 2);
+  costs.add(std::vector<double>{1, 0});
+  EXPECT_EQ(costs.weight({0, 0}), 3);
+  EXPECT_EQ(costs.weight({1, 0}), 7);
+  const Grid grid = drawn({".#"});
+  EXPECT_EQ(costs.range(grid).least, 3);
+  EXPECT_EQ(costs.range(grid).most, 3);
+  EXPECT_NE(costs.hash(), CostField(2, 1).hash());
+  EXPECT_NE(CostField(1, 2).hash(), CostField(2, 1).hash());
+}
+
+TEST(CostField, RefusesWhatIsNoCost) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto says = [](const auto& act) -> std::string {
+    try {
+      act();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  CostField costs(3, 1);
+  const auto added = [&](std::vector<double> values, double factor) {
+    return says([&] { costs.add(values, factor); });
+  };
+  EXPECT_NE(added({1, 2}, 1).find("2 values for a map of 3 x 1"), std::string::npos);
+  for (const double bad : {-1.0, nan, infinity})
+    EXPECT_NE(added({0, 0, bad}, 1).find("in cell (2, 0)"), std::string::npos) << bad;
+  for (const double bad : {-1.0, nan, infinity})
+    EXPECT_NE(added({0, 0, 0}, bad).find("factor"), std::string::npos) << bad;
+  EXPECT_NE(added({0, 1e6, 0}, 1).find("at most"), std::string::npos);
+  EXPECT_EQ(costs.hash(), CostField(3, 1).hash());  // as before
+  for (const double bad : {0.0, -1.0, nan, 2e6})
+    EXPECT_NE(says([&] { CostField(1, 1, std::vector{bad}); }).find("weight"), std::string::npos);
+  EXPECT_NE(says([] { CostField(0, 1); }).find("0 x 1"), std::string::npos);
+  EXPECT_NE(says([&] { costs.range(Grid(1, 3)); }).find("3 x 1"), std::string::npos);
+  for (const Inflation& bad : {Inflation{-1, 1}, Inflation{nan, 1}, Inflation{1, -1},
+                               Inflation{1, 1, -2}, Inflation{1, 1, 2, infinity}})
+    EXPECT_NE(says([&] { costs.add(Grid(3, 1), bad); }).find("inflation"), std::string::npos);
+}
+
+// By hand, from Nav2's formula; and against the distance to every blocked cell.
+TEST(CostField, InflatesByCentres) {
+  const Grid line = drawn({"#......"});
+  CostField costs(7, 1);
+  costs.add(line, {.radius = 4, .scaling = 0.5, .weight = 3, .inscribed = 1.5});
+  EXPECT_EQ(costs.weight({1, 0}), 1 + 3);
+  EXPECT_NEAR(costs.weight({2, 0}), 1 + 3 * std::exp(-0.25), 1e-11);
+  EXPECT_NEAR(costs.weight({4, 0}), 1 + 3 * std::exp(-1.25), 1e-11);
+  EXPECT_EQ(costs.weight({5, 0}), 1);
+  std::mt19937 random(1);
+  for (int i = 0; i < 40; ++i) {
+    const int width = 1 + static_cast<int>(random() % 20),
+              height = 1 + static_cast<int>(random() % 20);
+    const Grid grid = random_grid(width, height, static_cast<int>(random() % 30), random);
+    const double radius = 0.25 * static_cast<double>(random() % 40);
+    CostField field(width, height);
+    field.add(grid, {.radius = radius, .scaling = 0.7, .weight = 2, .inscribed = 0});
+    for (const Cell c : cells_of(grid)) {
+      if (grid.blocked(c)) continue;
+      double d = 1e9;
+      for (const Cell b : cells_of(grid)) {
+        if (grid.blocked(b)) d = std::min(d, std::hypot(b.x - c.x, b.y - c.y));
+      }
+      const double want = d > radius ? 0 : d <= 1 ? 2 : 2 * std::exp(-0.7 * (d - 1));
+      EXPECT_NEAR(field.weight(c), 1 + want, 1e-11);
+    }
+  }
+}
+
+TEST(PathCost, ByHand) {
+  const Grid grid = drawn({"..#",  //
+                           ".#.",  //
+                           "..."});
+  const CostField costs(3, 3, std::vector<double>{1, 2, 9, 3, 9, 5, 4, 6, 7});
+  const auto cost = [&](std::vector<Point> path) { return path_cost(grid, costs, path); };
+  EXPECT_EQ(cost({}), 0);
+  EXPECT_DOUBLE_EQ(*cost({{0.5, 0.5}, {1.5, 0.5}}), 1.5);
+  EXPECT_DOUBLE_EQ(*cost({{0, 0}, {0, 3}}), 8);                           // along the map's edge
+  EXPECT_DOUBLE_EQ(*cost({{1, 0}, {1, 3}}), 1 + 3 + 4);                   // the cheaper free side
+  EXPECT_DOUBLE_EQ(*cost({{0.5, 1.5}, {1.5, 2.5}}), kRoot2 * (1.5 + 3));  // past a blocked corner
+  EXPECT_DOUBLE_EQ(*cost({{1, 2}, {2, 2}, {2.5, 1.5}}), 6 + 5 / kRoot2);
+  EXPECT_FALSE(cost({{0.5, 1.5}, {2.5, 1.5}}));              // through a blocked cell
+  EXPECT_FALSE(cost({{2, 0}, {2, 1}, {3, 1}, {1.5, 0.5}}));  // a squeeze
+  EXPECT_FALSE(cost({{1.5, 0.5}, {2, 1}, {2.5, 1.5}}));      // the same
+  EXPECT_FALSE(cost({{-0.5, 1}, {0.5, 1}}));                 // outside
+}
+
+TEST(PathCost, AgreesWithSampling) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(0, 6), weight(0.5, 9);
+  int compared = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Grid grid = random_grid(6, 6, 10, random);
+    std::vector<double> weights(36);
+    for (double& w : weights) w = weight(random);
+    const CostField costs(6, 6, weights);
+    const std::vector<Point> path{{place(random), place(random)}, {place(random), place(random)}};
+    const auto cost = path_cost(grid, costs, path);
+    if (!cost) continue;
+    ++compared;
+    const auto of = [&](Cell c) { return costs.weight(c); };
+    EXPECT_NEAR(*cost, oracle::sampled_cost(grid, of, path, 20000), 2e-3 * *cost);
+  }
+  EXPECT_GT(compared, 100);
+}
+
+}  // namespace
+}  // namespace lasius

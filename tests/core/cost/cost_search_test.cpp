@@ -1,0 +1,211 @@
+// The search over costs against brute force: its bound is never above what a path costs, its path
+// costs what it says and no more than the best that others find.
+#include "core/cost/cost_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/cost/coarse_bound.h"
+#include "core/grid/components.h"
+#include "tests/oracle/cost_paths.h"
+#include "tests/worlds/grids.h"
+
+namespace lasius::cost {
+namespace {
+
+struct World {
+  Grid grid;
+  CostField costs;
+  Cell start, goal;
+};
+
+/// Start and goal joined and apart.
+World random_world(std::mt19937& random, int least_side, int most_side) {
+  const auto below = [&](int n) { return static_cast<int>(random() % n); };
+  for (;;) {
+    const int width = least_side + below(most_side - least_side + 1);
+    const int height = least_side + below(most_side - least_side + 1);
+    Grid grid = random_grid(width, height, 10 + below(31), random);
+    std::vector<double> weights(static_cast<std::size_t>(width) * height);
+    const int kind = below(3);
+    for (double& w : weights)
+      w = kind == 0 ? 1 + below(3) : kind == 1 ? 0.2 + 0.01 * below(900) : 1;
+    if (kind == 2) weights[below(width * height)] = 50;
+    const Cell start{below(width), below(height)}, goal{below(width), below(height)};
+    if (grid.blocked(start) || grid.blocked(goal) || start == goal) continue;
+    const auto joined = Components::make(grid, Components::Connectivity::four, {});
+    if (!joined->connected(grid, start, goal)) continue;
+    return {grid, CostField(width, height, weights), start, goal};
+  }
+}
+
+TEST(CostSearch, TinyMapsAgainstBruteForce) {
+  std::mt19937 random(7);
+  double worst_gap = 0;
+  for (int i = 0; i < 150; ++i) {
+    const auto [grid, costs, start, goal] = random_world(random, 4, 8);
+    const Terrain terrain(grid, costs);
+    CostSearch search;
+    CostAnswer answer;
+    search.search(terrain, start, goal, {}, {}, answer);
+    const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
+    const double best = oracle::cost_over_points(grid, weight, start, goal, 7);
+    ASSERT_FALSE(answer.path.empty());
+    EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
+    EXPECT_LE(answer.length, best * (1 + 1e-9)) << i;
+    EXPECT_GE(answer.length, best * 0.97);
+    for (const auto& level : search.levels()) {
+      EXPECT_LE(level.lower, std::min(best, answer.length) * (1 + 1e-12)) << i;
+      EXPECT_LT(level.excess, 1 + 1e-6);
+    }
+    worst_gap = std::max(worst_gap, answer.length / answer.lower_bound - 1);
+  }
+  EXPECT_LT(worst_gap, 0.003);
+}
+
+// The values of every level, marched for itself over all cells, obey chords between random points.
+TEST(EdgeField, RandomChordsCostEnough) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::int64_t chords_tried = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto [grid, costs, start, goal] = random_world(random, 5, 12);
+    const Terrain terrain(grid, costs);
+    const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
+    const double best = i % 4 == 0 ? oracle::cost_over_points(grid, weight, start, goal, 5) : 1e300;
+    for (const int k : {2, 4, 8}) {
+      const CellChords chords(k);
+      EdgeField field(terrain);
+      const StopCondition never;
+      Poller poller(never);
+      field.begin(chords, start, 0, nullptr);
+      ASSERT_TRUE(field.march(StraightBound(terrain, centre(goal)), 1e300, poller));
+      ASSERT_TRUE(field.certify(poller));
+      const double excess = field.excess();
+      EXPECT_LE(field.measured_excess(poller), excess);
+      EXPECT_LE(field.bound(goal), best);
+      EXPECT_EQ(field.bound_of_leaving(), kInfinity);
+      std::vector<double> values(chords.places());
+      for (const std::uint32_t at : field.cells()) {
+        const Cell cell = terrain.cell(at);
+        field.values_of(cell, values.data());
+        for (int c = 0; c < 40; ++c, ++chords_tried) {
+          const auto point = [&](double t, Point& p) {
+            const int low = std::min(static_cast<int>(t * chords.places()), chords.places() - 1);
+            const int high = (low + 1) % chords.places();
+            const double share = t * chords.places() - low;
+            const Point a = chords.at(low), b = chords.at(high);
+            p = {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+            return values[low] + share * (values[high] - values[low]);
+          };
+          Point a, b;
+          const double at_a = point(unit(random), a), at_b = point(unit(random), b);
+          EXPECT_LE((at_b - at_a) / excess,
+                    costs.weight(cell) * std::hypot(a.x - b.x, a.y - b.y) + 1e-11);
+        }
+      }
+    }
+  }
+  EXPECT_GT(chords_tried, 100000);
+}
+
+TEST(CostSearch, StraightWhereWeightsAreEqual) {
+  const Grid grid(40, 30);
+  const Terrain terrain(grid, CostField(40, 30));
+  CostSearch search;
+  CostAnswer answer;
+  search.search(terrain, {2, 3}, {37, 21}, {}, {}, answer);
+  EXPECT_NEAR(answer.length, std::hypot(35, 18), 1e-9);
+  EXPECT_GT(answer.lower_bound, answer.length * 0.999);
+}
+
+// Refraction: between two half planes a path bends as light does.
+TEST(CostSearch, BendsAsLightDoes) {
+  const Grid grid(20, 20);
+  std::vector<double> weights(400, 1);
+  std::fill(weights.begin() + 200, weights.end(), 2.5);
+  const Terrain terrain(grid, CostField(20, 20, weights));
+  CostSearch search;
+  CostAnswer answer;
+  search.search(terrain, {2, 2}, {17, 17}, {}, {}, answer);
+  double best = 1e300;
+  for (int i = 0; i <= 200000; ++i) {
+    const double x = 2.5 + 15.0 * i / 200000;
+    best = std::min(best, std::hypot(x - 2.5, 7.5) + 2.5 * std::hypot(17.5 - x, 7.5));
+  }
+  EXPECT_NEAR(answer.length, best, 1e-8);
+}
+
+TEST(CostSearch, EightMovesAgainstDijkstra) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 200; ++i) {
+    const auto [grid, costs, start, goal] = random_world(random, 4, 12);
+    const Terrain terrain(grid, costs);
+    for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
+      // Bellman's equations, until nothing changes.
+      std::vector<double> cost(static_cast<std::size_t>(grid.width()) * grid.height(), kInfinity);
+      const auto at = [&](Cell c) -> double& { return cost[c.y * grid.width() + c.x]; };
+      at(start) = 0;
+      for (bool again = true; again;) {
+        again = false;
+        for (const Cell c : cells_of(grid)) {
+          for (int m = 0; m < 9; ++m) {
+            const Cell to{c.x + m % 3 - 1, c.y + m / 3 - 1};
+            if (m == 4 || grid.blocked(c) || grid.blocked(to)) continue;
+            const bool diagonal = to.x != c.x && to.y != c.y;
+            const int sides = grid.free({to.x, c.y}) + grid.free({c.x, to.y});
+            const int needed = corners == Corners::forbid ? 2 : corners == Corners::allow ? 0 : 1;
+            if (diagonal && sides < needed) continue;
+            const double there =
+                at(c) + std::hypot(m % 3 - 1, m / 3 - 1) * (costs.weight(c) + costs.weight(to)) / 2;
+            if (!(there < at(to) - 1e-12)) continue;
+            at(to) = there;
+            again = true;
+          }
+        }
+      }
+      CostSearch search;
+      CostAnswer answer;
+      search.search_eight_moves(terrain, start, goal, corners, {}, answer);
+      EXPECT_NEAR(answer.length, at(goal), 1e-9 * answer.length);
+      EXPECT_TRUE(answer.optimal);
+    }
+  }
+}
+
+TEST(CostSearch, StopsAtTheTargetGap) {
+  std::mt19937 random(11);
+  const auto [grid, costs, start, goal] = random_world(random, 40, 60);
+  const Terrain terrain(grid, costs);
+  double bound = 0;
+  int paths = 0;
+  const OnImproved told = [&](const std::vector<Point>& path, double cost, double lower) {
+    EXPECT_NEAR(*path_cost(grid, costs, path), cost, 1e-9 * cost);
+    EXPECT_LE(lower, cost);
+    bound = lower;
+    ++paths;
+    return true;
+  };
+  for (const double gap : {0.05, 0.01, 0.0005}) {
+    CostSearch search;
+    CostAnswer answer;
+    search.search(terrain, start, goal, {.target_gap = gap, .improved = &told}, {}, answer);
+    EXPECT_LE(answer.length - answer.lower_bound, gap * answer.lower_bound);
+    EXPECT_GE(answer.lower_bound, bound * (1 - 1e-9));
+  }
+  EXPECT_GE(paths, 3);
+  std::stop_source source;
+  source.request_stop();
+  CostSearch search;
+  CostAnswer answer;
+  search.search(terrain, start, goal, {}, {.token = source.get_token()}, answer);
+  EXPECT_EQ(answer.cause, StopCondition::Cause::token);
+  EXPECT_LE(answer.lower_bound, answer.path.empty() ? 0 : answer.length);
+}
+
+}  // namespace
+}  // namespace lasius::cost

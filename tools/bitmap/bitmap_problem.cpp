@@ -1,0 +1,218 @@
+#include "tools/bitmap/bitmap_problem.h"
+
+#include <algorithm>
+
+#include "tools/bitmap/bitmap_report.h"
+#include "tools/bitmap/map_ends.h"
+#include "tools/bitmap/picture.h"
+#include "tools/console/parameters.h"
+#include "tools/console/values.h"
+#include "tools/record/recorded.h"
+
+namespace lasius::tool {
+namespace {
+
+/// False where the answer is known before any search, and a visibility graph a waste.
+bool is_search(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal,
+               const std::stop_token& token) {
+  const Route route = route_of(map, run);
+  if (!map.planner || start == goal || !map.planner->label(route.corners, {.token = token}))
+    return false;
+  const bool led_out = map.grown() && map.as_read().free(start) && !map.planner->clear(start);
+  return run.goal_tolerance > 0 || led_out || route.joined(*map.planner, start, goal);
+}
+
+/// What --gap found.
+std::string optima_text(const Record& record, const Answer& answer, const Params& params) {
+  const char* unit = record.unit.empty() ? "" : " m";
+  const auto length = [&](double cells) { return decimal_text(record.scale * cells, 6) + unit; };
+  const auto& [any_angle, by_moves] = std::pair(answer.optimum, answer.grid_optimum);
+  std::string text = any_angle ? "optimum " + length(*any_angle) : "optimum unknown";
+  if (any_angle && record.has_path() && *any_angle > 0)
+    text += printed(" (the path: %+.3f%%)", 100 * *gap_to(any_angle, record.result.length));
+  if (!by_moves) return text;
+  text += ", by its own moves " + length(*by_moves);
+  const auto gap = grid_gap(answer, params);
+  return gap ? text + printed(" (the shortest walk: %+.3f%%)", 100 * *gap) : text;
+}
+
+/// Points, and between the two where one begins and ends, arcs. `frame`: in its metres, y up.
+Json curve_json(const Result& result, const LoadedMap* frame) {
+  const auto at = [&](Point p) { return point(frame != nullptr ? frame->to_world(p) : p); };
+  Json json = Json::array({at(result.path.front())});
+  for (const CurvePiece& piece : result.curve) {
+    if (piece.turn != 0)
+      json.push_back(
+          {{"centre", at(piece.centre)},
+           {"radius", number(frame != nullptr ? frame->metres(piece.radius) : piece.radius)},
+           {"turn", frame != nullptr ? -piece.turn : piece.turn}});
+    json.push_back(at(piece.to));
+  }
+  return json;
+}
+
+Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
+  const Result& result = answer.result;
+  Json json = Json::object();
+  add_goal_reached(json, ends);
+  if (const auto& out = ends.way_out; ends.map.radius > 0) {
+    json["way_out"] = out ? point(*out) : Json();
+    if (ends.in_metres()) json["way_out_world"] = out ? point(ends.map.to_world(*out)) : Json();
+  }
+  json["path"] = points(result.path);
+  if (ends.curved())
+    for (const LoadedMap* frame : {static_cast<const LoadedMap*>(nullptr), &ends.map})
+      if (frame == nullptr || ends.in_metres())
+        json[frame == nullptr ? "curve" : "curve_world"] =
+            has_path ? curve_json(result, frame) : Json(nullptr);
+  if (!ends.in_metres()) return json;
+  json["start_world"] = point(answer.start.asked);
+  json["goal_world"] = point(answer.goal.asked);
+  json["length_m"] = number(ends.map.metres(result.length));
+  json["path_world"] = points(ends.map.to_world(result.path));
+  return json;
+}
+
+std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last) {
+  PlanCommand command = recorded_plan(from);
+  const RunOptions& run = command.run;
+  const auto* before = dynamic_cast<const BitmapProblem*>(last);
+  std::shared_ptr<LoadedMap> map = before != nullptr ? before->map() : nullptr;
+  const bool same = map && map->file == run.map.file && map->radius == run.map.radius &&
+                    map->unknown_is_free == run.map.unknown_is_free &&
+                    map->prepare == run.map.prepare;
+  if (!same)
+    map =
+        std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, run.threads));
+  return std::make_unique<BitmapProblem>(std::move(command), std::move(map));
+}
+
+}  // namespace
+
+const ProblemKind& bitmap_kind() {
+  static const ProblemKind kKind{
+      .key = "algorithms",
+      .plans = "on bitmaps",
+      .commands = {"plan", "drive", "batch", "study"},
+      .takes = [](std::string_view file) { return !is_polygon_file(file); },
+      .algorithms = algorithms(),
+      .default_text = default_text<Params>,
+      .formulas = formulas_of<Params>,
+      .format = kPlanFormat,
+      .wrote =
+          [](const Json& json) {
+            return !is_polygon_file(recorded<std::string>(json, "map/file"));
+          },
+      .again = bitmap_again,
+      .unlike = unlike_radius};
+  return kKind;
+}
+
+std::string unlike_radius(const Json& result) {
+  const std::string version = recorded<std::string>(result, "version");
+  const Json radius = result.value(Json::json_pointer("/parameters/radius"), Json());
+  if (!version.starts_with("0.3.") || !radius.is_number() || radius == 0) return {};
+  return "version " + version +
+         " kept a radius by half a cell's diagonal less; plan it anew, the radius asked is now the "
+         "radius kept";
+}
+
+void note_map(const LoadedMap& map, RunOptions& run) {
+  const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
+  if (prepared.state == Preparation::State::too_large)
+    run.notes.push_back("--prepare has no effect: it would take more than " +
+                        std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
+  if (!run.messages.verbose) return;
+  run.notes.push_back(map.file +
+                      printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
+                              map.height, hash_text(map.hash).c_str(), map.read_ms,
+                              map.planner ? "ready after" : "interrupted after", map.ready_ms));
+  if (prepared.state == Preparation::State::ready)
+    run.notes.push_back(
+        printed("--prepare: %lld vertices, %lld edges, %.1f MB, %.1f ms",
+                static_cast<long long>(prepared.vertices), static_cast<long long>(prepared.edges),
+                1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds));
+  run.notes.push_back(algorithm_text(run, find_algorithm(run.params.algorithm()), true));
+}
+
+Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answer) {
+  const Result& result = answer.result;
+  const MapEnds ends(map, run, answer.start, answer.goal, result,
+                     answer.remedy ? &*answer.remedy : nullptr);
+  Record record = map_record(ends, result);
+  record.most_iterations = most_iterations(record.algorithm, run.params.iterations);
+  record.inputs = {{"map", map_json(map)}};
+  record.optimum = answer.optimum;
+  record.elapsed_ms = answer.elapsed_ms;
+  record.path = coordinates(ends.in_metres() ? map.to_world(result.path) : result.path);
+  if (!run.json && (answer.optimum || answer.grid_optimum))
+    record.remarks.push_back(optima_text(record, answer, run.params));
+  Json findings = end_findings(ends);
+  if (run.with_optimum) {
+    findings["grid_optimum"] = optional_number(answer.grid_optimum);
+    if (moves_on_cells(run.params))
+      findings["grid_gap"] = optional_number(grid_gap(answer, run.params));
+  }
+  record.answer =
+      answer_json(record, path_json(ends, answer, record.has_path()), Json::object(), findings);
+  return record;
+}
+
+BitmapProblem::BitmapProblem(PlanCommand command, std::shared_ptr<LoadedMap> map)
+    : command_(std::move(command)), map_(std::move(map)) {}
+
+std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
+  RunOptions& run = command_.run;
+  const bool given = map_ != nullptr;
+  MapOptions first = run.map;
+  first.prepare = false;
+  if (!given)
+    map_ = std::make_shared<LoadedMap>(
+        load_map(first, run.frame, run.params.corners, run.threads, token));
+  run.inputs.push_back(map_->image);
+  check_radius(*map_, run);
+  answer_.start = to_place(*map_, command_.start, run.frame);
+  answer_.goal = to_place(*map_, command_.goal, run.frame);
+  map_->prepare = run.map.prepare;
+  if (!given && map_->prepare &&
+      is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token))
+    prepare(*map_, run.threads, token);
+  note_map(*map_, run);
+  return most_iterations(find_algorithm(run.params.algorithm()), run.params.iterations);
+}
+
+void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
+  const RunOptions& run = command_.run;
+  const bool colony = find_algorithm(run.params.algorithm()).kind == Algorithm::Kind::colony;
+  if (colony && std::ranges::any_of(run.outputs, is_picture))
+    recorder_.emplace(map_->grid(), run.track_iterations, run.params);
+  if (std::ranges::any_of(run.outputs, is_page)) frames_.emplace(map_->grid(), run.params);
+  const double scale = map_->length_in(run.frame, 1);
+  Observer observer;
+  if (watch || recorder_ || frames_)
+    observer = [&](const GridProgress& progress) {
+      if (watch)
+        watch(progress.iteration + 1,
+              best_text(scale * progress.best_length, run.frame == Frame::world ? "m" : ""));
+      if (recorder_) recorder_->observe(progress);
+      if (frames_) frames_->observe(progress);
+    };
+  answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
+  set_remedy(*map_, run, stop.token, answer_);
+}
+
+Forms BitmapProblem::show(const Record& run) const {
+  return {.picture =
+              [&](const std::string& file) {
+                write_plan_picture(file, *map_, command_.run, answer_,
+                                   recorder_ ? &*recorder_ : nullptr);
+              },
+          .page =
+              [&](std::ostream& out) {
+                write_bitmap_report(out, run, *map_, command_.run,
+                                    {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
+                                    frames_ ? &*frames_ : nullptr);
+              }};
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,201 @@
+#include "tools/bitmap/map_ends.h"
+
+#include <cmath>
+
+#include "core/base/nearest_text.h"
+#include "tools/bitmap/answer.h"
+#include "tools/console/parameters.h"
+#include "tools/console/values.h"
+#include "tools/record/recorded.h"
+
+namespace lasius::tool {
+namespace {
+
+/// An invalid end is the start.
+bool at_start(const MapEnds& ends) {
+  return ends.fault == Fault::start_blocked || ends.fault == Fault::start_outside;
+}
+
+const Place& invalid_end(const MapEnds& ends) { return at_start(ends) ? ends.start : ends.goal; }
+
+/// A cell, with its metres where those are in use.
+std::string name_of(const MapEnds& ends, Cell cell) {
+  return spot_text(ends.map, ends.run.frame, centre(cell));
+}
+
+/// How far a place is from the goal, in cells.
+double from_goal(const MapEnds& ends, Point at) {
+  const Point goal = ends.goal.number;
+  return std::hypot(at.x - goal.x - 0.5, at.y - goal.y - 0.5);
+}
+
+/// In cells.
+double goal_tolerance(const MapEnds& ends) {
+  return request_of(ends.map, ends.run, ends.start.cell, ends.goal.cell).goal_tolerance;
+}
+
+/// Of a goal that is out of reach and what is out of its tolerance.
+std::string tolerance_text(const MapEnds& ends) {
+  const auto& nearest = ends.nearest_reachable;
+  if (!(ends.run.goal_tolerance > 0) || !nearest || at_start(ends)) return {};
+  const auto length = [&](double cells) { return length_text(ends.map, ends.run.frame, cells); };
+  return "; the nearest cell that can be reached, " + name_of(ends, *nearest) + ", is " +
+         length(from_goal(ends, centre(*nearest))) + " from the goal, the tolerance is " +
+         length(goal_tolerance(ends));
+}
+
+std::string invalid_text(const MapEnds& ends) {
+  const LoadedMap& map = ends.map;
+  const Frame frame = ends.run.frame;
+  const bool bad_start = at_start(ends);
+  const Place& place = invalid_end(ends);
+  const std::string text =
+      (bad_start ? "start " : "goal ") + place_text(place, frame) +
+      obstruction_text(map, frame, obstruction_of(map, place.cell, ends.curved()));
+  if (!ends.nearest_free)
+    return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
+  const auto& reachable = ends.nearest_reachable;
+  return text +
+         nearest_text(bad_start, name_of(ends, *ends.nearest_free),
+                      reachable ? std::optional(name_of(ends, *reachable)) : std::nullopt) +
+         (bad_start || ends.run.goal_tolerance > 0 || !reachable
+              ? ""
+              : "; --goal-tolerance lets a path end near the goal");
+}
+
+std::string error_text(const MapEnds& ends) {
+  const Frame frame = ends.run.frame;
+  if (ends.status == Status::invalid)
+    return invalid_text(ends) + tolerance_text(ends) +
+           metres_hint(ends.map, frame, invalid_end(ends));
+  std::string text = ends.error;
+  if (ends.status != Status::unreachable) return text;
+  if (ends.remedy != nullptr)
+    text = "start " + place_text(ends.start, frame) + " and goal " + place_text(ends.goal, frame) +
+           " lie in different regions of free cells";
+  if (ends.map.radius > 0)  // why cells that look free are not
+    text += (ends.curved() ? " (for a disc of radius "
+                           : " (by walks over cells, for a disc of radius ") +
+            length_text(ends.map, frame, ends.map.radius, 6) + ")";
+  if (ends.remedy == nullptr) return text;
+  return text + remedy_text(ends.map, frame, *ends.remedy) + tolerance_text(ends);
+}
+
+/// Where a path leads first, of a start that is too near to what is blocked.
+std::string way_out_text(const MapEnds& ends) {
+  const Frame frame = ends.run.frame;
+  const Cell start = ends.start.cell;
+  const Point from = centre(start), out = *ends.way_out;
+  return "start " + place_text(ends.start, frame) +
+         obstruction_text(ends.map, frame, obstruction_of(ends.map, start, ends.curved())) +
+         "; the path first leads straight out to " + spot_text(ends.map, frame, out) + ", " +
+         length_text(ends.map, frame, std::hypot(out.x - from.x, out.y - from.y)) + " away";
+}
+
+/// A radius that was meant in metres, perhaps.
+std::string radius_hint(const MapEnds& ends) {
+  const LoadedMap& map = ends.map;
+  return "the radius is " + to_text(map.radius) + " cells, " +
+         rounded_text(map.metres(map.radius), 6) + " m; with --frame world it is taken in metres";
+}
+
+/// How far a path ends from its goal.
+std::string short_of_goal(const MapEnds& ends) {
+  const Frame frame = ends.run.frame;
+  return "the path ends at " + spot_text(ends.map, frame, *ends.end) + ", " +
+         length_text(ends.map, frame, from_goal(ends, *ends.end)) +
+         " from the goal, which cannot be reached";
+}
+
+/// A start or goal as it was given: a cell, or metres.
+Point recorded_end(const Json& result, const std::string& key, Frame frame) {
+  if (frame == Frame::world) return recorded_point(result, key + "_world");
+  const Point cell = recorded_point(result, key);
+  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
+    throw UsageError("\"" + key + "\" is no cell");
+  return cell;
+}
+
+}  // namespace
+
+Json map_json(const LoadedMap& map) {
+  return {{"file", map.file},
+          {"hash", hash_text(map.hash)},
+          {"width", map.width},
+          {"height", map.height}};
+}
+
+Json cell_json(const Place& place) {
+  const auto [x, y] = place.number;
+  return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
+}
+
+bool MapEnds::curved() const { return route_of(map, run).curved; }
+
+Record map_record(const MapEnds& ends, const SearchResult& result) {
+  const RunOptions& run = ends.run;
+  Record record{.options = run,
+                .algorithm = find_algorithm(run.params.algorithm()),
+                .start = cell_json(ends.start),
+                .goal = cell_json(ends.goal),
+                .parameters = {},
+                .result = result,
+                .error = error_text(ends),
+                .unit = ends.in_metres() ? "m" : "",
+                .scale = ends.map.length_in(run.frame, 1)};
+  Json& json = record.parameters = parameters_json(record.algorithm, run);
+  add_limits(json, run);
+  json["radius"] = number(ends.map.radius);
+  json["unknown"] = ends.map.unknown_is_free ? "free" : "blocked";
+  if (ends.map.prepare) json["prepare"] = true;
+  json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
+  if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
+  if (run.json || !record.has_path()) return record;
+  if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
+    record.remarks.push_back(radius_hint(ends));
+  if (ends.way_out) record.remarks.push_back(way_out_text(ends));
+  if (ends.end && *ends.end != centre(ends.goal.cell))
+    record.remarks.push_back(short_of_goal(ends));
+  return record;
+}
+
+Json end_findings(const MapEnds& ends) {
+  Json json = Json::object();
+  if (ends.status == Status::invalid && (ends.map.unknown || ends.map.radius > 0)) {
+    const auto why = obstruction_of(ends.map, invalid_end(ends).cell, ends.curved());
+    json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
+    if (why.by == "radius") json["clearance"] = number(why.clearance);
+  }
+  if (ends.remedy != nullptr && ends.remedy->searched)
+    json["widest_radius"] = optional_number(ends.remedy->widest_radius);
+  return json;
+}
+
+void add_goal_reached(Json& json, const MapEnds& ends) {
+  if (!(ends.run.goal_tolerance > 0)) return;
+  const auto& cell = ends.reached;
+  const auto& end = ends.end;
+  const bool middle = cell && *end == centre(*cell);
+  json["goal_reached"] = middle ? Json{cell->x, cell->y} : end ? point(*end) : Json();
+  if (ends.in_metres()) json["goal_reached_world"] = end ? point(ends.map.to_world(*end)) : Json();
+}
+
+PlanCommand recorded_plan(const Recorded& from) {
+  const Json& result = from.result;
+  PlanCommand command;
+  RunOptions& run = command.run;
+  const auto name = recorded<std::string>(result, "algorithm");
+  read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
+  run.params = make_params<Params>(run, bitmaps());
+  run.map.file = from.map_file();
+  run.map.radius = recorded<double>(result, "parameters/radius");
+  run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
+  if (result["parameters"].contains("prepare"))
+    run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  command.start = recorded_end(result, "start", run.frame);
+  command.goal = recorded_end(result, "goal", run.frame);
+  return command;
+}
+
+}  // namespace lasius::tool

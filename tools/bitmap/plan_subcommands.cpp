@@ -1,0 +1,150 @@
+// lasius plan, lasius batch.
+#include <memory>
+
+#include "tools/bitmap/bitmap_problem.h"
+#include "tools/command_line/map_options.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/kinds.h"
+#include "tools/options/commands.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png", ".html"};
+constexpr std::span<const std::string_view> kBatchEndings = std::span(kPlanEndings).first(4);
+
+constexpr const char* kOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv  iteration,best,mean,arrived by iteration; x,y of the path for algorithms without "
+    "iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
+    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon "
+    "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
+    ".html  one page that plays the run, opens from disk and needs no network; not for batch";
+
+constexpr SearchHelp kRunHelp = {
+    .seed =
+        "Seed, from 0 to 2^53-1 (default 1). A-B or A..B: every query with each of these seeds, "
+        "a JSON object a line, from plan too, which ends with 0 where any of them returned a path",
+    .time_limit =
+        "Stop after this time, counted once the map is prepared; for batch by query. "
+        "Each optimum of --gap may take as long again",
+    .target_gap = "Stop at this certified gap, for algorithms that certify one (1 means 1%)",
+    .json = "Print one JSON object (batch always does, one a query)",
+    .outputs = kOutputs,
+    .endings = kPlanEndings};
+
+/// Of `plan` and `batch`, not of drives.
+void add_tracks(OptionTable& table, RunOptions& to) {
+  table.add("--tracks",
+            "Iterations of which a picture shows the tracks (default: 1, the critical time, 50, "
+            "the last)",
+            "N,N,...",
+            [&to](const auto& text) { to.track_iterations = list_value("--tracks", text); });
+}
+
+/// What is typed of `plan` and `batch`, on bitmaps and among polygons.
+struct PlanText {
+  RunOptions run;
+  WorldOptions world;
+  std::string start, goal, queries;
+};
+
+/// `plan` among polygons.
+PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
+  PolygonCommand command{text.run, text.world, {}, {}, text.queries};
+  finish_search(command);
+  command.world.file = text.run.map.file;
+  command.inputs = {command.world.file, text.queries};
+  if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
+  if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
+  command.with_optimum = true;  // it is found beside
+  if (text.run.frame == Frame::world)
+    throw UsageError("--frame world: " + command.world.file +
+                     " gives no frame, a polygon world is in its own coordinates; leave it out");
+  refuse_radius(table);
+  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks"})
+    if (table.given(option))
+      command.notes.push_back(option + std::string(" has no effect") +
+                              (option == std::string_view("--unknown-free")
+                                   ? ": a polygon world has no unknown part"
+                                   : " on a polygon world"));
+  return command;
+}
+
+int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
+  RunOptions& asked = text.run;
+  asked.called = call.line;
+  if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
+  refuse_world_options(table);
+  if (!text.queries.empty()) {
+    finish_run(asked);
+    asked.inputs.push_back(text.queries);
+    return run_bitmap_batch({asked, {}, {}, text.queries});
+  }
+  const PlanCommand plan = plan_command(asked, text.start, text.goal);
+  if (plan.run.ranged) return run_bitmap_batch(plan);
+  BitmapProblem problem(plan);
+  return run(problem);
+}
+
+}  // namespace
+
+Subcommand add_plan(CLI::App& app) {
+  auto text = std::make_shared<PlanText>();
+  OptionTable table(app, "plan", "Plan one path");
+  table.text("--start", text->start, "Where the path starts; a polygon world may say", "X,Y");
+  table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
+  table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
+  add_run_options(table, text->run, kRunHelp);
+  add_tracks(table, text->run);
+  add_world_options(table, text->world);
+  return table.command(
+      {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
+                     "the shortest path: status, length, vertices"},
+                    {"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179 "
+                     "--algorithm mmas --iterations 20 --gap -o run.json -o run.png",
+                     "a colony, its gap to the optimum, a result to verify and a picture"},
+                    {"lasius plan maps/grid20a.map --start 0,0 --goal 19,19 --algorithm as "
+                     "--set persistence=0.7 --seed 1-5",
+                     "five seeds: a JSON object each"},
+                    {"lasius plan maps/maklink200.geojson --algorithm maklink-acs",
+                     "among polygons, whose file names start and goal"}},
+       .exits = {{kFound, "a path was returned"},
+                 {kBadFile, "a map is missing or broken"},
+                 {kInvalidQuery, "start or goal outside or blocked"},
+                 {kUnreachable, "proven unreachable"},
+                 {kNoPath, "no path: limit or iterations spent"},
+                 kOutput,
+                 {kInterrupted, "interrupted, best so far written"}},
+       .json = "program/JSON of a plan"},
+      [=](const Call& call) { return run_plan(table, *text, call); });
+}
+
+Subcommand add_batch(CLI::App& app) {
+  auto text = std::make_shared<PlanText>();
+  OptionTable table(app, "batch", "Plan many paths on one map: JSON, one object a line");
+  table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
+  SearchHelp help = kRunHelp;
+  help.endings = kBatchEndings;
+  add_run_options(table, text->run, help);
+  add_tracks(table, text->run);
+  add_world_options(table, text->world);
+  table
+      .file("QUERIES", text->queries,
+            "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen",
+            {".scen", ".tsv", ".txt"})
+      ->required();
+  return table.command(
+      {.examples = {{"lasius batch maps/fan400x200.map queries.tsv --prepare",
+                     "a JSON object for each line of queries.tsv, which begins with sx sy gx gy"}},
+       .exits = {{kFound,
+                  "every query was answered, be it by status invalid, unreachable or no_path"},
+                 {kBadFile, "map or queries are missing or broken, nothing printed"},
+                 kOutput,
+                 {kInterrupted, "interrupted, whole lines only"}},
+       .json = "program/JSON of a plan"},
+      [=](const Call& call) { return run_plan(table, *text, call); });
+}
+
+}  // namespace lasius::tool

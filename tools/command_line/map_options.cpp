@@ -1,0 +1,116 @@
+#include "tools/command_line/map_options.h"
+
+#include <algorithm>
+
+#include "tools/console/kinds.h"
+#include "tools/console/parameters.h"
+#include "tools/record/outputs.h"
+#include "tools/yaml/document.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr const char* kPrepare =
+    "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers "
+    "are as short as without; lasius info MAP --prepare shows what it costs";
+
+}  // namespace
+
+void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help) {
+  add_search_options(table, to, help);
+  add_parameter(table, "--neighbours", to, "Moves from a cell", "4|8|16|16k|24|32");
+  add_parameter(table, "--corners", to, "Diagonal steps past blocked cells",
+                "forbid|one-side|allow");
+  add_preset(table, to,
+             "Numbers to start with: usual, or the textbook's of algorithms that have them (see "
+             "lasius algorithms), or a file's, as tune writes it");
+  add_parameter(table, "--polish", to, "What is done with a path", "none|straight|taut|local");
+  table.choice("--frame", to.frame, kFrames,
+               "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and "
+               "lower edge there",
+               "cell|world");
+  table.real(
+      "--radius", to.map.radius, 0, kNoLimit,
+      "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
+      "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
+      "cells; other algorithms plan on cells whose centres keep R, by moves that keep it. plan "
+      "and batch lead a start that is free, but nearer than that, out first",
+      "R");
+  table.real(
+      "--goal-tolerance", to.goal_tolerance, 0, kNoLimit,
+      "Where the goal cannot be reached, end at the free cell nearest to it that can be (with "
+      "--radius exact ends at the nearest point), at most R away from centre to centre; R in cells "
+      "(metres with --frame world)",
+      "R");
+  table.flag("--unknown-free", to.map.unknown_is_free, "Unknown cells of a ROS map count as free");
+  table.flag("--prepare", to.map.prepare, kPrepare);
+  table.flag("--gap", to.with_optimum,
+             "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
+             "null where a time limit or a signal ended the search for it, or where --corners "
+             "allow lets moves squeeze through where no path of the plane may");
+}
+
+/// What is left to do once all options of a run on a bitmap are read.
+void finish_run(RunOptions& run) {
+  finish_search(run);
+  run.params = make_params<Params>(run, bitmaps());
+  const std::string& algorithm = run.params.algorithm();
+  const bool certifies = !moves_on_cells(run.params);
+  MapOptions& map = run.map;
+  run.inputs = {map.file, run.preset_file};
+  map.radius_metres = run.frame == Frame::world;
+  const auto note = [&](const std::string& text) { run.notes.push_back(text); };
+  if (map.unknown_is_free && !is_document(map.file))
+    note("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
+  if (run.target_gap > 0 && !certifies)
+    note("--target-gap has no effect: " + algorithm + " certifies no gap");
+  if (map.prepare && !run.with_optimum && !certifies) {
+    map.prepare = false;
+    note("--prepare has no effect: it is for exact, and for --gap");
+  }
+  if (run.track_iterations.empty()) return;
+  if (find_algorithm(algorithm).kind != Algorithm::Kind::colony)
+    note("--tracks has no effect: " + algorithm + " has no ants");
+  else if (std::ranges::none_of(run.outputs, is_picture))
+    note("--tracks has no effect without -o of a picture, .svg or .png");
+}
+
+PlanCommand plan_command(RunOptions& run, const std::string& start, const std::string& goal) {
+  require("", "--start", start);
+  require("", "--goal", goal);
+  finish_run(run);
+  return {run, end_value("--start", start, run.frame, run.map.file),
+          end_value("--goal", goal, run.frame, run.map.file)};
+}
+
+void add_world_options(OptionTable& table, WorldOptions& to) {
+  table.real("--margin", to.margin, 0, WorldOptions::kMostMargin,
+             "Polygon worlds: the robot is a disc: its centre keeps R (the world's unit) from "
+             "obstacles and from the boundary, in place of the file's margin",
+             "R");
+  table.choice(
+      "--join", to.join, kJoins,
+      "Polygon worlds: corners of grown obstacles (default round, the margin and at most 0.5% "
+      "more; mitre reaches farther and may close passages, bevel keeps less, chords 99.5%)",
+      "round|mitre|bevel|chords");
+  table.choice(
+      "--boundary", to.boundary, kBoundaries,
+      "Polygon worlds: whether the robot keeps the margin from the boundary, too (default shrink)",
+      "shrink|keep");
+  table.flag("--repair", to.repair, "Polygon worlds: repair geometry that is not valid");
+}
+
+void refuse_world_options(const OptionTable& table) {
+  for (const char* option : {"--margin", "--join", "--boundary", "--repair"})
+    if (table.given(option))
+      throw UsageError(std::string(option) +
+                       " is for polygon worlds (.geojson, .json, .wkt); the robot's radius is "
+                       "--radius on bitmaps");
+}
+
+void refuse_radius(const OptionTable& table) {
+  if (table.given("--radius"))
+    throw UsageError("--radius is for bitmaps; the robot's radius is --margin on polygon worlds");
+}
+
+}  // namespace lasius::tool

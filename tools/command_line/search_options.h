@@ -1,0 +1,63 @@
+// The options that the commands that plan have in common.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tools/command_line/option_table.h"
+#include "tools/console/exit_code.h"
+#include "tools/options/options.h"
+
+namespace lasius::tool {
+
+inline const ExitText kOutput{kNoOutput, "an output cannot be written"};
+/// Files that say more than a text: presets, studies.
+inline const std::vector<std::string> kDocuments{".yaml", ".yml", ".json"};
+
+/// What the options that all planning commands have mean to one of them.
+struct SearchHelp {
+  const char* seed;
+  const char* time_limit;
+  const char* target_gap;
+  const char* json;
+  const char* outputs;
+  std::span<const std::string_view> endings;  ///< of outputs
+};
+
+void add_search_options(OptionTable& table, SearchOptions& to, const SearchHelp& help);
+/// An algorithm's parameter with an option of its own.
+void add_parameter(OptionTable& table, const char* option, SearchOptions& to, const char* help,
+                   const char* type);
+void add_preset(OptionTable& table, SearchOptions& to, const char* help);
+
+/// What is left to read once all options are: a preset's file, threads. @throws UsageError for
+/// options that do not go together.
+void finish_search(SearchOptions& options);
+
+void add_seed(OptionTable& table, std::uint64_t& to);
+
+/// The first of "N", "A-B" or "A..B" (N: from 1 on), and how many they are.
+/// @throws UsageError for another text, one below `least`, and too many.
+std::pair<std::uint64_t, int> seed_range(std::string_view option, const std::string& text,
+                                         std::int64_t least);
+
+/// -o of files whose ending is one of `endings`, the nearest of which a UsageError names; a stream
+/// (/dev/stdout) needs none.
+void check_ending(const std::string& file, std::span<const std::string_view> endings);
+std::vector<std::string> texts(std::span<const std::string_view> words);
+
+/// A start or goal on a bitmap: a cell, or metres. @throws UsageError
+Point end_value(std::string_view option, const std::string& text, Frame frame,
+                const std::string& map);
+/// Options that must be there though CLI11 does not say so. @throws UsageError
+void require(const std::string& command, const char* option, const std::string& text);
+
+/// Files that a bitmap is read from, and those of polygon worlds.
+std::vector<std::string> map_endings(bool with_worlds);
+
+}  // namespace lasius::tool

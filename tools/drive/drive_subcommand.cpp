@@ -1,0 +1,100 @@
+// lasius drive.
+#include <memory>
+
+#include "tools/command_line/map_options.h"
+#include "tools/console/kinds.h"
+#include "tools/console/parameters.h"
+#include "tools/drive/drive_kind.h"
+#include "tools/options/commands.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::array<std::string_view, 6> kDriveEndings{".json", ".csv", ".svg",
+                                                        ".png",  ".gif", ".html"};
+
+constexpr const char* kDriveOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv  x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
+    ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
+    ".gif  a film of at most 301 pictures\n"
+    ".html  one page that plays the drive tick by tick";
+
+}  // namespace
+
+Subcommand add_drive(CLI::App& app) {
+  struct Text : DriveCommand {
+    std::string start_text, goal_text, sense_text;
+  };
+  auto text = std::make_shared<Text>();
+  OptionTable table(app, "drive",
+                    "Drive a robot through a world that is not as its map has it, and changes");
+  table.text("--start", text->start_text, "Where the robot starts", "X,Y");
+  table.text("--goal", text->goal_text, "Where it is to go", "X,Y");
+  table.file("--world", text->world,
+             "What is really there, as large as MAP (default as MAP has it)", map_endings(false));
+  table.file("--changes", text->changes,
+             "What changes under way, a line each: TICK X Y [W H] blocked|free, or "
+             "TICK move W H SPEED X Y [X Y]... for an obstacle that moves",
+             {});
+  table.text("--sense", text->sense_text,
+             "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
+  table.integer("--max-ticks", text->max_ticks, 0, DriveCommand::kMostTicks,
+                "Moves and waits at most (default 1000000)", "N");
+  table
+      .file("MAP", text->run.map.file,
+            "Map that the robot knows: .map, PBM, PGM, PNG, BMP or ROS YAML", map_endings(false))
+      ->required();
+  add_run_options(table, text->run,
+                  {.seed = "Seed, from 0 to 2^53-1 (default 1)",
+                   .time_limit = "Stop the drive after this time",
+                   .target_gap = "Plan no further than to this certified gap (1 means 1%)",
+                   .json = "Print one JSON object",
+                   .outputs = kDriveOutputs,
+                   .endings = kDriveEndings});
+  table["--gap"]->description("No effect: a drive always tells the optimum of its moves");
+  const auto refuse = [](const std::string&) {
+    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
+  };
+  table.add("--tracks", "", "N,N,...", refuse)->group(kRefused);
+  return table.command(
+      {.examples =
+           {{"lasius drive maps/grid30a.map --start 0,0 --goal 29,29 --sense 3 -o run.png",
+             "a robot that sees three cells far, and a picture of its way"},
+            {"lasius drive maps/free-space-simple.map --start 0,0 --goal 9,9 --sense 2 --world "
+             "maps/free-space-average.map --json",
+             "a world that is not as the map has it"}},
+       .exits = {{kFound, "the robot arrived"},
+                 {kBadFile, "map, world or changes are missing or broken"},
+                 {kInvalidQuery, "start or goal outside or blocked"},
+                 {kUnreachable, "proven unreachable on what is known at last"},
+                 {kNoPath, "not arrived: trapped, or a limit spent"},
+                 kOutput,
+                 {kInterrupted, "interrupted, the drive so far written"}},
+       .json = "driving/JSON of a drive"},
+      [=](const Call& call) {
+        DriveCommand& drive = *text;
+        RunOptions& run = drive.run;
+        run.called = call.line;
+        if (is_polygon_file(run.map.file))
+          throw UsageError(run.map.file + ": drives are on bitmaps only");
+        const bool prepare = run.map.prepare;
+        static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
+        if (run.ranged)
+          throw UsageError("--seed " + table.in_order("--seed").front().second +
+                           ": one drive has one seed; a range is for plan");
+        if (run.with_optimum)
+          run.notes.emplace_back(
+              "--gap has no effect: a drive always tells the optimum of its moves");
+        run.map.prepare = prepare && !moves_on_cells(run.params);
+        run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
+        if (!text->sense_text.empty())
+          drive.sense = real_value("--sense", text->sense_text,
+                                   run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
+                                   DriveCommand::kMostSense);
+        return run_command(drive);
+      });
+}
+
+}  // namespace lasius::tool

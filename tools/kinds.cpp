@@ -1,0 +1,23 @@
+// What there is: a line a kind of problem, a line a command.
+#include "tools/console/kinds.h"
+
+#include "tools/arm/arm_kind.h"
+#include "tools/bitmap/bitmap_problem.h"
+#include "tools/command_line/subcommands.h"
+#include "tools/drive/drive_kind.h"
+#include "tools/polygon/polygon_kind.h"
+
+namespace lasius::tool {
+
+std::span<const ProblemKind* const> kinds() {
+  static const ProblemKind* const kAll[] = {&bitmap_kind(), &drive_kind(), &arm_kind(),
+                                            &polygon_kind()};
+  return kAll;
+}
+
+std::vector<AddSubcommand> subcommands() {
+  return {add_plan,   add_drive, add_batch, add_info, add_algorithms, add_generate,
+          add_verify, add_study, add_tune,  add_arm,  add_help};
+}
+
+}  // namespace lasius::tool
