@@ -113,6 +113,9 @@ class Help(HelpTest):
     def test_examples_run(self):
         os.symlink(MAPS, self.path("maps"))
         self.write("queries.tsv", "sx\tsy\tgx\tgy\n14\t14\t380\t179\n")
+        for part in ("1", "2"):
+            answers = self.run_program("batch", "maps/fan400x200.map", "queries.tsv", "--part", part + "/2")
+            self.write(f"part{part}.jsonl", answers.out)
         slow = "lasius study fan2004"  # minutes
         count = 0
         commands = self.commands()

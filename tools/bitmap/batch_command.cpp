@@ -91,7 +91,8 @@ int run_bitmap_batch(const PlanCommand& command) {
   LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
   check_outputs(run.outputs, {map.image});
   check_radius(map, run);
-  const QueryFile file = queries_of(command, map);
+  QueryFile file = queries_of(command, map);
+  keep_part(file.queries, run.part);
   note_map(map, run);
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
@@ -112,7 +113,7 @@ int run_bitmap_batch(const PlanCommand& command) {
       if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
       set_remedy(map, run, how.token, answer);
       Record record = record_of(map, run, answer);
-      record.index = index;
+      record.index = run.part.among_all(index);
       record.seed = found.seed;
       take(record, end_texts(run, answer), found.result.path);
     };

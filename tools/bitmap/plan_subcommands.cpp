@@ -135,6 +135,8 @@ Subcommand add_batch(CLI::App& app) {
             "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen",
             {".scen", ".tsv", ".txt"})
       ->required();
+  add_part(table, text->run.part,
+           "Answer the I-th of N parts of the queries; `lasius merge` joins the parts' outputs");
   return table.command(
       {.examples = {{"lasius batch maps/fan400x200.map queries.tsv --prepare",
                      "a JSON object for each line of queries.tsv, which begins with sx sy gx gy"}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
@@ -119,6 +120,19 @@ std::pair<std::uint64_t, int> seed_range(std::string_view option, const std::str
                      " of them");
   return {static_cast<std::uint64_t>(range->first),
           static_cast<int>(range->second - range->first) + 1};
+}
+
+void add_part(OptionTable& table, Part& to, const char* help) {
+  table.add("--part", help, "I/N", [&to](const std::string& text) {
+    const auto numbers = split(text, '/');
+    const auto number = number_of<int>(numbers.front());
+    const auto of = number_of<int>(numbers.back());
+    if (numbers.size() != 2 || !number || !of || *of < 1 || *of > Part::kMost || *number < 1 ||
+        *number > *of)
+      throw UsageError("--part: \"" + text + "\" is not I/N, with N from 1 to " +
+                       std::to_string(Part::kMost) + " and I from 1 to N");
+    to = {.number = *number, .of = *of};
+  });
 }
 
 void check_ending(const std::string& file, std::span<const std::string_view> endings) {

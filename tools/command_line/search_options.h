@@ -46,6 +46,9 @@ void add_seed(OptionTable& table, std::uint64_t& to);
 std::pair<std::uint64_t, int> seed_range(std::string_view option, const std::string& text,
                                          std::int64_t least);
 
+/// --part I/N.
+void add_part(OptionTable& table, Part& to, const char* help);
+
 /// -o of files whose ending is one of `endings`, the nearest of which a UsageError names; a stream
 /// (/dev/stdout) needs none.
 void check_ending(const std::string& file, std::span<const std::string_view> endings);

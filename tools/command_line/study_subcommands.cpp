@@ -104,6 +104,8 @@ std::string usual_folder(const std::string& prefix, const std::string& file) {
 
 int run_asked(const OptionTable& table, StudyCommand& study, const ShortText& text,
               const Call& call) {
+  if (study.part.divided() && is_page(study.folder))
+    throw UsageError("-o " + study.folder + ": a part has no page; give a folder");
   study.called = call.line;
   if (study.threads == 0) study.threads = thread_count("");
   const bool run = study.name == "run";
@@ -155,6 +157,8 @@ Subcommand add_study(CLI::App& app) {
       "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",
       "DIR|FILE.html");
   add_threads_and_maps(table, to->threads, to->maps);
+  add_part(table, to->part,
+           "Make the I-th of N parts of the runs, and no report; `lasius merge` joins the folders");
   table.text("--start", to->texts.start, "With run: where paths start", "X,Y");
   table.text("--goal", to->texts.goal, "With run: where they end", "X,Y");
   table.choice("--frame", run.frame, kFrames,

@@ -41,6 +41,7 @@ Subcommand add_info(CLI::App& app);
 Subcommand add_algorithms(CLI::App& app);
 Subcommand add_generate(CLI::App& app);
 Subcommand add_verify(CLI::App& app);
+Subcommand add_merge(CLI::App& app);
 Subcommand add_study(CLI::App& app);
 Subcommand add_tune(CLI::App& app);
 Subcommand add_help(CLI::App& app);

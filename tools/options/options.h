@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -28,6 +29,21 @@ struct MapOptions {
   bool prepare = false;        ///< make the visibility graph
 };
 
+/// `--part I/N`: of the queries or runs those whose number, from 0, leaves I - 1 by N.
+struct Part {
+  static constexpr int kMost = 1'000'000;
+  int number = 1;
+  int of = 0;             ///< 0: undivided
+  std::size_t whole = 0;  ///< how many queries all parts have
+
+  bool divided() const noexcept { return of > 0; }
+  bool holds(std::size_t i) const noexcept { return !divided() || i % of == number - 1u; }
+  /// The number among all of one that is the i-th here.
+  std::size_t among_all(std::size_t i) const noexcept {
+    return divided() ? i * of + (number - 1) : i;
+  }
+};
+
 /// How much is said on stderr.
 struct Messages {
   ProgressMode progress = ProgressMode::automatic;
@@ -50,6 +66,7 @@ struct SearchOptions {
   std::uint64_t seed = 1;
   int seeds = 1;        ///< runs of `plan` and `batch`, with `seed` and those after it
   bool ranged = false;  ///< seeds were given as a range, also of one
+  Part part;            ///< of a batch
   int threads = 1;
   double target_gap = 0;             ///< fraction
   double goal_tolerance = 0;         ///< in the world's unit; of a bitmap as MapOptions::radius
@@ -112,6 +129,7 @@ struct StudyCommand {
   ShortStudy run = {};      ///< of "run"
   std::string called = {};  ///< as SearchOptions::called
   std::string page = {};    ///< file of the report's page; empty: report.html in `folder`
+  Part part = {};
 };
 
 struct TuneCommand {

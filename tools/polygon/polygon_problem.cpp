@@ -214,7 +214,9 @@ int run_polygon_batch(PolygonCommand plan) {
   const LoadedWorld world = load_world(plan.world);
   note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
   std::vector<polygon::Request> queries;
-  for (const auto& [start, goal] : queries_of(plan, world.planner.world()))
+  auto lines = queries_of(plan, world.planner.world());
+  keep_part(lines, plan.part);
+  for (const auto& [start, goal] : lines)
     queries.push_back({.start = start,
                        .goal = goal,
                        .target_gap = plan.target_gap,
@@ -223,7 +225,7 @@ int run_polygon_batch(PolygonCommand plan) {
     const auto receive = [&](const polygon::BatchAnswer& found) {
       const auto one = to_answer(parameters, queries[found.index], found.result, found.elapsed);
       Record record = polygon_record(world, plan, one);
-      record.index = found.index;
+      record.index = plan.part.among_all(found.index);
       record.seed = found.seed;
       const auto [start, goal] = std::pair(one.start, one.goal);
       take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lasius/geometry.h"
+#include "tools/options/options.h"
 
 namespace lasius::tool {
 
@@ -34,6 +35,14 @@ QueryFile read_table(const std::string& file);
 /// The same from a stream; `file` is named in errors.
 QueryFile read_queries(std::istream& in, const std::string& file, int width, int height, bool whole,
                        bool metres = false);
+
+/// Leaves of the queries those of a part, and tells it how many there were.
+template <class Query>
+void keep_part(std::vector<Query>& queries, Part& part) {
+  part.whole = queries.size();
+  std::size_t i = 0;
+  std::erase_if(queries, [&](const Query&) { return !part.holds(i++); });
+}
 
 /// A file to read. @throws Error(file_missing) with the reason and `remedy`, also for a folder.
 std::ifstream opened(const std::string& file, const std::string& remedy);

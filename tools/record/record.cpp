@@ -88,6 +88,8 @@ Json answer_json(const Record& run, const Json& path, const Json& effort, const 
 Json result_json(const Record& run) {
   Json json = {{"format", run.format}, {"version", LASIUS_VERSION}};
   if (run.index) json["index"] = *run.index;
+  if (const Part& part = run.options.part; part.divided())
+    json["part"] = {{"number", part.number}, {"of", part.of}, {"queries", part.whole}};
   json.update(run.inputs);
   json["algorithm"] = run.algorithm.name;
   json["start"] = run.start;

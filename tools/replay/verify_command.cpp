@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/json_place.h"
 #include "core/base/number_text.h"
 #include "core/io/json_values.h"
 #include "lasius/error.h"
@@ -22,6 +20,7 @@
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
+#include "tools/record/saved.h"
 
 namespace lasius::tool {
 namespace {
@@ -33,44 +32,11 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
-/// A result, and the byte of its file at which it begins.
-struct Saved {
-  Json json;
-  std::int64_t offset;
-};
-
 Error broken(Error::Place place, const std::string& problem) {
   return Error(
       ErrorCode::file_broken, std::move(place), problem,
       "give a result that `lasius plan --json`, `lasius batch`, `lasius drive --json` or `lasius "
       "arm --json` printed");
-}
-
-/// A result among several, counted from 0, as messages name it.
-std::string nth(const std::string& file, std::size_t i) {
-  return file + ", result " + std::to_string(i + 1);
-}
-
-/// The objects of a file: one result, or one a line.
-std::vector<Saved> read_results(const std::string& file) {
-  auto stream = opened(file, "name a saved result");
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  const std::string_view text = bytes;
-  std::vector<Saved> results;
-  const auto next = [&](std::size_t from) {
-    return std::min(text.find_first_not_of(" \t\r\n", from), text.size());
-  };
-  for (std::size_t from = next(0); from < text.size();) {
-    const std::size_t end = from + JsonPlace::end_of_first(text.substr(from));
-    const std::size_t after = next(end);
-    const bool only = results.empty() && after == text.size();
-    results.push_back(
-        {json::read(text.substr(0, end), only ? file : nth(file, results.size()), from),
-         static_cast<std::int64_t>(from)});
-    from = after;
-  }
-  if (results.empty()) throw broken({.file = file, .offset = 0}, "holds no result");
-  return results;
 }
 
 using Version = std::array<int, 3>;
@@ -144,6 +110,7 @@ void forget_effort(Json& result) {
 /// is.
 std::string difference(Json recorded, Json replay, std::string& missing_optimum) {
   if (recorded.contains("version")) replay["version"] = recorded["version"];
+  recorded.erase("part");
   forget_effort(recorded);
   forget_effort(replay);
   for (const char* input : {"map", "world", "changes", "robot", "scene"}) {
@@ -271,11 +238,12 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
 
 int verify_all(const VerifyCommand& command) {
   const auto results = read_results(command.result);
+  if (results.empty()) throw broken({.file = command.result, .offset = 0}, "holds no result");
   std::unique_ptr<Problem> last;
   int code = kFound;
   std::size_t equal = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const std::string name = results.size() > 1 ? nth(command.result, i) : command.result;
+    const std::string name = results.size() > 1 ? nth_result(command.result, i) : command.result;
     const int one = verify(command, results[i], name, last);
     if (one == kFound) ++equal;
     // A difference weighs more than a result that cannot be replayed.

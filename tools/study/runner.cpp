@@ -29,13 +29,14 @@ struct Job {
 
 /// Takes the kept runs of a sample from their files, and adds the jobs that are left.
 void list_jobs(const std::shared_ptr<const PreparedRun>& prepared, const RunnerOptions& options,
-               Sample& sample, std::vector<Job>& jobs) {
+               Sample& sample, std::size_t& number, std::vector<Job>& jobs) {
   sample.paths_an_iteration = prepared->paths_an_iteration;
   sample.runs.resize(static_cast<std::size_t>(options.seeds));  // seed 0: not done
   const fs::path folder = options.folder / "runs" / sample.experiment->name /
                           sample.question->name / sample.contender->name;
   make_folder(folder);
   for (std::size_t r = 0; r < sample.runs.size(); ++r) {
+    if (!options.part.holds(number++)) continue;
     const std::uint64_t seed = options.first_seed + r;
     const fs::path file = folder / (std::to_string(seed) + ".json");
     if (auto kept = read_run(file, prepared->key, seed))
@@ -50,6 +51,7 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
   std::size_t samples = 0;
   for (const Experiment& e : study.experiments) samples += e.contenders.size() * e.questions.size();
   findings.samples.reserve(samples);
+  std::size_t number = 0;  // of the next run
   std::vector<Job> jobs;
   for (const Experiment& experiment : study.experiments) {
     for (const Contender& contender : experiment.contenders) {
@@ -66,7 +68,7 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
           break;
         }
         findings.samples.push_back({&experiment, &question, &contender});
-        list_jobs(prepared, options, findings.samples.back(), jobs);
+        list_jobs(prepared, options, findings.samples.back(), number, jobs);
       }
     }
   }
@@ -140,7 +142,7 @@ Findings run_study(const Study& study, const Domain& domain, const RunnerOptions
   Findings findings;
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions) {
-      if (options.stop.stop_requested()) break;
+      if (options.stop.stop_requested() || options.part.divided()) break;
       if (const auto length = domain.optimum(question, experiment.optimum, {.token = options.stop}))
         findings.optima.emplace(std::pair(&experiment, &question), *length);
     }

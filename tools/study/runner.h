@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <string>
 
+#include "tools/options/options.h"
 #include "tools/study/findings.h"
 
 namespace lasius::study {
@@ -82,10 +83,12 @@ struct RunnerOptions {
   /// left out, and what just ran.
   std::function<void(std::int64_t done, std::int64_t total, const std::string& note)> progress = {};
   std::uint64_t first_seed = 1;  ///< at least 1
+  tool::Part part = {};          ///< of the runs: only these are done
 };
 
 /// The findings, whole unless `stop` was requested: then runs in flight are dropped. They refer to
-/// `study`. @throws Error for an output that cannot be written.
+/// `study`. Of a part only the runs are made: the findings have no optima, and are not whole.
+/// @throws Error for an output that cannot be written.
 Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options);
 
 }  // namespace lasius::study

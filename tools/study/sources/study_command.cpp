@@ -19,6 +19,7 @@
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
 #include "tools/study/page.h"
+#include "tools/study/part_file.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
 #include "tools/study/sources/console.h"
@@ -92,7 +93,7 @@ class Session {
       check_outputs({(folder / name).string()}, {});  // before hours of work
     const auto domain = make_domain(study, maps_);
     Findings findings = run_remaining(study, *domain, folder);
-    write(study, findings, folder);
+    if (!command_.part.divided()) write(study, findings, folder);
     return findings;
   }
 
@@ -111,7 +112,8 @@ class Session {
                              .stop = signals_.token(),
                              .estimate = tell,
                              .progress = progress_shown(command_.messages),
-                             .first_seed = seeds(study).first});
+                             .first_seed = seeds(study).first,
+                             .part = command_.part});
   }
 
   /// Polls nothing: a signal ends it, and what was run is kept.
@@ -153,8 +155,10 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
   for (const Study& study : all) {
     if (session.interrupted()) break;
     findings.push_back(session.run(study, folder / study.name));
+    if (command.part.divided()) continue;
     std::ranges::move(study::weigh(study, findings.back()), std::back_inserter(evidence));
   }
+  if (command.part.divided()) return folder;
   study::decide(evidence);
   std::string called = "lasius study all";
   if (command.seeds > 0) called = study::called("all", {command.first_seed, command.seeds});
@@ -167,10 +171,15 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
   return folder / "claims.md";
 }
 
-int finished(const Session& session, const fs::path& page) {
+int finished(const Session& session, const StudyCommand& command, const fs::path& page) {
   if (session.interrupted()) {
     message("interrupted: " + page.string() + " is partial; the same command goes on from here");
     return kInterrupted;
+  }
+  if (command.part.divided()) {
+    study::write_part(command);
+    print(command.folder + "\n");
+    return kFound;
   }
   print(page.string() + "\n");
   return kFound;
@@ -216,7 +225,7 @@ int run_users_study(const StudyCommand& command) {
   if (study.kind == study::ProblemKind::bitmap && !command.messages.quiet) tell_unread(contenders);
   Session session(command);
   (void)session.run(study, command.folder);
-  return finished(session, fs::path(command.folder) / "report.md");
+  return finished(session, command, fs::path(command.folder) / "report.md");
 }
 
 /// -o FILE.html: the page is written there, all else into a folder of the same name without ending.
@@ -255,7 +264,7 @@ int run_command(const StudyCommand& asked) {
     page = run_all(session, all, command);
   else
     (void)session.run(*std::ranges::find(all, command.name, &Study::name), folder);
-  return finished(session, page);
+  return finished(session, command, page);
 }
 
 }  // namespace lasius::tool
