@@ -6,18 +6,19 @@
 #include "tools/command_line/subcommands.h"
 #include "tools/drive/drive_kind.h"
 #include "tools/polygon/polygon_kind.h"
+#include "tools/tour/tour_kind.h"
 
 namespace lasius::tool {
 
 std::span<const ProblemKind* const> kinds() {
   static const ProblemKind* const kAll[] = {&bitmap_kind(), &drive_kind(), &arm_kind(),
-                                            &polygon_kind()};
+                                            &polygon_kind(), &tour_kind()};
   return kAll;
 }
 
 std::vector<AddSubcommand> subcommands() {
-  return {add_plan,   add_drive, add_batch, add_info, add_algorithms, add_generate,
-          add_verify, add_merge, add_study, add_tune, add_arm,        add_help};
+  return {add_plan,   add_drive, add_tour,  add_batch, add_info, add_algorithms, add_generate,
+          add_verify, add_merge, add_study, add_tune,  add_arm,  add_help};
 }
 
 }  // namespace lasius::tool

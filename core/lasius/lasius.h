@@ -30,4 +30,5 @@
 #include "lasius/status.h"
 #include "lasius/stop.h"
 #include "lasius/tour.h"
+#include "lasius/tsplib.h"
 #include "lasius/version.h"

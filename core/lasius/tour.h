@@ -13,6 +13,7 @@
 #include "lasius/planner.h"
 #include "lasius/status.h"
 #include "lasius/stop.h"
+#include "lasius/tsplib.h"
 
 namespace lasius {
 
@@ -25,7 +26,8 @@ struct TourRequest {
   std::uint64_t seed = 1;
   /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone.
   int generations = 20;
-  int threads = 0;  ///< that legs are planned on; never changes the tour
+  double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
+  int threads = 0;        ///< that legs are planned on; never changes the tour
   /// Ends the call with the best order so far, or none. Three fifths of the time to a deadline are
   /// for the order, the rest for the bound; the legs of the answer are planned after it, too.
   StopCondition stop = {};
@@ -48,7 +50,7 @@ struct LeftOut {
 /// What is answered.
 struct TourResult {
   Status status = Status::no_path;
-  std::string error;                  ///< where it is invalid; else empty
+  std::string error;                  ///< where it is invalid or unreachable; else empty
   std::vector<int> order;             ///< stops; of a closed tour the first is not told again
   std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back
   double length = 0;                  ///< sum of the legs', cells
@@ -72,6 +74,11 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, and where
 /// a number is out of range.
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
+                                   const TourObserver& observer = {});
+
+/// The same of a problem of TSPLIB: lengths are by its rounding, `request.stops` is not read, the
+/// result has no legs. @throws Error also for one with precedences (invalid_parameter).
+LASIUS_EXPORT TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                                    const TourObserver& observer = {});
 
 }  // namespace lasius

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
@@ -23,6 +24,7 @@ constexpr int kPricedAtOnce = 100;  // stops
 constexpr int kPrepared = 30;       // stops for which preparing pays
 constexpr int kBoundRounds = 10;
 constexpr double kOrderShare = 0.6;
+constexpr double kMostTarget = 1e6;  // of a target, in bounds
 
 // The stops that a tour visits, by their index in the request.
 std::vector<int> visited(const Planner& planner, const TourRequest& request, TourResult& tour) {
@@ -57,8 +59,50 @@ std::vector<int> visited(const Planner& planner, const TourRequest& request, Tou
   return regions.empty() ? std::vector<int>{} : regions[chosen];
 }
 
-void check(const TourRequest& request) {
-  const int n = static_cast<int>(request.stops.size());
+struct Ordered {
+  tour::OrderFound found;
+  std::int64_t bound = 0;
+};
+
+// An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
+Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<const Point> places,
+                        const TourRequest& request, double scale, const TourObserver& observer,
+                        std::span<const int> named) {
+  tour::OrderOptions options{
+      .seed = request.seed, .generations = request.generations, .stop = request.stop};
+  if (request.stop.deadline != Clock::time_point::max()) {
+    const auto now = request.stop.now();
+    options.stop.deadline =
+        deadline_in(kOrderShare * std::chrono::duration<double>(request.stop.deadline - now), now);
+  }
+  std::vector<int> told;
+  if (observer)
+    options.observer = [&](std::span<const int> order, std::int64_t cost) {
+      told.clear();
+      for (const int v : order) told.push_back(named[v]);
+      return observer(told, static_cast<double>(cost) / scale);
+    };
+  Poller poller(request.stop);
+  const auto bound_of = [&](const tour::OrderFound& found) {
+    return found.optimal && !costs.priced_late()
+               ? found.cost
+               : tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
+  };
+  if (request.target_gap > 0) {  // the first tour's bound tells how short is short enough
+    tour::OrderOptions first = options;
+    first.generations = 0;
+    Ordered early{.found = find_order(costs, ends, places, first)};
+    early.bound = bound_of(early.found);
+    options.target = static_cast<std::int64_t>(static_cast<double>(early.bound) *
+                                               std::min(1 + request.target_gap, kMostTarget));
+    if (early.found.cost <= options.target) return early;
+  }
+  Ordered ordered{.found = find_order(costs, ends, places, options)};
+  ordered.bound = bound_of(ordered.found);
+  return ordered;
+}
+
+void check(const TourRequest& request, int n) {
   for (const auto& end : {request.start, request.goal})
     if (end && (*end < 0 || *end >= n))
       throw Error(ErrorCode::invalid_parameter, "there is no stop " + number_text(*end),
@@ -66,6 +110,16 @@ void check(const TourRequest& request) {
   if (request.generations < 0)
     throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
                 "give 0 or more");
+  if (!(request.target_gap >= 0))
+    throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
+                "give 0 or more");
+}
+
+Status status_after(const StopCondition& stop) {
+  const auto cause = stop.poll();
+  return cause == StopCondition::Cause::token      ? Status::interrupted
+         : cause == StopCondition::Cause::deadline ? Status::limit
+                                                   : Status::solved;
 }
 
 }  // namespace
@@ -79,12 +133,16 @@ std::optional<double> TourResult::gap() const {
 
 TourResult plan_tour(const Planner& given, const TourRequest& request,
                      const TourObserver& observer) {
-  check(request);
+  check(request, static_cast<int>(request.stops.size()));
   TourResult tour;
   const std::vector<int> indices = visited(given, request, tour);
   const int n = static_cast<int>(indices.size());
   if (n == 0 || !tour.error.empty()) {
-    tour.status = Status::invalid;
+    const auto bad = [&](const std::optional<int>& end) {
+      return end && !given.clear(request.stops[*end]);
+    };
+    const bool apart = !tour.error.empty() && !bad(request.start) && !bad(request.goal);
+    tour.status = apart ? Status::unreachable : Status::invalid;
     if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
     return tour;
   }
@@ -115,27 +173,8 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
   }
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
-  tour::OrderOptions options{
-      .seed = request.seed, .generations = request.generations, .stop = request.stop};
-  if (request.stop.deadline != Clock::time_point::max()) {
-    const auto now = request.stop.now();
-    options.stop.deadline =
-        deadline_in(kOrderShare * std::chrono::duration<double>(request.stop.deadline - now), now);
-  }
-  std::vector<int> told;
-  if (observer)
-    options.observer = [&](std::span<const int> order, std::int64_t cost) {
-      told.clear();
-      for (const int v : order) told.push_back(indices[v]);
-      return observer(told, static_cast<double>(cost) / tour::kGrains);
-    };
-  const tour::OrderFound found = find_order(costs, ends, places, options);
-
-  Poller poller(request.stop);
-  const std::int64_t bound =
-      found.optimal && !matrix.empty()
-          ? found.cost
-          : tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
+  const auto [found, bound] =
+      order_and_bound(costs, ends, places, request, tour::kGrains, observer, indices);
   if (matrix.empty()) tour.priced = pricer.priced();
 
   for (const int v : found.order) tour.order.push_back(indices[v]);
@@ -154,10 +193,7 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
         tour.legs[i] = {a, b, leg.status == Status::solved ? leg.length : NAN, std::move(leg.path)};
       });
   for (const TourLeg& leg : tour.legs) tour.length += leg.length;
-  const auto cause = request.stop.poll();
-  tour.status = cause == StopCondition::Cause::token      ? Status::interrupted
-                : cause == StopCondition::Cause::deadline ? Status::limit
-                                                          : Status::solved;
+  tour.status = status_after(request.stop);
   if (std::isnan(tour.length)) {
     tour.order.clear();
     tour.legs.clear();
@@ -165,8 +201,29 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
   }
   if (bound > 0 || tour.length == 0)
     tour.lower_bound = std::min(tour.length, static_cast<double>(bound) / tour::kGrains);
-  tour.optimal = bound == found.cost && cause == StopCondition::Cause::none;
+  tour.optimal = bound == found.cost && tour.status == Status::solved;
   if (tour.optimal && n <= 2) tour.lower_bound = tour.length;
+  return tour;
+}
+
+TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
+                     const TourObserver& observer) {
+  check(request, problem.size);
+  if (problem.ordered)
+    throw Error(ErrorCode::invalid_parameter, problem.name + " has precedences",
+                "give a symmetric problem, TYPE: TSP");
+  const Costs costs(problem.size, problem.matrix.data());
+  const tour::Ends ends{request.open, request.start.value_or(-1), request.goal.value_or(-1)};
+  std::vector<int> all(problem.size);
+  std::iota(all.begin(), all.end(), 0);
+  auto [found, bound] = order_and_bound(costs, ends, problem.places, request, 1, observer, all);
+  TourResult tour;
+  tour.status = status_after(request.stop);
+  tour.order = std::move(found.order);
+  tour.length = static_cast<double>(found.cost);
+  tour.lower_bound = static_cast<double>(bound);
+  tour.optimal = bound == found.cost;
+  tour.priced = std::int64_t{problem.size} * (problem.size - 1) / 2;
   return tour;
 }
 

@@ -18,6 +18,7 @@ PYBIND11_MODULE(_lasius, module) {
   bind_batch(module);
   bind_navigator(module);
   bind_drive(module);
+  bind_tour(module);
 #ifdef LASIUS_PYTHON_POLYGON
   py::module_ polygon = module.def_submodule("polygon");
   bind_polygon(polygon);

@@ -34,8 +34,8 @@ from .maps import (
 )
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
-from .planner import Planner, Preparation, plan
-from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, Way, curves_of
+from .planner import Planner, Preparation, plan, tour
+from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
 
 __all__ = [
     "Algorithm",
@@ -64,6 +64,7 @@ __all__ = [
     "Replans",
     "Result",
     "SearchResult",
+    "TourResult",
     "Way",
     "Workspace",
     "WorldFrame",
@@ -80,6 +81,7 @@ __all__ = [
     "pull_taut",
     "read_map",
     "shortest_walk",
+    "tour",
     "visible",
     "write_map",
 ]

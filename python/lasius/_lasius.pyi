@@ -275,6 +275,19 @@ def drive(
     time_limit: Optional[float],
     observer: Optional[Callable[[DriveTick], Any]],
 ) -> Tuple[_Error, Tuple[Any, ...]]: ...
+def tour(
+    planner: Planner,
+    stops: npt.NDArray[np.int32],
+    open: bool,
+    start: Optional[int],
+    goal: Optional[int],
+    seed: int,
+    generations: int,
+    target_gap: float,
+    threads: int,
+    time_limit: Optional[float],
+    observer: Optional[Callable[[npt.NDArray[np.int32], float], Any]],
+) -> Tuple[_Error, Tuple[Any, ...]]: ...
 def read_changes(path: bytes, width: int, height: int) -> Changes: ...
 def algorithms() -> List[Any]: ...
 def map_kinds() -> List[str]: ...

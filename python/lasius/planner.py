@@ -15,7 +15,7 @@ from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole
 from .progress import Shown, counted, watched
-from .results import BatchResult, Result, answer, batch_result
+from .results import BatchResult, Result, TourResult, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
 
 Observer = Callable[[Progress], Any]
@@ -211,6 +211,48 @@ class Planner:
             )
         return batch_result(*columns)
 
+    def tour(
+        self,
+        stops: npt.ArrayLike,
+        *,
+        open: bool = False,
+        start: Optional[int] = None,
+        goal: Optional[int] = None,
+        seed: int = 1,
+        generations: int = 20,
+        target_gap: float = 0.0,
+        threads: int = 0,
+        time_limit: Optional[float] = None,
+        observer: Optional[Callable[[IntArray, float], Any]] = None,
+    ) -> TourResult:
+        """Visits all stops by shortest paths, in a short order, with a bound that no order is below.
+
+        >>> planner = Planner(lasius.Grid(np.zeros((20, 30), np.uint8), free=0))
+        >>> run = planner.tour([[2, 2], [14, 7], [14, 2], [2, 7]], start=0)
+        >>> run.order.tolist() in ([0, 2, 1, 3], [0, 3, 1, 2]), run.length, run.optimal
+        (True, 34.0, True)
+
+        Args:
+            stops: integers (n, 2), cells (x, y). Those that are outside, blocked, or not joined to the start (without
+                one: to most stops) are left out.
+            open: no way back to the first stop.
+            start: index of the first stop; None: any.
+            goal: of the last one, of an open tour; None: any.
+            seed: of the search, above 12 stops; up to that the order is a shortest.
+            generations: of tours that recombine, above 12 stops; 0: local search and its kicks alone.
+            target_gap: ends the search at this certified gap, a fraction.
+            threads: to 1024; 0: as many as OpenMP gives; never changes a tour.
+            time_limit: seconds; then the best so far is the answer, its status "limit".
+            observer: called with each better order and its length; where it returns False, the search ends.
+        Raises:
+            KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
+        """
+        error, fields = _lasius.tour(
+            self._raw, int_rows(stops, "stops"), open, start, goal, whole("seed", seed), generations, target_gap,
+            whole("threads", threads), time_limit, observer,
+        )
+        return finish(error, TourResult(*fields))
+
     def _asked(
         self,
         params: OptionalParams,
@@ -320,3 +362,13 @@ def plan(
     25.0
     """
     return Planner(grid, radius=radius).plan(start, goal, params, **options)
+
+
+def tour(grid: Grid, stops: npt.ArrayLike, *, radius: float = 0.0, **options: Any) -> TourResult:
+    """Orders many stops on a map, as `Planner.tour`.
+
+    >>> grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
+    >>> tour(grid, [[0, 0], [20, 0], [10, 0]], open=True).length
+    20.0
+    """
+    return Planner(grid, radius=radius).tour(stops, **options)

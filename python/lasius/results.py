@@ -216,6 +216,38 @@ def batch_result(error: Optional[BaseException], columns: Tuple[Any, ...]) -> Ba
 
 
 @dataclass(eq=False, repr=False)
+class TourResult(Record):
+    """A tour; lengths in cells."""
+
+    status: str  #: "solved", "limit", "interrupted", "unreachable" or "invalid"
+    error: str  #: why it is invalid or unreachable, in a sentence
+    order: IntArray  #: stops by their index; of a closed tour the first is not told again; empty without a tour
+    length: float  #: sum of the legs'; NaN without a tour
+    lower_bound: Optional[float]  #: certified: no tour over these stops is shorter
+    gap: Optional[float]  #: certified, (length - lower_bound) / lower_bound, a fraction
+    optimal: bool  #: proven shortest, where lengths are told apart by thousandths of a cell
+    left_out: Dict[int, str]  #: stops that no tour visits, each with the reason
+    priced: int  #: legs planned to find the order and the bound
+    lengths: FloatArray  #: of the legs in order, of a closed tour with the way back
+    points: FloatArray  #: (m, 2), the vertices of all legs, one after another
+    offsets: LongArray  #: (legs + 1), where each leg begins in `points`
+
+    def leg(self, place: int) -> FloatArray:
+        """The path of the leg from stop `order[place]`, (n, 2), a view of `points`."""
+        place = range(len(self.lengths))[place]
+        return self.points[self.offsets[place] : self.offsets[place + 1]]
+
+    @property
+    def legs(self) -> List[FloatArray]:
+        """All of them."""
+        return [self.leg(place) for place in range(len(self.lengths))]
+
+    def __repr__(self) -> str:
+        out = f", {len(self.left_out)} left out" if self.left_out else ""
+        return f"<TourResult: {self.status}, {len(self.order)} stops{out}, length {self.length:.6g}>"
+
+
+@dataclass(eq=False, repr=False)
 class Replans(Record):
     """The ways that were planned in a drive, in order."""
 

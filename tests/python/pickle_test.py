@@ -19,7 +19,8 @@ def values():
     planner = small_planner()
     grid = planner.grid
     changes = [planner.plan((0, 0), (8, 8)), planner.plan((0, 0), (8, 8), "as", iterations=2), planner.batch([[0, 0]], [[8, 8]]),
-               lasius.Navigator(grid, (8, 8)).step((0, 0)), lasius.drive(grid, grid, (0, 0), (8, 8))]
+               lasius.Navigator(grid, (8, 8)).step((0, 0)), lasius.drive(grid, grid, (0, 0), (8, 8)),
+               planner.tour([[0, 0], [8, 8], [0, 8]])]
     return [grid, lasius.Params("mmas", ants=3), *changes]
 
 

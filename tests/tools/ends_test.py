@@ -170,17 +170,23 @@ class Odd:
                            ["--max-ticks", self.count()], ["--world", self.map()]),
                 *self.outputs(".json", ".csv", ".svg", ".png", ".gif", ".html")]
 
+    def tour(self):
+        stops = "\n".join(f"{self.draw.randrange(400)} {self.draw.randrange(200)}" for _ in range(self.one(0, 3, 30, 300)))
+        return [self.map(), "--stops", self.write("stops.tsv", stops), *self.some(
+            ["--open"], ["--start", self.cell()], ["--goal", self.cell()], ["--generations", self.count()]),
+                *self.search(), *self.outputs(".json", ".csv", ".svg", ".png")]
+
     def help(self):
         return self.some(["plan"], ["json"], ["nothing"])
 
-    COMMANDS = ["plan", "batch", "info", "algorithms", "generate", "verify", "study", "tune", "arm", "drive", "help"]
+    COMMANDS = ["plan", "batch", "info", "algorithms", "generate", "verify", "study", "tune", "arm", "drive", "tour", "help"]
 
     def command(self):
         name = self.draw.choice(self.COMMANDS)
         if self.draw.random() < 0.03:
             return self.one(["completion", "bash"], ["--version"], [], ["plan"], ["__complete", "plan", ""])
         arguments = getattr(self, name)()
-        if name in ("plan", "batch", "study", "tune", "arm", "drive"):
+        if name in ("plan", "batch", "study", "tune", "arm", "drive", "tour"):
             arguments += ["--threads", self.one("1", "2")]
         return [name, *arguments]
 

@@ -109,6 +109,8 @@ class Help(HelpTest):
             self.assertIn(f"`{field}`", shown)
         check(self.run_program("drive", "small.map", "--start", "0,0", "--goal", "9,5", "--json").json,
               "drive")
+        self.write("stops.tsv", "0 0\n9 5\n")
+        check(self.run_program("tour", "small.map", "--stops", "stops.tsv", "--json").json, "tour")
 
     def test_examples_run(self):
         os.symlink(MAPS, self.path("maps"))
@@ -116,6 +118,8 @@ class Help(HelpTest):
         for part in ("1", "2"):
             answers = self.run_program("batch", "maps/fan400x200.map", "queries.tsv", "--part", part + "/2")
             self.write(f"part{part}.jsonl", answers.out)
+        self.write("stops.tsv", "x\ty\n3\t4\n20\t10\n9\t25\n")
+        self.write("stops.json", "[[3, 4], [20, 10], [9, 25]]")
         slow = "lasius study fan2004"  # minutes
         count = 0
         commands = self.commands()

@@ -71,7 +71,7 @@ class Usage(ProgramTest):
             ([*plan, "--inflation", "1"], "robots are discs: --radius R; see --help"),
             ([*plan, "--quux"], 'unknown option "--quux"; see --help'),
             ([*plan, "--polish", "smooth"], "none|straight|taut|local"),
-            (["zzzz"], "it is one of plan, drive, batch"),
+            (["zzzz"], "it is one of plan, drive, tour, batch"),
             ([*plan, "--set", "zzzz=1", "--algorithm", "acs"], "`lasius algorithms acs` lists all"),
         ]
         for arguments, words in cases:

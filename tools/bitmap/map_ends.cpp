@@ -107,15 +107,6 @@ std::string short_of_goal(const MapEnds& ends) {
          " from the goal, which cannot be reached";
 }
 
-/// A start or goal as it was given: a cell, or metres.
-Point recorded_end(const Json& result, const std::string& key, Frame frame) {
-  if (frame == Frame::world) return recorded_point(result, key + "_world");
-  const Point cell = recorded_point(result, key);
-  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
-    throw UsageError("\"" + key + "\" is no cell");
-  return cell;
-}
-
 }  // namespace
 
 Json map_json(const LoadedMap& map) {
@@ -180,10 +171,16 @@ void add_goal_reached(Json& json, const MapEnds& ends) {
   if (ends.in_metres()) json["goal_reached_world"] = end ? point(ends.map.to_world(*end)) : Json();
 }
 
-PlanCommand recorded_plan(const Recorded& from) {
+Point recorded_place(const Json& result, const std::string& keys, bool cell) {
+  const Point p = recorded_point(result, keys);
+  if (cell && (p.x != std::floor(p.x) || p.y != std::floor(p.y)))
+    throw UsageError("\"" + keys + "\" is no cell");
+  return p;
+}
+
+RunOptions recorded_run(const Recorded& from) {
   const Json& result = from.result;
-  PlanCommand command;
-  RunOptions& run = command.run;
+  RunOptions run;
   const auto name = recorded<std::string>(result, "algorithm");
   read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
   run.params = make_params<Params>(run, bitmaps());
@@ -193,8 +190,18 @@ PlanCommand recorded_plan(const Recorded& from) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
-  command.start = recorded_end(result, "start", run.frame);
-  command.goal = recorded_end(result, "goal", run.frame);
+  return run;
+}
+
+PlanCommand recorded_plan(const Recorded& from) {
+  PlanCommand command;
+  command.run = recorded_run(from);
+  const bool cells = command.run.frame == Frame::cell;
+  const auto end = [&](const std::string& key) {
+    return recorded_place(from.result, cells ? key : key + "_world", cells);
+  };
+  command.start = end("start");
+  command.goal = end("goal");
   return command;
 }
 

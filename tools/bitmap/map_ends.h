@@ -65,6 +65,10 @@ Json map_json(const LoadedMap& map);
 /// [x, y] of a start or goal, whole.
 Json cell_json(const Place& place);
 
+/// The options of the question that a result answers. @throws UsageError, Error
+RunOptions recorded_run(const Recorded& from);
+/// A place of a result: a cell, or in metres. @throws UsageError
+Point recorded_place(const Json& result, const std::string& keys, bool cell);
 /// The question that a result answers. @throws UsageError, Error
 PlanCommand recorded_plan(const Recorded& from);
 

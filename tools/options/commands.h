@@ -7,6 +7,7 @@
 namespace lasius::tool {
 
 int run_command(const DriveCommand& command);
+int run_command(const TourCommand& command);
 int run_command(const StudyCommand& command);
 int run_command(const TuneCommand& command);
 int run_command(const PolygonCommand& command);

@@ -105,6 +105,17 @@ struct DriveCommand : PlanCommand {
   std::int64_t max_ticks = 1'000'000;
 };
 
+struct TourCommand {
+  static constexpr int kMostGenerations = 1'000'000;
+
+  RunOptions run = {};  ///< its map may be a problem of TSPLIB
+  std::string stops_file = {};
+  std::vector<Point> stops = {};  ///< without a file: as PlanCommand has its ends
+  bool open = false;
+  std::optional<Point> start = {}, goal = {};
+  int generations = 20;
+};
+
 /// `study run`: a study without a file.
 struct ShortStudy {
   std::string map;

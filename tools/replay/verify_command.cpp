@@ -33,10 +33,10 @@ struct VerifyCommand {
 };
 
 Error broken(Error::Place place, const std::string& problem) {
-  return Error(
-      ErrorCode::file_broken, std::move(place), problem,
-      "give a result that `lasius plan --json`, `lasius batch`, `lasius drive --json` or `lasius "
-      "arm --json` printed");
+  return Error(ErrorCode::file_broken, std::move(place), problem,
+               "give a result that `lasius plan --json`, `lasius batch`, `lasius drive --json`, "
+               "`lasius tour "
+               "--json` or `lasius arm --json` printed");
 }
 
 using Version = std::array<int, 3>;
@@ -261,7 +261,7 @@ Subcommand add_verify(CLI::App& app) {
   auto to = std::make_shared<VerifyCommand>();
   OptionTable table(app, "verify", "Replay saved results and compare");
   table
-      .file("RESULT", to->result, "A result of plan, drive or arm, or the lines of batch",
+      .file("RESULT", to->result, "A result of plan, drive, tour or arm, or the lines of batch",
             {".json", ".jsonl", ".ndjson"})
       ->required();
   table.file("--map", to->map, "The map, where it is no longer where it was", map_endings(true));

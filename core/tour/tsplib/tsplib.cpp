@@ -1,4 +1,4 @@
-#include "core/tour/tsplib/tsplib.h"
+#include "lasius/tsplib.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,15 @@
 #include <sstream>
 
 #include "core/base/number_text.h"
+#include "core/tour/order/costs.h"
 #include "lasius/error.h"
 
-namespace lasius::tour {
+namespace lasius {
 
 namespace {
+
+using tour::Cost;
+using tour::kLargest;
 
 constexpr int kMostStops = 20'000;
 
@@ -213,4 +217,4 @@ class Reader {
 
 Tsplib read_tsplib(std::istream& in, const std::string& name) { return Reader(in, name).read(); }
 
-}  // namespace lasius::tour
+}  // namespace lasius

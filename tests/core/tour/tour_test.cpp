@@ -137,8 +137,55 @@ TEST(Tours, NameWhatTheyLeaveOut) {
   EXPECT_EQ(tour.order.size(), 2u);
   request.start = 2;
   EXPECT_EQ(plan_tour(planner, request).status, Status::invalid);
+  request.open = true;
+  request.start = 0;
+  request.goal = 1;  // another region
+  EXPECT_EQ(plan_tour(planner, request).status, Status::unreachable);
   request.start = 9;
   EXPECT_THROW(plan_tour(planner, request), Error);
+}
+
+TEST(Tours, EndAtTheGapThatIsAsked) {
+  const Planner planner(rooms());
+  TourRequest request = ask(some_stops(planner.grid(), 60));
+  const TourResult best = plan_tour(planner, request);
+  std::int64_t tours = 0, wide = 0;
+  const auto count = [](std::int64_t& told) {
+    return [&told](std::span<const int>, double) { return ++told > 0; };
+  };
+  (void)plan_tour(planner, request, count(tours));
+  request.target_gap = 0.5;
+  const TourResult first = plan_tour(planner, request, count(wide));
+  EXPECT_LE(*first.gap(), 0.5);
+  EXPECT_LE(wide, tours);
+  EXPECT_GE(first.length, best.length);
+  request.target_gap = 1e-9;  // out of reach: all of the search is done
+  EXPECT_EQ(plan_tour(planner, request).length, best.length);
+  request.target_gap = -1;
+  EXPECT_THROW(plan_tour(planner, request), Error);
+}
+
+TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
+  // A rectangle of 3 by 4.
+  Tsplib problem{.name = "rectangle", .size = 4, .places = {{0, 0}, {3, 4}, {3, 0}, {0, 4}}};
+  problem.matrix = {0, 5, 3, 4, 5, 0, 4, 3, 3, 4, 0, 5, 4, 3, 5, 0};
+  TourRequest request;
+  TourResult tour = plan_tour(problem, request);
+  EXPECT_EQ(tour.length, 14);
+  EXPECT_EQ(tour.lower_bound, 14);
+  EXPECT_TRUE(tour.optimal);
+  EXPECT_TRUE(tour.legs.empty());
+  request.open = true;
+  request.start = 1;
+  request.goal = 0;
+  tour = plan_tour(problem, request);
+  EXPECT_EQ(tour.length, 11);  // 3 + 5 + 3
+  EXPECT_EQ(tour.order.front(), 1);
+  EXPECT_EQ(tour.order.back(), 0);
+  request.goal = 4;
+  EXPECT_THROW(plan_tour(problem, request), Error);
+  problem.ordered = true;
+  EXPECT_THROW(plan_tour(problem, {}), Error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/tour/tsplib/tsplib.h"
+#include "lasius/tsplib.h"
 
 #include <gtest/gtest.h>
 

@@ -6,25 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "core/tour/order/costs.h"
+#include "lasius/export.h"
 #include "lasius/geometry.h"
 
-namespace lasius::tour {
+namespace lasius {
 
 /// A problem as its file tells it.
 struct Tsplib {
-  std::string name;
+  std::string name = {};
   int size = 0;
-  std::vector<Point> places;  ///< of its NODE_COORD_SECTION, or empty
+  std::vector<Point> places = {};  ///< of its NODE_COORD_SECTION, or empty
   /// Of its own rounding, row by row: symmetric but for .sop, where -1 from a to b says that b
   /// comes before a.
-  std::vector<Cost> matrix;
+  std::vector<std::int32_t> matrix = {};
   bool ordered = false;  ///< TYPE: SOP
 };
 
 /// Reads TYPE TSP (EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D, MAN_2D, MAX_2D, ATT, GEO, EXPLICIT) and SOP
 /// (EXPLICIT, FULL_MATRIX). `name` is the file's in messages.
 /// @throws Error(file_broken, file_unsupported) with the line.
-Tsplib read_tsplib(std::istream& in, const std::string& name);
+LASIUS_EXPORT Tsplib read_tsplib(std::istream& in, const std::string& name);
 
-}  // namespace lasius::tour
+}  // namespace lasius

@@ -1,0 +1,61 @@
+// Tours.
+#include "lasius/tour.h"
+
+#include "python/extension/arrays.h"
+#include "python/extension/call.h"
+#include "python/extension/modules.h"
+
+namespace lasius::python {
+namespace {
+
+/// The fields of lasius.TourResult.
+py::tuple fields(const TourResult& tour) {
+  std::vector<double> lengths;
+  std::vector<Point> points;
+  std::vector<std::int64_t> offsets{0};
+  for (const TourLeg& leg : tour.legs) {
+    lengths.push_back(leg.length);
+    points.insert(points.end(), leg.path.begin(), leg.path.end());
+    offsets.push_back(static_cast<std::int64_t>(points.size()));
+  }
+  py::dict left_out;
+  for (const LeftOut& out : tour.left_out) left_out[py::int_(out.stop)] = out.why;
+  const double length = tour.order.empty() ? NAN : tour.length;
+  return py::make_tuple(text(to_string(tour.status)), tour.error, to_array(tour.order), length,
+                        tour.lower_bound, tour.gap(), tour.optimal, left_out, tour.priced,
+                        to_array(lengths), to_array(std::span<const Point>(points)),
+                        to_array(offsets));
+}
+
+py::tuple tour(const Planner& planner, const IntRows& stops, bool open, std::optional<int> start,
+               std::optional<int> goal, std::uint64_t seed, int generations, double target_gap,
+               int threads, std::optional<double> time_limit, const py::object& callback) {
+  Call call(time_limit);
+  TourRequest request;
+  request.stops = cells_from(stops, "stops");
+  request.open = open;
+  request.start = start;
+  request.goal = goal;
+  request.seed = seed;
+  request.generations = generations;
+  request.target_gap = target_gap;
+  request.threads = threads;
+  request.stop = call.condition();
+  TourObserver observer;
+  if (!callback.is_none())
+    observer = [&](std::span<const int> order, double length) {
+      bool more = true;
+      return call.call_back([&] {
+        const std::vector<int> told(order.begin(), order.end());
+        more = !callback(to_array(told), length).equal(py::bool_(false));
+      }) && more;
+    };
+  const TourResult found = call.run([&] { return plan_tour(planner, request, observer); });
+  return py::make_tuple(call.error(), fields(found));
+}
+
+}  // namespace
+
+void bind_tour(py::module_& module) { module.def("tour", &tour); }
+
+}  // namespace lasius::python

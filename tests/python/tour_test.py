@@ -1,0 +1,81 @@
+"""Tours: shortest up to 12 stops, each leg as it is planned alone."""
+
+import itertools
+import pickle
+
+import numpy as np
+import pytest
+
+import lasius
+
+
+@pytest.fixture(scope="module")
+def stops(planner):
+    free = np.argwhere(planner.grid.to_array(free=True))[:, ::-1]
+    drawn = np.random.default_rng(5).choice(free, 60)
+    return np.array([cell for cell in drawn if planner.connected(cell, (14, 14))][:40])
+
+
+@pytest.mark.parametrize("ends", [{}, {"open": True}, {"open": True, "start": 2}, {"open": True, "start": 0, "goal": 3}])
+def test_shortest_of_all_orders(planner, stops, ends):
+    some = stops[:6]
+    run = planner.tour(some, **ends)
+    length = {(a, b): planner.plan(some[a], some[b]).length for a in range(6) for b in range(6)}
+
+    def sum_of(order):
+        return sum(length[leg] for leg in zip(order, order[1:] + (() if ends.get("open") else order[:1])))
+    allowed = [order for order in itertools.permutations(range(6)) if order[0] == ends.get("start", order[0])
+               and order[-1] == ends.get("goal", order[-1])]
+    assert run.status == "solved" and run.optimal and run.length == pytest.approx(min(map(sum_of, allowed)), abs=1e-2)
+    following = [*run.order[1:], *([] if ends.get("open") else run.order[:1])]
+    assert len(run.legs) == len(following)
+    for place, (a, b) in enumerate(zip(run.order, following)):
+        assert np.array_equal(run.leg(place)[[0, -1]], some[[a, b]] + 0.5)
+        assert run.lengths[place] == pytest.approx(length[a, b], abs=1e-9)
+
+
+def test_the_same_on_any_threads(planner, stops):
+    first, *others = [planner.tour(stops, threads=threads, generations=2) for threads in (1, 2, 5)]
+    assert all(first == other for other in others) and pickle.loads(pickle.dumps(first)) == first
+    assert sorted(first.order) == list(range(40)) and 0 <= first.gap < 0.1
+    assert "TourResult: solved, 40 stops, length" in repr(first)
+
+
+def test_what_is_left_out(planner, stops):
+    run = planner.tour([*stops[:3], [-1, 4]])
+    assert run.left_out == {3: "stop 3 at (-1, 4) is outside the map"} and len(run.order) == 3
+    none = planner.tour([[-1, 4]], start=0)
+    assert (none.status, len(none.order), none.legs) == ("invalid", 0, [])
+    assert none.error == "stop 0 at (-1, 4) is outside the map" and np.isnan(none.length)
+
+
+def test_ends_early(planner, stops):
+    told = []
+
+    def observe(order, length):
+        told.append((len(order), length))
+        return False
+    assert sorted(planner.tour(stops, observer=observe).order) == list(range(40)) and [n for n, _ in told] == [40]
+    assert planner.tour(stops, time_limit=0).status == "limit"
+    assert planner.tour(stops, target_gap=0.5).gap <= 0.5
+
+    def fail(order, length):
+        raise ZeroDivisionError
+    with pytest.raises(ZeroDivisionError):
+        planner.tour(stops, observer=fail)
+
+
+@pytest.mark.parametrize("options, error", [
+    ({"start": 40}, lasius.InvalidParameter), ({"open": True, "start": 1, "goal": 1}, lasius.InvalidParameter),
+    ({"goal": 1}, lasius.InvalidParameter), ({"generations": -1}, lasius.InvalidParameter),
+    ({"target_gap": -1.0}, lasius.InvalidParameter), ({"threads": 2000}, lasius.InvalidParameter),
+    ({"seed": -1}, lasius.InvalidParameter), ({"time_limit": -1.0}, ValueError), ({"start": 0.5}, TypeError)])
+def test_refusals(planner, stops, options, error):
+    with pytest.raises(error):
+        planner.tour(stops, **options)
+
+
+def test_of_a_disc():
+    grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
+    run = lasius.tour(grid, [[3, 3], [20, 3], [0, 0]], radius=2)
+    assert run.length == 34 and list(run.left_out) == [2]

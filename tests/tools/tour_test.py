@@ -1,0 +1,250 @@
+"""tour: orders stops, names what it leaves out, refuses what is broken, and replays its results."""
+import json
+import math
+import unittest
+
+from program import MAPS, ProgramTest
+
+FREE = "type octile\nheight 20\nwidth 30\nmap\n" + ("." * 30 + "\n") * 20
+ROS = "image: world.pgm\nresolution: 0.5\norigin: [-1, -2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n"
+TSPLIB = "NAME: box\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 3 4\n3 3 0\n4 0 4\nEOF\n"
+
+
+class Tour(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("free.map", FREE)
+        # The corners of a rectangle, 12 by 5, out of their order.
+        self.write("box.tsv", "x\ty\tname\n2\t2\ta\n14\t7\tb\n14\t2\tc\n2\t7\td\n")
+
+    def tour(self, *arguments, stops="box.tsv", map_file="free.map"):
+        return self.run_program("tour", map_file, "--stops", stops, *arguments)
+
+    def check(self, result):
+        """Each stop once or left out; the legs join, end in the stops, and add up."""
+        stops, order, legs = result["stops"], result["order"], result["legs"]
+        out = [one["stop"] for one in result["left_out"]]
+        self.assertEqual(sorted(order + out), list(range(len(stops))))
+        is_open = result["parameters"]["open"] or result["goal"] not in (None, result["start"])
+        following = order[1:] if is_open else order[1:] + order[:1]
+        self.assertEqual([(leg["from"], leg["to"]) for leg in legs], list(zip(order, following)) if order[1:] else [])
+        for leg in legs:
+            for end, stop in ((0, leg["from"]), (-1, leg["to"])):
+                self.assertEqual(leg["path"][end], [c + 0.5 for c in stops[stop]])
+            self.assertAlmostEqual(leg["length"], sum(map(math.dist, leg["path"], leg["path"][1:])), places=9)
+        self.assertAlmostEqual(result["length"], sum(leg["length"] for leg in legs), places=9)
+        self.assertLessEqual(result["lower_bound"], result["length"])
+        return result
+
+    def test_worked_by_hand(self):
+        result = self.check(self.quiet(self.tour("--json")).json)
+        self.assertEqual(list(result), [
+            "format", "version", "map", "algorithm", "start", "goal", "seed", "threads", "parameters",
+            "status", "error", "stops", "order", "legs", "length", "lower_bound", "gap", "optimal",
+            "left_out", "priced", "elapsed_ms"])
+        self.assertEqual(result["format"], "lasius-tour/1")
+        for ends, length in (([], 34), (["--open"], 22), (["--open", "--start", "14,7"], 22),
+                             (["--start", "14,7"], 34), (["--goal", "2,2"], 22),
+                             (["--start", "14,7", "--goal", "14,7"], 34),
+                             (["--start", "2,2", "--goal", "14,7"], 5 + 13 + 5),
+                             (["--start", "2,2", "--goal", "20,7"], 5 + 13 + 5 + 6)):  # one stop more
+            with self.subTest(ends):
+                result = self.check(self.tour(*ends, "--json").json)
+                for end, place in (("--start", 0), ("--goal", -1)):
+                    if end in ends and (end == "--start" or length != 34):
+                        cell = [int(c) for c in ends[ends.index(end) + 1].split(",")]
+                        self.assertEqual(result["stops"][result["order"][place]], cell)
+                self.assertEqual(len(result["stops"]), 5 if "20,7" in ends else 4)
+                self.assertAlmostEqual(result["length"], length, places=9)
+                self.assertEqual((result["optimal"], result["status"]), (True, "solved"))
+                self.assertLess(result["gap"], 1e-3)
+
+    def test_legs_go_round_what_is_blocked(self):
+        self.write("s.tsv", "x y\n0 0\n9 5\n9 0\n0 5\n")
+        result = self.check(self.tour("--json", stops="s.tsv", map_file="small.map").json)
+        for leg in result["legs"]:
+            ends = ["{},{}".format(*result["stops"][leg[end]]) for end in ("from", "to")]
+            plan = self.plan("--algorithm", "exact", "--json", start=ends[0], goal=ends[1]).json
+            self.assertAlmostEqual(leg["length"], plan["length"], places=12)
+
+    def test_one_stop(self):
+        self.write("s.tsv", "3,4\n")
+        run = self.tour("--json", stops="s.tsv").json
+        self.assertEqual((run["order"], run["legs"], run["length"], run["optimal"]), ([0], [], 0, True))
+        self.assertEqual(self.ended(self.tour(stops="s.tsv"), 0).out, "solved\n0\n3.5 4.5\n")
+
+    def test_forms_of_stops(self):
+        cells = [[2, 2], [14, 7], [14, 2]]
+
+        def point(x, y):
+            return {"type": "Point", "coordinates": [x, y]}
+        features = [{"type": "Feature", "properties": None, "geometry": point(*cell)} for cell in cells[:1]]
+        features.append({"type": "Feature", "properties": {}, "geometry": {
+            "type": "GeometryCollection", "geometries": [{"type": "MultiPoint", "coordinates": cells[1:]}]}})
+        for name, text in (("a.tsv", "name\ty\tx\na b\t2\t2\n\nc\t7\t14\r\nd\t2\t14"), ("b.txt", "2 2\n14 7\n14 2\n"),
+                           ("c.csv", "x,y\n2.5,2.5\n14,7\n14.5,2.5\n"), ("d.json", json.dumps(cells)),
+                           ("e.json", "[[2.5, 2.5], [14, 7], [14, 2]]"), ("f.geojson", json.dumps(point(2, 2))),
+                           ("g.geojson", json.dumps({"type": "FeatureCollection", "features": features}))):
+            with self.subTest(name):
+                self.write(name, text)
+                stops = self.tour("--json", stops=name).json["stops"]
+                self.assertEqual(stops, cells[:1] if name == "f.geojson" else cells)
+
+    def test_broken_stops(self):
+        for name, text, words in (
+                ("a.tsv", "", ["line 1", "is empty"]), ("a.tsv", "x y\n", ["holds no stop"]),
+                ("a.tsv", "x z\n1 2\n", ["line 1", "no column is named y"]),
+                ("a.tsv", "x y x\n1 2 3\n", ["two columns are named x"]),
+                ("a.tsv", "x y\n1 2\n1\n", ["line 3", "1 field, but the first line has 2"]),
+                ("a.tsv", "x y\n1 2\n1 b\n", ["line 3", "y is 'b'", "finite number"]),
+                ("a.tsv", "x y\n1 2\n1 nan\n", ["line 3", "y is 'nan'"]), ("a.tsv", "1\n", ["has no y"]),
+                ("a.tsv", "x y\n1.25 2\n", ["line 2", "(1.25, 2) is no middle of a cell", "--frame world"]),
+                ("a.json", "[[1, 2],\n [3]]", ["line 2", "[1] is no [x, y]"]),
+                ("a.json", "[[1, 2],\n3}", ["line 2", "not JSON"]), ("a.json", "[]", ["holds no stop"]),
+                ("a.geojson", '{"type": "Feature",\n"geometry": {"type": "Polygon"}}', ["line 2", "a Polygon, no point"]),
+                ("a.geojson", '{"type": "Feature"}', ["lacks its \"geometry\""]),
+                ("a.geojson", '{"a": 1}', ["no GeoJSON object"])):
+            with self.subTest(text):
+                self.write(name, text)
+                self.refused(self.tour(stops=name), 3, name, *words)
+        self.refused(self.tour(stops="none.tsv"), 3, "none.tsv", "cannot be opened", ".geojson")
+
+    def test_usage(self):
+        self.write("after.tsv", "x y after\n1 2 a\n")
+        self.write("load.geojson", json.dumps({"type": "Feature", "properties": {"load": 1}, "geometry": {
+            "type": "Point", "coordinates": [1, 2]}}))
+        for run, *words in (
+                (self.run_program("tour", "free.map"), "--stops is required"),
+                (self.tour("--capacity", "2"), "loads are not planned yet"),
+                (self.tour(stops="after.tsv"), "\"after\" is not planned yet"),
+                (self.tour(stops="load.geojson"), "\"load\" is not planned yet"),
+                (self.tour("--algorithm", "mmas"), "shortest paths, by exact"),
+                (self.tour("--goal-tolerance", "2"), "leaves out what it cannot reach"),
+                (self.tour("--seed", "1-3"), "one tour has one seed"), (self.tour("--generations", "-1"), "--generations"),
+                (self.tour("--start", "1"), "--start"), (self.tour("-o", "a.gif"), ".gif"),
+                (self.tour(map_file="a.geojson"), "tours are on bitmaps only")):
+            with self.subTest(words):
+                self.refused(run, 2, *words)
+        self.ended(self.tour("--gap"), 0, "--gap has no effect")
+
+    def test_what_is_left_out(self):
+        self.write("s.tsv", "x y\n0 0\n4 2\n40 1\n3 2\n9 5\n")
+        run = self.tour(stops="s.tsv", map_file="small.map")
+        self.ended(run, 0, "stop 1 at (4, 2) cannot be reached from the others: left out", "2 stops, ")
+        result = self.check(self.tour("--json", stops="s.tsv", map_file="small.map").json)
+        self.assertEqual(result["left_out"], [
+            {"stop": 1, "why": "stop 1 at (4, 2) cannot be reached from the others"},
+            {"stop": 2, "why": "stop 2 at (40, 1) is outside the map"},
+            {"stop": 3, "why": "stop 3 at (3, 2) is blocked"}])
+        # Where the tour begins decides of two regions.
+        result = self.check(self.tour("--json", "--start", "4,2", stops="s.tsv", map_file="small.map").json)
+        self.assertEqual(result["order"], [1])
+        # A disc does not come into the corner.
+        result = self.tour("--json", "--radius", "1", stops="s.tsv", map_file="small.map").json
+        self.assertIn("radius", json.dumps(result["left_out"]) + json.dumps(result["error"]))
+
+    def test_ends_that_are_none(self):
+        for ends, code, *words in (
+                (["--start", "3,2"], 4, "invalid", "start (3, 2) is blocked", "nearest free cell"),
+                (["--start", "0,0", "--goal", "3,2"], 4, "invalid", "goal (3, 2) is blocked", "nearest free cell"),
+                (["--goal", "30,2"], 4, "invalid", "goal (30, 2) is outside"),
+                (["--start", "0,0", "--goal", "4,2"], 5, "unreachable", "stop 2 at (4, 2) cannot be reached")):
+            with self.subTest(ends):
+                self.write("s.tsv", "x y\n0 0\n9 5\n")
+                run = self.ended(self.tour(*ends, "--json", stops="s.tsv", map_file="small.map"), code, *words[1:])
+                result = run.json
+                self.assertEqual((result["status"], result["order"], result["legs"], result["length"]),
+                                 (words[0], None, None, None))
+        self.write("s.tsv", "x y\n3 2\n")
+        self.ended(self.tour(stops="s.tsv", map_file="small.map"), 4, "no stop is a free cell")
+
+    def many(self):
+        cells = [[7 * i % 29, (5 * i + i // 20) % 19] for i in range(70)]
+        return self.write("many.json", json.dumps(cells))
+
+    def test_the_same_on_any_threads_and_replayed(self):
+        stops = self.many()
+        answers = []
+        for threads in (1, 2, 5):
+            result = self.check(self.tour("--json", "--threads", threads, "--generations", "2", stops=stops).json)
+            self.assertEqual(result.pop("threads"), threads)
+            del result["elapsed_ms"]
+            answers.append(result)
+        self.assertEqual(answers, answers[:1] * 3)
+        self.assertLess(answers[0]["gap"], 0.1)
+        result = {**answers[0], "threads": 1, "elapsed_ms": 0}
+        self.ended(self.replay_of(result), 0)
+        result["length"] += 1
+        self.ended(self.replay_of(result), 1, "length")
+        for wrong, words in (({"stops": []}, "no list of stops"), ({"stops": [[0.5, 0]]}, "is no cell"),
+                             ({"start": "a"}, "\"start\"")):
+            self.ended(self.replay_of({**result, **wrong}), 3, words)
+        other = self.tour("--json", "--start", "20,3", "--goal", "21,3", "--radius", "0.4").json
+        self.ended(self.replay_of(other), 0)
+
+    def test_limits(self):
+        stops = self.many()
+        run = self.tour("--json", "--time-limit", "0", stops=stops)
+        self.assertEqual((run.code, self.check_status(run.json)), (0, "limit"))
+        near = self.tour("--json", "--target-gap", "40", stops=stops).json
+        self.assertEqual(near["status"], "solved")
+        self.assertLessEqual(near["gap"], 0.4)
+
+    def check_status(self, result):
+        self.assertEqual(sorted(result["order"]), list(range(70)))
+        return result["status"]
+
+    def test_metres(self):
+        self.write("world.pgm", b"P5\n10 8\n255\n" + b"\xfe" * 80)
+        self.write("world.yaml", ROS)
+        self.write("m.tsv", "x y\n-0.8 -1.8\n3.2 1.2\n")
+        result = self.tour("--frame", "world", "--json", stops="m.tsv", map_file="world.yaml").json
+        self.assertEqual(result["stops"], [[0, 7], [8, 1]])
+        self.assertEqual(result["stops_world"], [[-0.8, -1.8], [3.2, 1.2]])
+        self.assertAlmostEqual(result["length"], 20, places=9)
+        self.assertAlmostEqual(result["length_m"], 10, places=9)
+        self.assertEqual(result["legs"][0]["path_world"][0], [-0.75, -1.75])
+        self.ended(self.replay_of(result), 0)
+        self.ended(self.tour("--frame", "world", stops="m.tsv", map_file="world.yaml"), 0, "proven shortest")
+
+    def test_files(self):
+        self.ended(self.tour("-o", "a.json", "-o", "a.csv", "-o", "a.svg", "-o", "a.png"), 0)
+        self.check(json.loads(self.read("a.json")))
+        self.assertEqual(len(self.rows("a.csv")), 5)
+        self.assertEqual(list(self.rows("a.csv")[0]), ["x", "y"])
+        self.assertGreater(min(self.png_size("a.png")), 200)
+        self.holds(self.words("a.svg"), "tour of 4 stops, length 34.00 cells, proven shortest",
+                   "stop, by its place in the tour")
+        self.write("s.tsv", "x y\n0 0\n3 2\n9 5\n")
+        self.tour("-o", "b.svg", "--start", "0,0", stops="s.tsv", map_file="small.map")
+        self.holds(self.words("b.svg"), "1 stop left out", "start")
+        self.assertNotIn("goal", self.words("b.svg"))
+
+    def test_tsplib(self):
+        self.write("box.tsp", TSPLIB)
+        run = self.run_program("tour", "box.tsp", "--json", "-o", "box.csv")
+        result = self.quiet(run).json
+        self.assertEqual((result["length"], result["optimal"], result["stops"][1]), (14, True, [3, 4]))
+        self.assertNotIn("legs", result)
+        self.assertEqual([int(row["stop"]) for row in self.rows("box.csv")], result["order"])
+        self.ended(self.replay_of(result), 0)
+        self.assertEqual(self.run_program("tour", "box.tsp", "--open", "--json").json["length"], 10)
+        self.assertEqual(self.run_program("tour", "box.tsp").out.split()[:2], ["solved", "14"])
+        self.write("box.tsp", TSPLIB.replace("3 4", "3 5"))
+        self.ended(self.replay_of(result), 3, "has hash")
+        self.write("bad.tsp", TSPLIB.replace("3 3 0", "3 3 x"))
+        self.refused(self.run_program("tour", "bad.tsp"), 3, "bad.tsp", "line 8")
+        self.refused(self.run_program("tour", "none.tsp"), 3, "cannot be opened")
+        self.write("a.sop", "TYPE: SOP\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
+                   "EDGE_WEIGHT_SECTION\n2\n0 5\n-1 0\nEOF\n")
+        self.refused(self.run_program("tour", "a.sop"), 2, "has precedences")
+        self.refused(self.run_program("tour", "box.tsp", "--stops", "box.tsv"), 2, "--stops is for maps")
+        self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures are of tours on maps")
+
+    def test_on_a_map_of_ours(self):
+        self.write("s.tsv", "0 0\n29 29\n29 0\n15 15\n0 29\n")
+        self.check(self.tour("--json", stops="s.tsv", map_file=MAPS + "/grid30a.map").json)
+
+
+if __name__ == "__main__":
+    unittest.main()

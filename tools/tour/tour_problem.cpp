@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <chrono>
+
+#include "tools/bitmap/answer.h"
+#include "tools/bitmap/bitmap_problem.h"
+#include "tools/bitmap/map_ends.h"
+#include "tools/console/elapsed.h"
+#include "tools/console/parameters.h"
+#include "tools/console/values.h"
+#include "tools/options/commands.h"
+#include "tools/record/problem.h"
+#include "tools/record/recorded.h"
+#include "tools/tour/stops_file.h"
+#include "tools/tour/tour_answer.h"
+#include "tools/tour/tour_kind.h"
+#include "tools/tour/tour_picture.h"
+#include "tools/tour/tsplib_problem.h"
+
+namespace lasius::tool {
+namespace {
+
+/// `lasius tour` on a map.
+class TourProblem : public Problem {
+ public:
+  explicit TourProblem(TourCommand command) : command_(std::move(command)) {}
+
+  std::optional<std::int64_t> read(const std::stop_token& token) override {
+    RunOptions& run = command_.run;
+    answer_.map = load_map(run.map, run.frame, run.params.corners, run.threads, token);
+    run.inputs.push_back(answer_.map.image);
+    check_radius(answer_.map, run);
+    if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
+    for (const Point stop : command_.stops)
+      answer_.stops.push_back(to_place(answer_.map, stop, run.frame));
+    answer_.start = index_of(command_.start);
+    answer_.goal = index_of(command_.goal);
+    note_map(answer_.map, run);
+    return std::nullopt;
+  }
+  void plan(const StopCondition& stop, const Watch& watch) override {
+    const RunOptions& run = command_.run;
+    TourResult& tour = answer_.tour;
+    tour.status = Status::interrupted;
+    if (!answer_.map.planner) return;
+    const Planner& planner = *answer_.map.planner;
+    TourRequest request = request_of(command_, stop);
+    for (const Place& place : answer_.stops) request.stops.push_back(place.cell);
+    request.start = answer_.start;
+    request.goal = answer_.goal;
+    if (request.goal && request.goal == request.start) {  // there and back
+      request.open = false;
+      request.goal.reset();
+    }
+    const double scale = answer_.map.length_in(run.frame, 1);
+    TourObserver observer;
+    if (watch)
+      observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
+        watch(++told, best_text(scale * length, unit()));
+        return true;
+      };
+    in_metres_asked(answer_.map, run, [&] {
+      const auto begin = Clock::now();
+      tour = plan_tour(planner, request, observer);
+      answer_.elapsed_ms = ms_since(begin);
+    });
+    for (LeftOut& out : tour.left_out) out.why = why_left_out(out.stop);
+    for (const auto& [end, key] : {std::pair(answer_.start, true), {answer_.goal, false}})
+      if (end && tour.status == Status::invalid && answer_.ends.fault == Fault::none)
+        look_at_end(place_at(*end).cell, key);
+  }
+  Record record() const override {
+    const TourResult& tour = answer_.tour;
+    const MapEnds ends(answer_.map, command_.run, end_place(answer_.start), end_place(answer_.goal),
+                       answer_.ends);
+    Record record = map_record(ends, search_result(tour));
+    record.format = kTourFormat;
+    if (answer_.ends.fault == Fault::none) record.error = tour.error;
+    record.inputs = {{"map", map_json(answer_.map)}};
+    if (!answer_.start) record.start = Json();
+    if (!answer_.goal) record.goal = Json();
+    add_parameters(record.parameters, command_);
+    record.elapsed_ms = answer_.elapsed_ms;
+    std::vector<Point> path;
+    for (const TourLeg& leg : tour.legs)
+      path.insert(path.end(), leg.path.begin() + (path.empty() ? 0 : 1), leg.path.end());
+    if (path.empty() && !tour.order.empty()) path = {centre(place_at(tour.order.front()).cell)};
+    record.path = coordinates(in_metres() ? answer_.map.to_world(path) : path);
+    if (!command_.run.json)
+      for (const LeftOut& out : tour.left_out) record.remarks.push_back(out.why + ": left out");
+    if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
+    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
+    return record;
+  }
+  Forms show(const Record&) const override {
+    return {.picture = [&](auto& file) { write_tour_picture(file, command_.run, answer_); }};
+  }
+  SearchOptions& options() override { return command_.run; }
+
+ private:
+  bool in_metres() const { return command_.run.frame == Frame::world; }
+  std::string unit() const { return in_metres() ? "m" : ""; }
+  const Place& place_at(int stop) const { return answer_.stops[static_cast<std::size_t>(stop)]; }
+  const Place& end_place(const std::optional<int>& end) const {
+    return end ? place_at(*end) : answer_.stops.front();
+  }
+  /// Of the stop in the same cell, which is added where there is none.
+  std::optional<int> index_of(const std::optional<Point>& end) {
+    if (!end) return std::nullopt;
+    const Place place = to_place(answer_.map, *end, command_.run.frame);
+    const auto same = [&](const Place& stop) { return stop.number == place.number; };
+    const auto found = std::ranges::find_if(answer_.stops, same);
+    const auto index = static_cast<int>(found - answer_.stops.begin());
+    if (found == answer_.stops.end()) answer_.stops.push_back(place);
+    return index;
+  }
+  std::string why_left_out(int stop) const {
+    const Frame frame = command_.run.frame;
+    const Place& place = place_at(stop);
+    const std::string text = "stop " + std::to_string(stop) + " at " + place_text(place, frame);
+    if (answer_.map.planner->clear(place.cell)) return text + " cannot be reached from the others";
+    const bool curved = route_of(answer_.map, command_.run).curved;
+    return text +
+           obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place.cell, curved));
+  }
+  /// Asks for what `plan` says of an invalid end; nothing where it is none.
+  void look_at_end(Cell end, bool start) {
+    const Planner& planner = *answer_.map.planner;
+    if (planner.clear(end)) return;
+    Cell other = end;
+    for (const Place& stop : answer_.stops)
+      if (!start && planner.clear(stop.cell)) other = stop.cell;
+    const Request ends{.start = start ? end : other, .goal = end};
+    Result said = planner.plan(ends, command_.run.params);
+    if (said.status == Status::invalid) answer_.ends = std::move(said);
+  }
+  std::string summary(const Record& record) const {
+    const TourResult& tour = answer_.tour;
+    std::string text = counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", " +
+                       counted(tour.priced, "leg") + " priced";
+    if (tour.optimal) return text + "; proven shortest";
+    if (!tour.lower_bound) return text;
+    text += "; no order is below " + decimal_text(record.scale * *tour.lower_bound, 3);
+    if (in_metres()) text += " m";
+    const auto gap = tour.gap();
+    return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
+  }
+  Json legs_json() const {
+    Json legs = Json::array();
+    for (const TourLeg& leg : answer_.tour.legs) {
+      legs.push_back({{"from", leg.from},
+                      {"to", leg.to},
+                      {"length", number(leg.length)},
+                      {"path", points(leg.path)}});
+      if (in_metres()) legs.back()["path_world"] = points(answer_.map.to_world(leg.path));
+    }
+    return legs;
+  }
+  Json answer_of(const MapEnds& ends, const Record& record) const {
+    const TourResult& tour = answer_.tour;
+    const bool found = record.has_path();
+    Json json = Json::object(), world;
+    for (const Place& stop : answer_.stops) {
+      json["stops"].push_back(cell_json(stop));
+      world.push_back(point(stop.asked));
+    }
+    if (in_metres()) {
+      json["stops_world"] = std::move(world);
+      json["start_world"] = answer_.start ? point(ends.start.asked) : Json();
+      json["goal_world"] = answer_.goal ? point(ends.goal.asked) : Json();
+    }
+    json.update(order_json(tour));
+    json["legs"] = found ? legs_json() : Json();
+    json["length"] = number(record.result.length);
+    if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
+    add_proof(json, record.result);
+    json["left_out"] = Json::array();
+    for (const LeftOut& out : tour.left_out)
+      json["left_out"].push_back({{"stop", out.stop}, {"why", out.why}});
+    json["priced"] = tour.priced;
+    if (answer_.ends.fault != Fault::none) json.update(end_findings(ends));
+    return json;
+  }
+
+  TourCommand command_;
+  TourAnswer answer_{};
+};
+
+std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
+  const Json& result = from.result;
+  TourCommand command;
+  command.open = recorded<bool>(result, "parameters/open");
+  command.generations = static_cast<int>(
+      recorded_integer(result, "parameters/generations", 0, TourCommand::kMostGenerations));
+  if (is_tsplib(recorded<std::string>(result, "map/file"))) {
+    read_recorded(from, find_algorithm(kTourAlgorithm), command.run);
+    command.run.params = make_params<Params>(command.run, bitmaps());
+    command.run.map.file = from.map_file();
+    return tsplib_problem(std::move(command));
+  }
+  command.run = recorded_run(from);
+  const bool metres = command.run.frame == Frame::world;
+  const std::string stops = metres ? "stops_world" : "stops";
+  const Json& list = value_at(result, stops);
+  if (!list.is_array() || list.empty()) throw UsageError("\"" + stops + "\" is no list of stops");
+  for (std::size_t i = 0; i < list.size(); ++i)
+    command.stops.push_back(recorded_place(Json{{stops, list[i]}}, stops, !metres));
+  for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
+    if (!value_at(result, key).is_null())
+      *end = recorded_place(result, metres ? key + std::string("_world") : key, !metres);
+  return std::make_unique<TourProblem>(std::move(command));
+}
+
+}  // namespace
+
+const ProblemKind& tour_kind() {
+  static const ProblemKind kKind{.format = kTourFormat, .again = tour_again};
+  return kKind;
+}
+
+bool is_tsplib(std::string_view file) { return file.ends_with(".tsp") || file.ends_with(".sop"); }
+
+TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
+  TourRequest request;
+  request.open = command.open || command.goal;
+  request.seed = command.run.seed;
+  request.generations = command.generations;
+  request.target_gap = command.run.target_gap;
+  request.threads = command.run.threads;
+  request.stop = again(stop, command.run.time_limit);
+  return request;
+}
+
+SearchResult search_result(const TourResult& tour) {
+  SearchResult result;
+  result.status = tour.status;
+  if (tour.status == Status::limit) result.limit = Limit::time;
+  result.error = tour.error;
+  if (tour.order.empty()) return result;
+  result.length = tour.length;
+  result.lower_bound = tour.lower_bound;
+  result.optimal = tour.optimal;
+  return result;
+}
+
+void add_parameters(Json& json, const TourCommand& command) {
+  json["open"] = command.open;
+  json["generations"] = command.generations;
+}
+
+Json order_json(const TourResult& tour) {
+  return {{"order", tour.order.empty() ? Json() : Json(tour.order)}};
+}
+
+int run_command(const TourCommand& command) {
+  if (is_tsplib(command.run.map.file)) return run(*tsplib_problem(command));
+  TourProblem problem(command);
+  return run(problem);
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,124 @@
+// lasius tour.
+#include <algorithm>
+#include <memory>
+
+#include "tools/command_line/map_options.h"
+#include "tools/console/kinds.h"
+#include "tools/options/commands.h"
+#include "tools/record/outputs.h"
+#include "tools/tour/tour_kind.h"
+#include "tools/tour/tsplib_problem.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::array<std::string_view, 4> kTourEndings{".json", ".csv", ".svg", ".png"};
+
+constexpr const char* kTourOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv  x,y of the path along all legs; with --frame world x_m,y_m; of TSPLIB the order\n"
+    ".svg, .png  the map, the tour, and its stops by their places in it";
+
+/// @throws UsageError where an option of maps is given with a problem of TSPLIB.
+void check_tsplib(const OptionTable& table, const RunOptions& run) {
+  for (const char* option : {"--stops", "--start", "--goal", "--frame", "--radius",
+                             "--unknown-free", "--prepare", "--corners"})
+    if (table.given(option))
+      throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
+                       " is a problem of TSPLIB; leave it out");
+  const auto picture = std::ranges::find_if(run.outputs, is_picture);
+  if (picture != run.outputs.end())
+    throw UsageError("-o " + *picture + ": pictures are of tours on maps; give .json or .csv");
+}
+
+}  // namespace
+
+Subcommand add_tour(CLI::App& app) {
+  struct Text : TourCommand {
+    std::string start_text, goal_text;
+  };
+  auto text = std::make_shared<Text>();
+  OptionTable table(
+      app, "tour",
+      "Visit many stops of a map in a short order, with a bound that no order is below");
+  table.file(
+      "--stops", text->stops_file,
+      "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, or "
+      "metres with --frame world",
+      {".tsv", ".json", ".geojson"});
+  table.flag("--open", text->open, "End at the last stop (default: back at the first)");
+  table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
+  table.text("--goal", text->goal_text,
+             "Where it ends, open: a stop, or one more; the same as --start: closed", "X,Y");
+  table.integer("--generations", text->generations, 0, TourCommand::kMostGenerations,
+                "Generations of tours that recombine, above 12 stops (default 20)", "N");
+  table
+      .file("MAP", text->run.map.file,
+            "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; or a problem of TSPLIB, .tsp",
+            [] {
+              auto endings = map_endings(false);
+              endings.emplace_back(".tsp");
+              return endings;
+            }())
+      ->required();
+  add_run_options(table, text->run,
+                  {.seed = "Seed, from 0 to 2^53-1 (default 1)",
+                   .time_limit = "Stop the search after this time",
+                   .target_gap = "Stop at this certified gap (1 means 1%)",
+                   .json = "Print one JSON object",
+                   .outputs = kTourOutputs,
+                   .endings = kTourEndings});
+  table["--gap"]->description("No effect: a tour always tells its certified gap");
+  table["--goal-tolerance"]->group(kRefused);
+  const auto refuse = [](const std::string&) {
+    throw UsageError("--capacity: loads are not planned yet; leave it out");
+  };
+  table.add("--capacity", "", "K", refuse)->group(kRefused);
+  return table.command(
+      {.examples = {{"lasius tour maps/grid30a.map --stops stops.tsv -o tour.png",
+                     "a closed tour, and a picture of it"},
+                    {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
+                     "from the depot to the last stop"}},
+       .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
+                 {kBadFile, "map, stops or problem are missing or broken"},
+                 {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
+                 {kUnreachable, "the goal cannot be reached from the start"},
+                 kOutput,
+                 {kInterrupted, "interrupted, the best so far written"}},
+       .json = "tours/JSON of a tour"},
+      [=](const Call& call) {
+        TourCommand& tour = *text;
+        RunOptions& run = tour.run;
+        run.called = call.line;
+        if (is_polygon_file(run.map.file))
+          throw UsageError(run.map.file + ": tours are on bitmaps only");
+        if (table.given("--goal-tolerance"))
+          throw UsageError(
+              "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
+        if (run.algorithm.empty()) run.algorithm = kTourAlgorithm;
+        if (run.algorithm != kTourAlgorithm)
+          throw UsageError("--algorithm " + run.algorithm +
+                           ": legs of tours are shortest paths, by exact; leave it out");
+        if (is_tsplib(run.map.file))
+          check_tsplib(table, run);
+        else
+          require("", "--stops", tour.stops_file);
+        finish_run(run);
+        if (run.ranged)
+          throw UsageError("--seed " + table.in_order("--seed").front().second +
+                           ": one tour has one seed; a range is for plan");
+        if (run.with_optimum) {
+          run.with_optimum = false;
+          run.notes.emplace_back("--gap has no effect: a tour always tells its certified gap");
+        }
+        run.inputs.push_back(tour.stops_file);
+        for (const auto& [option, given, end] :
+             {std::tuple("--start", &text->start_text, &tour.start),
+              std::tuple("--goal", &text->goal_text, &tour.goal)})
+          if (!given->empty()) *end = end_value(option, *given, run.frame, run.map.file);
+        return run_command(tour);
+      });
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,25 @@
+// Tours over problems of TSPLIB, and what they share with those on maps.
+#pragma once
+
+#include <memory>
+
+#include "lasius/tour.h"
+#include "tools/options/options.h"
+#include "tools/record/problem.h"
+
+namespace lasius::tool {
+
+inline constexpr const char* kTourFormat = "lasius-tour/1";
+inline constexpr const char* kTourAlgorithm = "exact";  ///< that legs are planned by
+
+/// `lasius tour PROBLEM.tsp`.
+std::unique_ptr<Problem> tsplib_problem(TourCommand command);
+
+/// The question, without its stops and ends.
+TourRequest request_of(const TourCommand& command, const StopCondition& stop);
+SearchResult search_result(const TourResult& tour);
+void add_parameters(Json& json, const TourCommand& command);
+/// {order}, null without a tour.
+Json order_json(const TourResult& tour);
+
+}  // namespace lasius::tool
