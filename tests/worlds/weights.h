@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "core/grid/components.h"
 #include "lasius/cost_field.h"
 #include "lasius/grid.h"
+#include "lasius/planner.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -32,8 +32,7 @@ inline WeightedWorld random_weights(std::mt19937& random, int least_side, int mo
     if (kind == 2) weights[below(width * height)] = 50;
     const Cell start{below(width), below(height)}, goal{below(width), below(height)};
     if (grid.blocked(start) || grid.blocked(goal) || start == goal) continue;
-    const auto joined = Components::make(grid, Components::Connectivity::four, {});
-    if (!joined->connected(grid, start, goal)) continue;
+    if (!Planner(Grid(grid)).connected(start, goal)) continue;
     return {grid, CostField(width, height, weights), start, goal};
   }
 }
