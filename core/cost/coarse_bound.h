@@ -15,77 +15,100 @@ namespace lasius::cost {
 class StraightBound : public EdgeField::Bound {
  public:
   StraightBound(const Terrain& terrain, Point from) : least_(terrain.least()), from_(from) {}
-  double at(Point p) const override {
+  double at(Point p, Cell) const override {
     const double dx = p.x - from_.x, dy = p.y - from_.y;
     return least_ * std::sqrt(dx * dx + dy * dy);
   }
+  /// To the centre of a cell, less what rounding may add.
+  double proven(Cell cell) const { return at(centre(cell), cell) / (1 + 1e-12); }
 
  private:
   double least_;
   Point from_;
 };
 
-/// The same, or where it is more a certified field over blocks of cells, each as cheap as its
-/// cheapest free cell: any path through a block costs so much at least.
+/// A certified field over blocks of cells, each as cheap as its cheapest free cell: any path
+/// through a block costs so much at least.
+struct Blocks {
+  static constexpr int kSide = 8;       ///< cells
+  static constexpr int kIntervals = 2;  ///< an edge
+
+  static Cell of(Cell cell) noexcept { return {cell.x / kSide, cell.y / kSide}; }
+  /// What a point of the block is, with the block as the unit.
+  static Point inside(Point p, Cell block) noexcept {
+    return {p.x / kSide - block.x, p.y / kSide - block.y};
+  }
+  /// The field is of the centre of the block that the start is in: what may be saved by starting
+  /// where the start is.
+  static double saved(const Terrain& blocks, Cell start) noexcept {
+    const Cell block = of(start);
+    const Point at = inside(centre(start), block);
+    return blocks.weight(block.x, block.y) * std::hypot(at.x - 0.5, at.y - 0.5);
+  }
+  /// What a path costs at least to a point of a block, from the values around it.
+  static double within(const CellChords& chords, Point local, const double* values, double weight) {
+    constexpr double kOff = 1e-3;  // from the block's edges, so that each is looked at
+    local = {std::clamp(local.x, kOff, 1 - kOff), std::clamp(local.y, kOff, 1 - kOff)};
+    return chords.cheapest(local, values, weight).cost - 2 * kOff * weight;
+  }
+};
+
+/// The bound of such a field from the start, or the straight one where that is greater.
 class CoarseBound final : public StraightBound {
  public:
-  static constexpr int kBlock = 8;  ///< cells a side
-
-  /// @param coarse  the blocks of the map, by blocks_of; outlives the bound, as `chords` does
-  CoarseBound(const Terrain& terrain, const Terrain& coarse, const CellChords& chords, Cell from)
-      : StraightBound(terrain, centre(from)),
-        coarse_(coarse),
+  /// @param blocks  of the map, by blocks_of; outlives the bound, as `chords` does
+  CoarseBound(const Terrain& terrain, const Terrain& blocks, const CellChords& chords, Cell start)
+      : StraightBound(terrain, centre(start)),
+        blocks_(blocks),
         chords_(chords),
-        block_{from.x / kBlock, from.y / kBlock},
-        field_(coarse) {
-    // The field is of the block's centre: from anywhere else in it what leads there may be saved.
-    const Point at = inside(centre(from), block_);
-    saved_ = coarse_.weight(block_.x, block_.y) * std::hypot(at.x - 0.5, at.y - 0.5);
-  }
+        block_(Blocks::of(start)),
+        field_(blocks),
+        saved_(Blocks::saved(blocks, start)) {}
   /// False when stopped. @param most  costs above it need not be known
   bool make(double most, Poller& poller) {
-    const StraightBound nothing(coarse_, {block_.x + 0.5, block_.y + 0.5});
-    field_.begin(chords_, block_, 0.03, nullptr);
-    if (!field_.march(nothing, most, poller) || !field_.certify(poller)) return false;
+    const NoBound none;
+    field_.begin(chords_, block_, kSlack, nullptr);
+    // What is lost to the slack is marched for, too: beyond the field nothing is known.
+    if (!field_.march(none, most * (1 + 2 * kSlack), poller) || !field_.certify(poller))
+      return false;
+    beyond_ = field_.bound_of_leaving();
     made_ = true;
     return true;
   }
+  const EdgeField& field() const noexcept { return field_; }
 
-  double at(Point p) const override {
-    const double straight = StraightBound::at(p);
+  double at(Point p, Cell cell) const override {
+    const double straight = StraightBound::at(p, cell);
     if (!made_) return straight;
-    const Cell block{std::min(static_cast<int>(p.x / kBlock), coarse_.width() - 1),
-                     std::min(static_cast<int>(p.y / kBlock), coarse_.height() - 1)};
-    const std::size_t index = coarse_.index(block.x, block.y);
+    const Cell block = Blocks::of(cell);
+    const std::size_t index = blocks_.index(block.x, block.y);
     if (block == block_ || !field_.has(index)) return straight;
-    // Off the block's edges, of which values are known, by a little.
-    Point local = inside(p, block);
-    local = {std::clamp(local.x, kOff, 1 - kOff), std::clamp(local.y, kOff, 1 - kOff)};
-    double values[8];
+    double values[4 * Blocks::kIntervals];
     field_.values_of(block, values);
-    const double weight = coarse_.at(index);
-    const double cost = chords_.cheapest(local, values, weight).cost / field_.excess();
-    return std::max(straight, cost - 2 * kOff * weight - saved_);
+    const double cost =
+        Blocks::within(chords_, Blocks::inside(p, block), values, blocks_.at(index));
+    // A path that leaves the field's blocks and comes back has cost what leaving costs.
+    return std::max(straight, std::min(cost / field_.excess(), beyond_) - saved_);
   }
 
  private:
-  static constexpr double kOff = 1e-3;
+  static constexpr double kSlack = 0.03;
+  struct NoBound final : EdgeField::Bound {
+    double at(Point, Cell) const override { return 0; }
+  };
 
-  static Point inside(Point p, Cell block) noexcept {
-    return {p.x / kBlock - block.x, p.y / kBlock - block.y};
-  }
-
-  const Terrain& coarse_;
+  const Terrain& blocks_;
   const CellChords& chords_;
   Cell block_;
   EdgeField field_;
-  double saved_ = 0;
+  double saved_;
+  double beyond_ = 0;
   bool made_ = false;
 };
 
 /// The blocks of a map as cells of another, whose unit of length is a block.
 inline Terrain blocks_of(const Terrain& terrain) {
-  constexpr int kBlock = CoarseBound::kBlock;
+  constexpr int kBlock = Blocks::kSide;
   Grid grid((terrain.width() + kBlock - 1) / kBlock, (terrain.height() + kBlock - 1) / kBlock);
   std::vector<double> weights(static_cast<std::size_t>(grid.width()) * grid.height(), kInfinity);
   for (int y = 0; y < terrain.height(); ++y) {

@@ -11,6 +11,7 @@
 
 #include "core/cost/coarse_bound.h"
 #include "core/cost/path_cost.h"
+#include "core/cost/proof_level.h"
 
 namespace lasius::cost {
 namespace {
@@ -89,14 +90,15 @@ std::vector<Point> centres_of(std::span<const Cell> walk) {
 }  // namespace
 
 void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
-                        const StopCondition& stop, CostAnswer& answer) {
+                        const StopCondition& stop, CostAnswer& answer,
+                        std::vector<CostProof::Level>* proof) {
   const double began = processor_seconds();
   levels_.clear();
   most_bytes_ = 0;
   answer = {};
   Poller poller(stop);
   Best best(terrain, options);
-  double lower = 0;
+  double lower = StraightBound(terrain, centre(start)).proven(goal);
   bool go_on = true;
   const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller);
   if (!walk.empty()) {
@@ -118,6 +120,11 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     rest.emplace(terrain, *coarse, two, start);
     rest->make(best.cost(), poller);
   }
+  // Levels that are done, how many of them the bound rests on, and the one above them.
+  std::vector<CostProof::Level> done, top;
+  std::size_t base = 0;
+  if (proof != nullptr && rest && !poller.stopped())
+    done.push_back(proof_level(*coarse, rest->field(), true, Blocks::kSide));
   auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   std::unique_ptr<const CellChords> chords_before, chords;
   for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
@@ -150,7 +157,13 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
       const double within = now->bound(target);
       const double out = now->bound_of_leaving();
       level.cells = static_cast<std::int64_t>(now->cells().size());
-      lower = std::max(lower, std::min({within, out, leaving}));
+      if (const double proven = std::min({within, out, leaving}); proven > lower) {
+        lower = proven;
+        if (proof != nullptr) {
+          base = done.size();
+          top.assign(1, proof_level(terrain, *now, !backward, 1));
+        }
+      }
       const double miss = best.cost() * (1 - 1e-4) - out;
       if (!(miss > 0) || reached() || level.rounds == 8) {
         leaving = std::min(leaving, out);
@@ -162,9 +175,16 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     level.upper = best.cost();
     level.seconds = processor_seconds() - began;
     levels_.push_back(level);
+    if (proof != nullptr && go_on && !poller.stopped())
+      done.push_back(proof_level(terrain, *now, !backward, 1));
     most_bytes_ = std::max(most_bytes_, eight_moves_.bytes() + before->bytes() + now->bytes());
     std::swap(before, now);
     std::swap(chords_before, chords);
+  }
+  if (proof != nullptr) {
+    done.resize(base);
+    done.insert(done.end(), top.begin(), top.end());
+    *proof = std::move(done);
   }
   answer.path = best.path();
   answer.length = best.cost();

@@ -11,6 +11,7 @@
 #include "core/cost/eight_moves.h"
 #include "core/cost/terrain.h"
 #include "core/exact/exact_answer.h"
+#include "lasius/cost_proof.h"
 
 namespace lasius::cost {
 
@@ -26,8 +27,10 @@ class CostSearch {
   static constexpr int kMostIntervals = 16;
 
   /// Start and goal are free, differ and are joined; the terrain outlives the call.
+  /// @param proof  where it is not null: becomes the levels that prove the lower bound
   void search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
-              const StopCondition& stop, CostAnswer& answer);
+              const StopCondition& stop, CostAnswer& answer,
+              std::vector<CostProof::Level>* proof = nullptr);
   /// The cheapest walk by eight moves, from centre to centre; `optimal` means of those.
   void search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,
                           const StopCondition& stop, CostAnswer& answer);

@@ -147,7 +147,7 @@ double EdgeField::left(std::uint32_t node) const noexcept {
       return;
     }
     const Point at = chords_->at(place);
-    least = rest_->at({cell.x + at.x, cell.y + at.y});
+    least = rest_->at({cell.x + at.x, cell.y + at.y}, cell);
   });
   return least;
 }
@@ -343,7 +343,7 @@ double EdgeField::bound_of_leaving() const {
           least = std::min(least, value_[nodes[place]] + value_before(cell, place));
         }
       } else {
-        least = std::min(least, bound_of_leaving(cell, edge, beside, nodes));
+        least = std::min(least, bound_of_leaving(cell, edge, nodes));
       }
     }
   }
@@ -352,13 +352,10 @@ double EdgeField::bound_of_leaving() const {
 }
 
 // At points of the edge, less what it may be less between them: what is left to the other end falls
-// along an edge by no more than the cheaper cell's weight.
-double EdgeField::bound_of_leaving(Cell cell, int edge, Cell beside,
-                                   const std::uint32_t* nodes) const {
-  constexpr int kPoints = 8;  // an interval
+// along an edge by no more than the cell's weight.
+double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes) const {
+  constexpr int kPoints = kRestPoints;
   const int k = chords_->intervals();
-  const double weight =
-      std::min(terrain_.weight(cell.x, cell.y), terrain_.weight(beside.x, beside.y));
   double least = kInfinity;
   for (int i = 0; i <= kPoints * k; ++i) {
     const int low = std::min(i / kPoints, k - 1) + edge * k, high = (low + 1) % chords_->places();
@@ -366,9 +363,9 @@ double EdgeField::bound_of_leaving(Cell cell, int edge, Cell beside,
     const Point a = chords_->at(low), b = chords_->at(high);
     const Point p{cell.x + a.x + share * (b.x - a.x), cell.y + a.y + share * (b.y - a.y)};
     const double value = value_[nodes[low]] + share * (value_[nodes[high]] - value_[nodes[low]]);
-    least = std::min(least, value + rest_->at(p));
+    least = std::min(least, value + rest_->at(p, cell));
   }
-  return least - weight * 0.5 / (kPoints * k);
+  return least - terrain_.weight(cell.x, cell.y) * 0.5 / (kPoints * k);
 }
 
 std::int64_t EdgeField::bytes() const noexcept {

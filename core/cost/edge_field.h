@@ -23,12 +23,15 @@ namespace lasius::cost {
 /// own.
 class EdgeField {
  public:
-  /// A lower bound of what a path costs from some end to a point.
+  /// A lower bound of what a path costs from some end to a point of a cell, through that cell.
   class Bound {
    public:
     virtual ~Bound() = default;
-    virtual double at(Point p) const = 0;
+    virtual double at(Point p, Cell cell) const = 0;
   };
+
+  /// A `Bound` is looked at in so many points an interval.
+  static constexpr int kRestPoints = 8;
 
   explicit EdgeField(const Terrain& terrain) : terrain_(terrain) {}
 
@@ -83,7 +86,7 @@ class EdgeField {
   void offer(std::uint32_t node, double value);
   void reach(Cell cell);
   void fill(double* values, double weight) const;
-  double bound_of_leaving(Cell cell, int edge, Cell beside, const std::uint32_t* nodes) const;
+  double bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes) const;
   double value_before(Cell cell, int place) const noexcept;
 
   const Terrain& terrain_;

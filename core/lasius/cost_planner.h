@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lasius/cost_field.h"
+#include "lasius/cost_proof.h"
 #include "lasius/export.h"
 #include "lasius/moves.h"
 #include "lasius/planner.h"
@@ -22,6 +23,9 @@ struct CostResult : Result {
   /// Certified (cost - lower_bound) / lower_bound; 0 at cost 0; nothing where there is no path or
   /// no bound above 0.
   LASIUS_EXPORT std::optional<double> gap() const;
+  /// What proves `lower_bound`, where CostOptions::proof asks for it and there is a path; it takes
+  /// about as much memory as the search. Null otherwise.
+  std::shared_ptr<const CostProof> proof;
 };
 
 /// Which paths there are.
@@ -30,6 +34,8 @@ struct CostOptions {
   /// `lower_bound` and `optimal` are about these.
   bool eight_moves = false;
   Corners corners = Corners::forbid;  ///< of eight moves
+  /// Ask for CostResult::proof; not of eight moves. Then equal weights are searched as others are.
+  bool proof = false;
 };
 
 /// Finds the cheapest path over costs, of any angle, within a gap that it proves. Immutable; copies
@@ -51,8 +57,8 @@ class LASIUS_EXPORT CostPlanner {
   /// Answers one request, deterministic as Planner::plan. Of any angle: a path soon, then better
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
-  /// Planner::plan's `exact`. `observer` is called with every cheaper path; its best_length is a
-  /// cost. @throws as Planner::plan.
+  /// Planner::plan's `exact`, unless a proof is asked for. `observer` is called with every cheaper
+  /// path; its best_length is a cost. @throws as Planner::plan.
   CostResult plan(const Request& request, const CostOptions& options = {},
                   const Observer& observer = {}) const;
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lasius/cost_proof.h"
 #include "lasius/io_export.h"
 #include "lasius/params.h"
 #include "lasius/result.h"
@@ -35,5 +36,15 @@ LASIUS_IO_EXPORT std::string result_to_json(const Result& result);
 /// The answer in such a text, or in what `lasius plan --json` printed (cells); "gap" follows from
 /// the others and is not read. @throws Error(file_broken), naming the member.
 LASIUS_IO_EXPORT Result result_from_json(std::string_view text);
+
+/// A proof as JSON of format "lasius-proof/1" (docs/costs.md), a line for each of its lists.
+/// @param weights  where it is not empty: JSON that says what made the weights, kept as "weights"
+LASIUS_IO_EXPORT std::string proof_to_json(const CostProof& proof, std::string_view weights = {});
+
+/// The proof in such a text; numbers are the same, bit for bit. Whether it holds check_proof says.
+/// @param file  its name, for what is refused
+/// @throws Error(file_broken), naming the member.
+LASIUS_IO_EXPORT CostProof proof_from_json(std::string_view text,
+                                           const std::string& file = "the proof");
 
 }  // namespace lasius

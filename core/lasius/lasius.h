@@ -6,6 +6,7 @@
 #include "lasius/clearance.h"
 #include "lasius/cost_field.h"
 #include "lasius/cost_planner.h"
+#include "lasius/cost_proof.h"
 #include "lasius/drive.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"

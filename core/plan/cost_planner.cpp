@@ -23,10 +23,13 @@ Planner of_a_point(Planner planner) {
 
 struct CostPlanner::Impl {
   Impl(Planner p, const CostField& costs)
-      : planner(of_a_point(std::move(p))), terrain(planner.grid(), costs) {}
+      : planner(of_a_point(std::move(p))),
+        terrain(planner.grid(), costs),
+        costs_hash(costs.hash()) {}
 
   Planner planner;
   cost::Terrain terrain;
+  std::uint64_t costs_hash;
 };
 
 std::optional<double> CostResult::gap() const {
@@ -51,7 +54,11 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   const Params params;  // of exact
   CostResult result;
   Result& plain = result;
-  if (terrain.least() == terrain.most() && !options.eight_moves) {
+  if (options.proof && options.eight_moves) {
+    throw Error(ErrorCode::invalid_parameter, "a proof is asked for of eight moves",
+                "ask for one of any angle");
+  }
+  if (terrain.least() == terrain.most() && !options.eight_moves && !options.proof) {
     plain = impl_->planner.plan(request, params, nullptr, observer);
     result.cost = result.length * terrain.least();
     if (result.lower_bound) *result.lower_bound *= terrain.least();
@@ -64,8 +71,18 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   plain = impl_->planner.plan(judged, params);
   if (result.status == Status::invalid || result.status == Status::unreachable) return result;
   const Cell goal = result.goal_reached.value_or(request.goal);
+  const auto prove = [&](double bound, std::vector<CostProof::Level> levels) {
+    if (!options.proof) return;
+    result.proof = std::make_shared<const CostProof>(CostProof{.start = request.start,
+                                                               .goal = goal,
+                                                               .lower_bound = bound,
+                                                               .map_hash = planner().grid().hash(),
+                                                               .costs_hash = impl_->costs_hash,
+                                                               .levels = std::move(levels)});
+  };
   if (request.start == goal) {
     result.cost = 0;
+    prove(0, {});
     return result;
   }
   const std::optional<Cell> goal_reached = result.goal_reached;
@@ -79,12 +96,14 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   };
   cost::CostSearch search;
   cost::CostAnswer answer;
+  std::vector<CostProof::Level> levels;
   if (options.eight_moves) {
     search.search_eight_moves(terrain, request.start, goal, options.corners, request.stop, answer);
   } else {
     const ExactOptions how{.target_gap = request.target_gap,
                            .improved = observer ? &show : nullptr};
-    search.search(terrain, request.start, goal, how, request.stop, answer);
+    search.search(terrain, request.start, goal, how, request.stop, answer,
+                  options.proof ? &levels : nullptr);
   }
   end_run(result, answer.cause, answer.path.empty() ? Status::no_path : Status::solved);
   result.lower_bound = answer.lower_bound;
@@ -93,6 +112,7 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   result.path = std::move(answer.path);
   result.length = path_length(result.path);
   result.cost = answer.length;
+  prove(answer.lower_bound, std::move(levels));
   return result;
 }
 

@@ -10,44 +10,18 @@
 #include <vector>
 
 #include "core/cost/coarse_bound.h"
-#include "core/grid/components.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/weights.h"
 
 namespace lasius::cost {
 namespace {
-
-struct World {
-  Grid grid;
-  CostField costs;
-  Cell start, goal;
-};
-
-/// Start and goal joined and apart.
-World random_world(std::mt19937& random, int least_side, int most_side) {
-  const auto below = [&](int n) { return static_cast<int>(random() % n); };
-  for (;;) {
-    const int width = least_side + below(most_side - least_side + 1);
-    const int height = least_side + below(most_side - least_side + 1);
-    Grid grid = random_grid(width, height, 10 + below(31), random);
-    std::vector<double> weights(static_cast<std::size_t>(width) * height);
-    const int kind = below(3);
-    for (double& w : weights)
-      w = kind == 0 ? 1 + below(3) : kind == 1 ? 0.2 + 0.01 * below(900) : 1;
-    if (kind == 2) weights[below(width * height)] = 50;
-    const Cell start{below(width), below(height)}, goal{below(width), below(height)};
-    if (grid.blocked(start) || grid.blocked(goal) || start == goal) continue;
-    const auto joined = Components::make(grid, Components::Connectivity::four, {});
-    if (!joined->connected(grid, start, goal)) continue;
-    return {grid, CostField(width, height, weights), start, goal};
-  }
-}
 
 TEST(CostSearch, TinyMapsAgainstBruteForce) {
   std::mt19937 random(7);
   double worst_gap = 0;
   for (int i = 0; i < 150; ++i) {
-    const auto [grid, costs, start, goal] = random_world(random, 4, 8);
+    const auto [grid, costs, start, goal] = random_weights(random, 4, 8);
     const Terrain terrain(grid, costs);
     CostSearch search;
     CostAnswer answer;
@@ -73,7 +47,7 @@ TEST(EdgeField, RandomChordsCostEnough) {
   std::uniform_real_distribution<double> unit(0, 1);
   std::int64_t chords_tried = 0;
   for (int i = 0; i < 40; ++i) {
-    const auto [grid, costs, start, goal] = random_world(random, 5, 12);
+    const auto [grid, costs, start, goal] = random_weights(random, 5, 12);
     const Terrain terrain(grid, costs);
     const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
     const double best = i % 4 == 0 ? oracle::cost_over_points(grid, weight, start, goal, 5) : 1e300;
@@ -143,7 +117,7 @@ TEST(CostSearch, BendsAsLightDoes) {
 TEST(CostSearch, EightMovesAgainstDijkstra) {
   std::mt19937 random(5);
   for (int i = 0; i < 200; ++i) {
-    const auto [grid, costs, start, goal] = random_world(random, 4, 12);
+    const auto [grid, costs, start, goal] = random_weights(random, 4, 12);
     const Terrain terrain(grid, costs);
     for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
       // Bellman's equations, until nothing changes.
@@ -179,7 +153,7 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
 
 TEST(CostSearch, StopsAtTheTargetGap) {
   std::mt19937 random(11);
-  const auto [grid, costs, start, goal] = random_world(random, 40, 60);
+  const auto [grid, costs, start, goal] = random_weights(random, 40, 60);
   const Terrain terrain(grid, costs);
   double bound = 0;
   int paths = 0;

@@ -1,0 +1,84 @@
+// Proofs as files: read as they were written; what is broken is refused by name.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "lasius/cost_planner.h"
+#include "lasius/io_json.h"
+#include "tests/core/base/refusal.h"
+#include "tests/worlds/weights.h"
+
+namespace lasius {
+namespace {
+
+TEST(ProofJson, ReadsBackTheSame) {
+  std::mt19937 random(4);
+  int levels = 0;
+  for (int i = 0; i < 20; ++i) {
+    const WeightedWorld world = random_weights(random, 5, 20);
+    const CostPlanner planner(Planner(Grid(world.grid)), world.costs);
+    const Request request{.start = world.start, .goal = world.goal};
+    const CostResult result = planner.plan(request, {.proof = true});
+    ASSERT_NE(result.proof, nullptr);
+    EXPECT_EQ(result.proof->lower_bound, result.lower_bound);
+    const CostResult plain = planner.plan(request);
+    EXPECT_EQ(plain.proof, nullptr);
+    EXPECT_NEAR(plain.cost, result.cost, 1e-9 * plain.cost);
+    const std::string text = proof_to_json(*result.proof, R"([{"file":"a.pfm","factor":2}])");
+    const CostProof read = proof_from_json(text);
+    EXPECT_EQ(read, *result.proof);
+    EXPECT_EQ(check_proof(world.grid, world.costs, read), std::nullopt);
+    levels += static_cast<int>(read.levels.size());
+  }
+  EXPECT_GT(levels, 40);
+}
+
+TEST(ProofJson, EqualWeightsAndAStartThatIsTheGoal) {
+  const Grid grid(9, 7);
+  const CostField costs(9, 7);
+  const CostPlanner planner(Planner(Grid(grid)), costs);
+  for (const Cell goal : {Cell{1, 1}, Cell{7, 4}}) {
+    const CostResult result = planner.plan({.start = {1, 1}, .goal = goal}, {.proof = true});
+    ASSERT_NE(result.proof, nullptr);
+    EXPECT_NEAR(result.proof->lower_bound, result.cost, 1e-9);
+    EXPECT_EQ(check_proof(grid, costs, *result.proof), std::nullopt);
+  }
+  EXPECT_EQ(error_of([&] {
+              return planner.plan({.start = {1, 1}, .goal = {7, 4}},
+                                  {.eight_moves = true, .proof = true});
+            }).code(),
+            ErrorCode::invalid_parameter);
+}
+
+TEST(ProofJson, WhatIsBrokenIsNamed) {
+  CostProof proof{.start = {1, 2}, .goal = {3, 4}, .lower_bound = 2.5, .map_hash = 7};
+  proof.levels.push_back({.runs = {0, 0, 1}, .values = {1, 2}});
+  const std::string good = proof_to_json(proof);
+  EXPECT_EQ(proof_from_json(good), proof);
+  const struct {
+    std::string from, to, says;
+  } cases[] = {
+      {"lasius-proof/1", "lasius-proof/2", "\"format\": \"lasius-proof/2\""},
+      {"\"start\":[1,2]", "\"start\":[1]", "\"start\": [1]"},
+      {"\"start\":[1,2]", "\"start\":[1,2.5]", "\"start\": 2.5"},
+      {"\"start\":[1,2]", "\"start\":[1,18446744073709551615]", "\"start\": 18446744073709551615"},
+      {"\"lower_bound\"", "\"bound\"", "lacks \"lower_bound\""},
+      {"0000000000000007", "7", "\"hash\": \"7\""},
+      {"\"from\":\"start\"", "\"from\":\"end\"", "\"from\": \"end\""},
+      {"[1,2]}", "[1,null]}", "\"values\": null"},
+      {"[0,0,1]", "7", "\"runs\": 7"},
+      {"]}\n", "]", ""},
+  };
+  for (const auto& [from, to, says] : cases) {
+    std::string text = good;
+    text.replace(text.rfind(from), from.size(), to);
+    const Error error = error_of([&] { return proof_from_json(text, "a.json"); }, text);
+    EXPECT_EQ(error.code(), ErrorCode::file_broken);
+    EXPECT_EQ(error.place().file, "a.json");
+    expect_says(error, says);
+  }
+}
+
+}  // namespace
+}  // namespace lasius
