@@ -27,7 +27,7 @@ void check(cairo_status_t status) {
     throw std::runtime_error(std::string("cairo: ") + cairo_status_to_string(status));
 }
 
-std::uint32_t packed(Colour colour) {
+std::uint32_t argb(Colour colour) {
   const auto byte = [](double share) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
   };
@@ -184,7 +184,7 @@ void Canvas::image(const Raster<Colour>& pixels, const Box& box) {
   for (int y = 0; y < pixels.height * grow; ++y) {
     auto* const row =
         reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-    for (int x = 0; x < pixels.width * grow; ++x) row[x] = packed(pixels.at(x / grow, y / grow));
+    for (int x = 0; x < pixels.width * grow; ++x) row[x] = argb(pixels.at(x / grow, y / grow));
   }
   cairo_surface_mark_dirty(surface.get());
 
