@@ -17,8 +17,8 @@ std::span<const ProblemKind* const> kinds() {
 }
 
 std::vector<AddSubcommand> subcommands() {
-  return {add_plan,   add_drive, add_tour,  add_batch, add_info, add_algorithms, add_generate,
-          add_verify, add_merge, add_study, add_tune,  add_arm,  add_help};
+  return {add_plan,   add_drive,       add_tour,  add_batch, add_info, add_algorithms, add_generate,
+          add_verify, add_check_proof, add_merge, add_study, add_tune, add_arm,        add_help};
 }
 
 }  // namespace lasius::tool

@@ -37,6 +37,7 @@ std::vector<AddSubcommand> subcommands();
 
 Subcommand add_plan(CLI::App& app);
 Subcommand add_batch(CLI::App& app);
+Subcommand add_check_proof(CLI::App& app);
 Subcommand add_info(CLI::App& app);
 Subcommand add_algorithms(CLI::App& app);
 Subcommand add_generate(CLI::App& app);

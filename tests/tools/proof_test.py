@@ -1,0 +1,102 @@
+"""lasius check-proof, and tools/check_proof, which shares nothing with it: both say the same of proofs."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from program import ProgramTest
+
+SCRIPT = pathlib.Path(__file__).parents[2] / "tools" / "check_proof"
+INFLATION = ("--inflation", "4,0.5,3")
+
+
+def has_numpy():
+    return subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True, check=False).returncode == 0
+
+
+class Proofs(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([os.environ["LASIUS_MAKE_PROOFS"], self.folder, "12"], check=True)
+
+    def check(self, i, proof=None, *options):
+        return self.run_program("check-proof", f"{i}.map", proof or f"{i}.proof.json",
+                                *(options or ("--cost", f"{i}.pfm", *INFLATION)))
+
+    def script(self, i, proof=None):
+        return subprocess.run([sys.executable, SCRIPT, f"{i}.map", proof or f"{i}.proof.json", "--cost",
+                               f"{i}.pfm", *INFLATION], cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def test_proofs_hold(self):
+        for i in range(12):
+            run = self.quiet(self.check(i))
+            bound = json.loads(self.read(f"{i}.proof.json"))["lower_bound"]
+            self.assertEqual(run.out, f"holds: no path costs less than {bound}\n")
+
+    def changed(self):
+        """Proofs of which one number is another."""
+        for i in range(12):
+            proof = json.loads(self.read(f"{i}.proof.json"))
+            level = proof["levels"][i % len(proof["levels"])]
+            if i % 3 == 0:
+                proof["lower_bound"] *= 1.001
+            elif i % 3 == 1:
+                level["values"][len(level["values"]) // 2] += 30 * level["block"]
+            else:
+                level["runs"][2] -= 1
+            self.write("changed.json", json.dumps(proof))
+            yield i
+
+    def test_one_changed_number_is_refused(self):
+        for i in self.changed():
+            run = self.check(i, "changed.json")
+            self.assertEqual((run.code, run.err), (1, ""))
+            self.holds(run.out, "does not hold: ")
+
+    @unittest.skipUnless(has_numpy(), f"{sys.executable} has no numpy, which tools/check_proof needs")
+    def test_the_script_says_the_same(self):
+        for i in range(12):
+            self.assertEqual(self.script(i).returncode, 0, self.script(i).stderr)
+        for i in self.changed():
+            run = self.script(i, "changed.json")
+            self.assertEqual(run.returncode, 1)
+            self.holds(run.stderr, "the proof does not hold: ")
+
+    def test_other_inputs(self):
+        self.holds(self.check(0, None, "--cost", "0.pfm*2", *INFLATION).out, "does not hold: the proof is of other costs")
+        self.holds(self.check(0, None, *INFLATION).out, "does not hold: the proof is of other costs")
+        self.holds(self.run_program("check-proof", "small.map", "0.proof.json").out,
+                   "does not hold: the proof is of another map")
+
+    def test_layers(self):
+        """The same numbers as .npy are the same costs."""
+        pfm = self.read("0.pfm")
+        _, size, _, rest = pfm.split(b"\n", 3)
+        width, height = map(int, size.split())
+        row = 4 * width
+        head = f"{{'descr': '<f4', 'fortran_order': False, 'shape': ({height}, {width}), }}".encode()
+        head += b" " * (63 - (len(head) + 10) % 64) + b"\n"
+        values = b"".join(rest[i * row:(i + 1) * row] for i in reversed(range(height)))
+        npy = b"\x93NUMPY\x01\x00" + len(head).to_bytes(2, "little") + head + values
+        self.write("0.npy", npy)
+        self.quiet(self.check(0, None, "--cost", "0.npy", *INFLATION))
+        for content, says in ((npy[:-1], "bytes of values"), (npy[:40], "ends in its head"),
+                              (npy.replace(b"<f4", b"<i4"), "another type"), (pfm[:9], "no PFM's"),
+                              (pfm.replace(size, b"3 2"), "bytes of values"), (b"no", "neither a PFM nor a .npy"),
+                              (b"Pf\n1 1\n-1\n\0\0\0\0", "it has 1 x 1 values, the map"),
+                              (npy[:-4] + b"\0\0\x80\xbf", "it holds -1")):
+            self.write("bad", content)
+            self.refused(self.check(0, None, "--cost", "bad"), 3, says)
+
+    def test_what_is_broken(self):
+        self.refused(self.check(0, "none.json"), 3, "none.json")
+        self.write("bad.json", "{}")
+        self.refused(self.check(0, "bad.json"), 3, "bad.json", 'lacks "format"')
+        self.refused(self.check(0, None, "--inflation", "4"), 2, "--inflation")
+        self.refused(self.check(0, None, "--cost", "0.pfm*-1"), 2, "--cost")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,61 @@
+#include <limits>
+#include <memory>
+
+#include "core/map_files/byte_reader.h"
+#include "lasius/cost_proof.h"
+#include "lasius/io_json.h"
+#include "tools/bitmap/cost_layers.h"
+#include "tools/command_line/map_options.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/streams.h"
+#include "tools/options/commands.h"
+
+namespace lasius::tool {
+
+Subcommand add_check_proof(CLI::App& app) {
+  struct Asked {
+    MapOptions map;
+    std::string proof;
+    CostLayers layers;
+  };
+  auto asked = std::make_shared<Asked>();
+  OptionTable table(app, "check-proof", "Check the proof of a bound of costs, without a search");
+  table
+      .file("MAP", asked->map.file, "The map: .map, PBM, PGM, PNG, BMP or ROS YAML",
+            map_endings(false))
+      ->required();
+  table
+      .file("PROOF", asked->proof, "The proof, as CostPlanner's proof_to_json wrote it", {".json"})
+      ->required();
+  table.repeatable("--cost", asked->layers.files,
+                   "A layer of the costs, PFM or .npy of the map's size: its values, at least 0, "
+                   "times the factor (default 1) are added to the weight 1 of each cell "
+                   "(repeatable)",
+                   "FILE[*FACTOR]");
+  table.text("--inflation", asked->layers.inflation,
+             "Costs near what is blocked, as Nav2 has them, in cells; the weight is 2 by itself",
+             "RADIUS,SCALING[,WEIGHT]");
+  table.flag("--unknown-free", asked->map.unknown_is_free,
+             "Unknown cells of a ROS map count as free");
+  return table.command(
+      {.detail = "The format of proofs, and a script that checks them alike: docs/costs.md.",
+       .examples = {{"lasius check-proof depot.pgm run.proof.json --inflation 14,0.15",
+                     "whether no path over these costs is cheaper than the proof's bound"}},
+       .exits = {{kFound, "the proof holds"},
+                 {kInternal, "it does not: its first fault is printed; internal error"},
+                 {kBadFile, "map, proof or a layer is missing or broken"}}},
+      [=](const Call&) {
+        const LoadedMap map = read_map(asked->map, Frame::cell);
+        const CostField costs = cost_field(map, asked->layers);
+        const CostProof proof = proof_from_json(
+            read_text(asked->proof, std::numeric_limits<std::int64_t>::max()), asked->proof);
+        if (const auto fault = check_proof(map.as_read(), costs, proof)) {
+          print("does not hold: " + *fault + "\n");
+          return static_cast<int>(kInternal);
+        }
+        print("holds: no path costs less than " + to_text(proof.lower_bound) + "\n");
+        return static_cast<int>(kFound);
+      });
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,155 @@
+#include "tools/bitmap/cost_layers.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <sstream>
+
+#include "core/base/number_text.h"
+#include "core/map_files/byte_reader.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::int64_t kMostBytes = std::int64_t{1} << 33;
+
+/// Values row by row from the top.
+struct LayerValues {
+  int width = 0, height = 0;
+  std::vector<double> values = {};
+};
+
+[[noreturn]] void refuse_layer(const std::string& file, const std::string& problem,
+                               ErrorCode code = ErrorCode::file_broken) {
+  throw Error(code, {.file = file}, problem,
+              "give a PFM of one channel or a .npy of rows of float32, float64 or uint8, of the "
+              "map's size");
+}
+
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t i, bool swapped) {
+  char digits[sizeof(Number)];
+  std::memcpy(digits, bytes.data() + i * sizeof(Number), sizeof(Number));
+  if (swapped) std::reverse(digits, digits + sizeof(Number));
+  Number number;
+  std::memcpy(&number, digits, sizeof(Number));
+  return number;
+}
+
+template <class Number>
+void read_values(const std::string& file, std::string_view bytes, bool big, LayerValues& to) {
+  const std::size_t count = static_cast<std::size_t>(to.width) * to.height;
+  if (bytes.size() != count * sizeof(Number))
+    refuse_layer(file, "it has " + number_text(bytes.size()) + " bytes of values, " +
+                           size_text(to.width, to.height) + " take " +
+                           number_text(count * sizeof(Number)));
+  const bool swapped = big != (std::endian::native == std::endian::big);
+  to.values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    to.values.push_back(static_cast<double>(number_at<Number>(bytes, i, swapped)));
+}
+
+void set_size(const std::string& file, std::int64_t width, std::int64_t height, LayerValues& to) {
+  if (width < 1 || height < 1 || width > Grid::kMaxSide || height > Grid::kMaxSide)
+    refuse_layer(file, "its size is " + size_text(width, height));
+  to.width = static_cast<int>(width);
+  to.height = static_cast<int>(height);
+}
+
+/// Rows from the bottom, as the format has them.
+LayerValues read_pfm(const std::string& file, const std::string& bytes) {
+  std::istringstream head(bytes.substr(0, 200));
+  std::string kind;
+  std::int64_t width = 0, height = 0;
+  double scale = 0;
+  head >> kind >> width >> height >> scale;
+  if (!head || scale == 0 || head.get() == std::char_traits<char>::eof())
+    refuse_layer(file, "its head is no PFM's");
+  LayerValues raster;
+  set_size(file, width, height, raster);
+  const auto begin = static_cast<std::size_t>(head.tellg());
+  read_values<float>(file, std::string_view(bytes).substr(begin), scale > 0, raster);
+  for (int y = 0; y < raster.height / 2; ++y) {
+    const auto row = raster.values.begin() + std::ptrdiff_t{y} * raster.width;
+    std::swap_ranges(row, row + raster.width,
+                     raster.values.end() - (y + 1) * std::ptrdiff_t{raster.width});
+  }
+  return raster;
+}
+
+/// What stands behind 'KEY': in the head of a .npy.
+std::string_view behind(std::string_view head, std::string_view key) {
+  const auto at = head.find("'" + std::string(key) + "':");
+  return at == head.npos ? std::string_view() : head.substr(at + key.size() + 3);
+}
+
+LayerValues read_npy(const std::string& file, std::string_view bytes) {
+  constexpr std::size_t kBefore = 10;  // magic, version, length of the head in two bytes
+  if (bytes.size() < kBefore || bytes[6] != 1) refuse_layer(file, "it is no .npy of version 1");
+  const std::size_t length = static_cast<unsigned char>(bytes[8]) +
+                             256 * static_cast<std::size_t>(static_cast<unsigned char>(bytes[9]));
+  if (bytes.size() < kBefore + length) refuse_layer(file, "it ends in its head");
+  const std::string_view head = bytes.substr(kBefore, length);
+  const std::string_view values = bytes.substr(kBefore + length);
+  std::istringstream shape{std::string(behind(head, "shape"))};
+  char open = 0, comma = 0, close = 0;
+  std::int64_t width = 0, height = 0;
+  shape >> open >> height >> comma >> width >> close;
+  if (open != '(' || comma != ',' || close != ')' ||
+      !behind(head, "fortran_order").starts_with(" False"))
+    refuse_layer(file, "it is not of two dimensions, row by row");
+  LayerValues raster;
+  set_size(file, width, height, raster);
+  const std::string_view type = behind(head, "descr").substr(0, 6);
+  const bool big = type.starts_with(" '>");
+  if (type.ends_with("f8'"))
+    read_values<double>(file, values, big, raster);
+  else if (type.ends_with("f4'"))
+    read_values<float>(file, values, big, raster);
+  else if (type.ends_with("u1'"))
+    read_values<std::uint8_t>(file, values, big, raster);
+  else
+    refuse_layer(file, "its numbers are of another type", ErrorCode::file_unsupported);
+  return raster;
+}
+
+LayerValues read_layer(const std::string& file) {
+  const std::string bytes = read_text(file, kMostBytes);
+  if (bytes.starts_with("\x93NUMPY")) return read_npy(file, bytes);
+  if (bytes.starts_with("Pf")) return read_pfm(file, bytes);
+  refuse_layer(file, "it is neither a PFM nor a .npy", ErrorCode::file_unsupported);
+}
+
+}  // namespace
+
+CostField cost_field(const LoadedMap& map, const CostLayers& layers) {
+  CostField costs(map.width, map.height);
+  for (const std::string& layer : layers.files) {
+    const auto star = layer.rfind('*');
+    const std::string file = layer.substr(0, star);
+    const double factor =
+        star == layer.npos ? 1 : real_value("--cost", layer.substr(star + 1), 0, CostField::kMost);
+    const LayerValues raster = read_layer(file);
+    if (raster.width != map.width || raster.height != map.height)
+      refuse_layer(file, "it has " + size_text(raster.width, raster.height) + " values, the map " +
+                             size_text(map.width, map.height) + " cells");
+    const auto bad = std::ranges::find_if(
+        raster.values, [](double value) { return !std::isfinite(value) || value < 0; });
+    if (bad != raster.values.end()) refuse_layer(file, "it holds " + number_text(*bad));
+    costs.add(raster.values, factor);
+  }
+  if (!layers.inflation.empty()) {
+    const auto numbers = reals_value("--inflation", layers.inflation, 2, 3);
+    Inflation inflation{.radius = numbers[0], .scaling = numbers[1]};
+    if (numbers.size() > 2) inflation.weight = numbers[2];
+    costs.add(map.as_read(), inflation);
+  }
+  return costs;
+}
+
+}  // namespace lasius::tool
