@@ -113,6 +113,9 @@ class Help(HelpTest):
     def test_examples_run(self):
         os.symlink(MAPS, self.path("maps"))
         self.write("queries.tsv", "sx\tsy\tgx\tgy\n14\t14\t380\t179\n")
+        subprocess.run([os.environ["LASIUS_MAKE_PROOFS"], self.folder, "1"], check=True)
+        for ending in ("map", "pfm", "proof.json"):
+            os.rename(self.path("0." + ending), self.path("world." + ending))
         slow = "lasius study fan2004"  # minutes
         count = 0
         commands = self.commands()
