@@ -120,6 +120,9 @@ class Help(HelpTest):
             self.write(f"part{part}.jsonl", answers.out)
         self.write("stops.tsv", "x\ty\n3\t4\n20\t10\n9\t25\n")
         self.write("stops.json", "[[3, 4], [20, 10], [9, 25]]")
+        subprocess.run([os.environ["LASIUS_MAKE_PROOFS"], self.folder, "1"], check=True)
+        for ending in ("map", "pfm", "proof.json"):
+            os.rename(self.path("0." + ending), self.path("world." + ending))
         slow = "lasius study fan2004"  # minutes
         count = 0
         commands = self.commands()
