@@ -9,8 +9,8 @@
 namespace lasius {
 
 enum class ClearanceOf {
-  centres,  ///< as clearance() has it
-  cells,    ///< from the nearest point of the cell: what a path anywhere in it keeps
+  centres,          ///< as clearance() has it
+  cells,            ///< from the nearest point of the cell: what a path anywhere in it keeps
   blocked_centres,  ///< from a centre to the nearest blocked cell's; none lies outside
 };
 

@@ -29,7 +29,7 @@ class CheckSizes(TreeTest):
         self.assertRegex(out, rf"(?m)^ *\d+  {measure} .*TOO MUCH: at most \d+$")
 
     def test_too_much_code(self):
-        for number in range(1500):
+        for number in range(1700):
             self.write(f"core/{number // 40}/{number}.h", "\n" * 70)
         self.broken("C[+][+], lines in all")
 
@@ -40,12 +40,12 @@ class CheckSizes(TreeTest):
         self.broken("C[+][+], lines of the longest file")
 
     def test_too_large_a_folder(self):
-        for number in range(41):
+        for number in range(61):
             self.write(f"core/full/{number}.txt", "")
         self.broken("largest folder, files of its own")
 
     def test_files_of_folders_inside_do_not_count(self):
-        for number in range(60):
+        for number in range(80):
             self.write(f"core/{number % 2}/{number}.txt", "")
         self.assert_passes("check_sizes")
 
