@@ -60,8 +60,8 @@ class LASIUS_EXPORT CostField {
 
   /// The least and the greatest weight of the free cells; 1 and 1 where none is free.
   struct Range {
-    double least = 1;
-    double most = 1;
+    double least = 1;  ///< of a free cell
+    double most = 1;   ///< likewise
   };
   /// @throws Error(invalid_parameter) for a grid of another size.
   Range range(const Grid& grid) const;

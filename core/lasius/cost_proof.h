@@ -27,17 +27,18 @@ struct CostProof {
     /// Cell by cell in the order of the runs, each cell's clockwise from its upper left corner, 4
     /// `intervals` of them, save those on an edge that it shares with the cell above or left of it.
     std::vector<double> values = {};
-    bool operator==(const Level&) const = default;
+    friend bool operator==(const Level&, const Level&) = default;
   };
 
-  Cell start, goal;
-  double lower_bound = 0;
+  Cell start;                    ///< where paths begin, at its centre
+  Cell goal;                     ///< where they end
+  double lower_bound = 0;        ///< of their costs
   std::uint64_t map_hash = 0;    ///< Grid::hash
   std::uint64_t costs_hash = 0;  ///< CostField::hash
   /// From the start over blocks, then from the goal and from the start in turn; none where the
   /// straight way at the least weight proves the bound.
   std::vector<Level> levels = {};
-  bool operator==(const CostProof&) const = default;
+  friend bool operator==(const CostProof&, const CostProof&) = default;
 };
 
 /// Nothing where the proof holds for this map and these costs, else the first fault, as a sentence.

@@ -23,7 +23,7 @@ struct TourRequest {
   bool open = false;         ///< no way back to the first stop
   std::optional<int> start;  ///< index of the first stop; none: any
   std::optional<int> goal;   ///< of the last one, of an open tour; none: any
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;    ///< of the search for the order
   /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone.
   int generations = 20;
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
@@ -43,13 +43,13 @@ struct TourLeg {
 
 /// A stop that no tour visits, and why, in a sentence.
 struct LeftOut {
-  int stop = 0;
-  std::string why;
+  int stop = 0;     ///< its index
+  std::string why;  ///< in a sentence
 };
 
 /// What is answered.
 struct TourResult {
-  Status status = Status::no_path;
+  Status status = Status::no_path;    ///< as Result::status
   std::string error;                  ///< where it is invalid or unreachable; else empty
   std::vector<int> order;             ///< stops; of a closed tour the first is not told again
   std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back

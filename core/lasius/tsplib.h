@@ -13,8 +13,8 @@ namespace lasius {
 
 /// A problem as its file tells it.
 struct Tsplib {
-  std::string name = {};
-  int size = 0;
+  std::string name = {};           ///< NAME
+  int size = 0;                    ///< places: DIMENSION
   std::vector<Point> places = {};  ///< of its NODE_COORD_SECTION, or empty
   /// Of its own rounding, row by row: symmetric but for .sop, where -1 from a to b says that b
   /// comes before a.
