@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/special_values.h"
+#include "core/cost/terrain.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define LASIUS_WIDE __attribute__((target_clones("avx2", "default")))
@@ -17,11 +18,6 @@ namespace lasius::cost {
 namespace {
 
 constexpr double kSteep = 1e30;
-
-double distance(Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 double to_segment(Point p, Point a, Point b) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y;

@@ -8,11 +8,6 @@ namespace {
 /// Lengths are smoothed by this in derivatives: two crossings may lie at one corner.
 constexpr double kSmooth = 1e-7;
 
-double distance(Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 }  // namespace
 
 double cost_through(Point from, Point to, std::span<const Crossing> crossings,

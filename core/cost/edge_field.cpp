@@ -13,11 +13,6 @@ namespace {
 /// `certify` asks nothing of how values were made.
 constexpr double kImprovement = 1e-3;
 
-double distance(Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 }  // namespace
 
 void EdgeField::begin(const CellChords& chords, Cell source, double slack,

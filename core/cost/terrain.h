@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,6 +15,11 @@
 #include "lasius/grid.h"
 
 namespace lasius::cost {
+
+inline double distance(Point a, Point b) noexcept {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
 
 /// Weights with a border of one cell; infinite where nothing goes. Immutable, 8 bytes a cell.
 class Terrain {

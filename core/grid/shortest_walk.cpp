@@ -33,7 +33,7 @@ class Reached {
  private:
   Length value_ = std::numeric_limits<Length>::max();
 };
-constexpr Length kFar = std::numeric_limits<Length>::max();
+constexpr Length kUnreached = std::numeric_limits<Length>::max();
 
 Length whole(double cells) noexcept { return std::llround(cells * kUnit); }
 
@@ -75,7 +75,7 @@ class WalkSearch {
     reach(start, 0);
     while (open_.advance(poller)) {
       // One bucket more than needed makes up for the rounding of estimates.
-      if (known_[goal_].length() != kFar &&
+      if (known_[goal_].length() != kUnreached &&
           open_.floor() > cells(known_[goal_].length()) + kBucketWidth) {
         break;
       }
@@ -89,7 +89,7 @@ class WalkSearch {
   /// start; false if the goal was not reached, or when stopped.
   template <class Visit>
   bool go_back(Cell start, Poller& poller, const Visit& visit) {
-    if (known_[goal_].length() == kFar) return false;
+    if (known_[goal_].length() == kUnreached) return false;
     for (Cell c = goal_; c != start;) {
       const int k = last_move(c);
       visit(c, k);

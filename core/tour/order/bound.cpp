@@ -16,14 +16,14 @@ namespace {
 using Sum = std::int64_t;
 constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
 constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
-constexpr int kCandidates = 10;
+constexpr int kBoundCandidates = 10;
 constexpr int kMostTurns = 300;
 
 class Ascent {
  public:
   Ascent(const Costs& costs, std::span<const Point> places, Poller& poller)
       : costs_(costs),
-        candidates_(costs, places, kCandidates),
+        candidates_(costs, places, kBoundCandidates),
         poller_(poller),
         price_(costs.size(), 0),
         best_(price_),

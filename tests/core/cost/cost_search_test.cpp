@@ -117,12 +117,14 @@ TEST(CostSearch, BendsAsLightDoes) {
 TEST(CostSearch, EightMovesAgainstDijkstra) {
   std::mt19937 random(5);
   for (int i = 0; i < 200; ++i) {
-    const auto [grid, costs, start, goal] = random_weights(random, 4, 12);
+    const WeightedWorld world = random_weights(random, 4, 12);
+    const auto& [grid, costs, start, goal] = world;
+    const int width = grid.width();
     const Terrain terrain(grid, costs);
     for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
       // Bellman's equations, until nothing changes.
       std::vector<double> cost(static_cast<std::size_t>(grid.width()) * grid.height(), kInfinity);
-      const auto at = [&](Cell c) -> double& { return cost[c.y * grid.width() + c.x]; };
+      const auto at = [&](Cell c) -> double& { return cost[c.y * width + c.x]; };
       at(start) = 0;
       for (bool again = true; again;) {
         again = false;
@@ -153,12 +155,13 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
 
 TEST(CostSearch, StopsAtTheTargetGap) {
   std::mt19937 random(11);
-  const auto [grid, costs, start, goal] = random_weights(random, 40, 60);
+  const WeightedWorld world = random_weights(random, 40, 60);
+  const auto& [grid, costs, start, goal] = world;
   const Terrain terrain(grid, costs);
   double bound = 0;
   int paths = 0;
   const OnImproved told = [&](const std::vector<Point>& path, double cost, double lower) {
-    EXPECT_NEAR(*path_cost(grid, costs, path), cost, 1e-9 * cost);
+    EXPECT_NEAR(*path_cost(world.grid, world.costs, path), cost, 1e-9 * cost);
     EXPECT_LE(lower, cost);
     bound = lower;
     ++paths;
