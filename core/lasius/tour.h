@@ -56,7 +56,7 @@ struct TourResult {
   double length = 0;                  ///< sum of the legs', cells
   std::optional<double> lower_bound;  ///< no tour over these stops is shorter
   std::optional<double> gap() const;  ///< (length - lower_bound) / lower_bound; 0 at length 0
-  /// Proven shortest, where lengths of legs are told apart by thousandths of a cell.
+  /// Proven shortest, up to the rounding of sums: up to 12 stops, and where the gap is 0.
   bool optimal = false;
   std::vector<LeftOut> left_out;  ///< by rising stop
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound

@@ -165,17 +165,21 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
 
   tour::MapPricer pricer(planner, stops, request.stop);
   std::vector<Cost> matrix;
+  std::vector<double> exact_lengths;
   if (n <= kPricedAtOnce) {
     if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
+      if (n <= tour::kMostBySubsets) exact_lengths = *lengths;
       tour.priced = std::int64_t{n} * (n - 1) / 2;
     }
   }
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
-  const auto [found, bound] =
+  auto [found, bound] =
       order_and_bound(costs, ends, places, request, tour::kGrains, observer, indices);
   if (matrix.empty()) tour.priced = pricer.priced();
+  const bool proven = !exact_lengths.empty();
+  if (proven) found.order = tour::subset_order(n, exact_lengths, ends);  // not by whole numbers
 
   for (const int v : found.order) tour.order.push_back(indices[v]);
   tour.legs.resize(n == 1 ? 0 : request.open ? n - 1 : n);
@@ -199,10 +203,12 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
     tour.legs.clear();
     return tour;
   }
-  if (bound > 0 || tour.length == 0)
+  if (proven)
+    tour.lower_bound = tour.length;
+  else if (bound > 0 || tour.length == 0)
     tour.lower_bound = std::min(tour.length, static_cast<double>(bound) / tour::kGrains);
-  tour.optimal = bound == found.cost && tour.status == Status::solved;
-  if (tour.optimal && n <= 2) tour.lower_bound = tour.length;
+  constexpr double kRounding = 1e-9;
+  tour.optimal = tour.gap() && *tour.gap() <= kRounding && tour.status == Status::solved;
   return tour;
 }
 

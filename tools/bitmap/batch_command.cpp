@@ -92,7 +92,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   check_outputs(run.outputs, {map.image});
   check_radius(map, run);
   QueryFile file = queries_of(command, map);
-  keep_part(file.queries, run.part);
+  keep_part(file.queries, command.queries, run.part);
   note_map(map, run);
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,

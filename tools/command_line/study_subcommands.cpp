@@ -104,6 +104,8 @@ std::string usual_folder(const std::string& prefix, const std::string& file) {
 
 int run_asked(const OptionTable& table, StudyCommand& study, const ShortText& text,
               const Call& call) {
+  if (study.part.divided() && study.name == "list")
+    throw UsageError("--part is for runs; list has none");
   if (study.part.divided() && is_page(study.folder))
     throw UsageError("-o " + study.folder + ": a part has no page; give a folder");
   study.called = call.line;

@@ -33,8 +33,9 @@ struct MapOptions {
 struct Part {
   static constexpr int kMost = 1'000'000;
   int number = 1;
-  int of = 0;             ///< 0: undivided
-  std::size_t whole = 0;  ///< how many queries all parts have
+  int of = 0;                ///< 0: undivided
+  std::size_t whole = 0;     ///< how many queries all parts have
+  std::string queries = {};  ///< hash of their file
 
   bool divided() const noexcept { return of > 0; }
   bool holds(std::size_t i) const noexcept { return !divided() || i % of == number - 1u; }

@@ -215,7 +215,7 @@ int run_polygon_batch(PolygonCommand plan) {
   note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
   std::vector<polygon::Request> queries;
   auto lines = queries_of(plan, world.planner.world());
-  keep_part(lines, plan.part);
+  keep_part(lines, plan.queries, plan.part);
   for (const auto& [start, goal] : lines)
     queries.push_back({.start = start,
                        .goal = goal,

@@ -7,6 +7,7 @@
 
 #include "lasius/geometry.h"
 #include "tools/options/options.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 
@@ -36,10 +37,12 @@ QueryFile read_table(const std::string& file);
 QueryFile read_queries(std::istream& in, const std::string& file, int width, int height, bool whole,
                        bool metres = false);
 
-/// Leaves of the queries those of a part, and tells it how many there were.
+/// Leaves of a file's queries those of a part, and tells it how many there were.
 template <class Query>
-void keep_part(std::vector<Query>& queries, Part& part) {
+void keep_part(std::vector<Query>& queries, const std::string& file, Part& part) {
+  if (!part.divided()) return;
   part.whole = queries.size();
+  part.queries = hash_text(file_hash(file));
   std::size_t i = 0;
   std::erase_if(queries, [&](const Query&) { return !part.holds(i++); });
 }

@@ -89,7 +89,11 @@ Json result_json(const Record& run) {
   Json json = {{"format", run.format}, {"version", LASIUS_VERSION}};
   if (run.index) json["index"] = *run.index;
   if (const Part& part = run.options.part; part.divided())
-    json["part"] = {{"number", part.number}, {"of", part.of}, {"queries", part.whole}};
+    json["part"] = {{"number", part.number},
+                    {"of", part.of},
+                    {"queries", part.whole},
+                    {"hash", part.queries},
+                    {"seeds", {run.options.seed, run.options.seeds}}};
   json.update(run.inputs);
   json["algorithm"] = run.algorithm.name;
   json["start"] = run.start;

@@ -68,7 +68,10 @@ class Answers {
       const auto index = answer.at("index").get<std::size_t>();
       const int number = part.at("number").get<int>();
       answer.erase("part");
-      Json run = {{"of", part.at("of")}, {"queries", part.at("queries")}};
+      Json run = part;
+      run.erase("number");
+      run["keys"] = Json::array();
+      for (const auto& [key, value] : answer.items()) run["keys"].push_back(key);
       for (const char* key : {"format", "version", "map", "algorithm", "parameters"})
         run[key] = answer.at(key);
       if (run_.is_null()) run_ = run;
@@ -87,7 +90,9 @@ class Answers {
 
   /// The lines of the whole run. @throws Error where some are missing.
   std::string lines() const {
-    if (run_.is_null()) return {};
+    if (run_.is_null())
+      throw Error(ErrorCode::file_missing, {}, "no part holds an answer",
+                  "give those that do, too; without queries there is nothing to join");
     const auto of = run_["of"].get<std::size_t>(), queries = run_["queries"].get<std::size_t>();
     std::size_t seeds = 0;
     for (const auto& [index, lines] : answers_) seeds = std::max(seeds, lines.size());
@@ -154,7 +159,7 @@ int merge_study(const MergeCommand& command) {
       if (!whole) whole = one;
       if (one.name != whole->name || one.part.of != whole->part.of ||
           one.first_seed != whole->first_seed || one.seeds != whole->seeds ||
-          one.maps != whole->maps)
+          one.maps != whole->maps || one.called != whole->called)
         throw not_of_one(part, "is part of another run than " + command.parts.front());
       there.insert(one.part.number);
     }

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
+#include "tools/record/json_values.h"
 #include "tools/study/files.h"
 
 namespace lasius::study {
@@ -20,6 +20,12 @@ using json::Json;
 
 constexpr const char* kFormat = "lasius-study-part/1";
 constexpr const char* kShort = "study.yaml";  // of `study run`, in the folder
+
+/// Of the study's file, where it has one.
+std::string text_hash(const tool::StudyCommand& part) {
+  const fs::path own = fs::path(part.folder) / kShort;
+  return tool::hash_text(tool::file_hash(part.name == "run" ? own.string() : part.name));
+}
 
 tool::StudyCommand read_part(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -41,6 +47,7 @@ tool::StudyCommand read_part(const fs::path& file) {
     command.first_seed = json.at("first_seed").get<std::uint64_t>();
     command.seeds = json.at("seeds").get<int>();
     command.maps = json.at("maps").get<std::string>();
+    command.called = json.at("hash").get<std::string>();
     command.part.number = json.at("part").at("number").get<int>();
     command.part.of = json.at("part").at("of").get<int>();
     return command;
@@ -58,6 +65,7 @@ void write_part(const tool::StudyCommand& part) {
                      {"first_seed", part.first_seed},
                      {"seeds", part.seeds},
                      {"maps", part.maps},
+                     {"hash", text_hash(part)},
                      {"part", {{"number", part.part.number}, {"of", part.part.of}}}};
   const std::string name =
       "part-" + std::to_string(part.part.number) + "-of-" + std::to_string(part.part.of) + ".json";

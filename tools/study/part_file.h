@@ -12,7 +12,7 @@ namespace lasius::study {
 void write_part(const tool::StudyCommand& part);
 
 /// The parts whose runs are all in a folder, as they were asked for, in the order of their file
-/// names; the study's name is its file's where it lies in the folder.
+/// names; the study's name is its file's where it lies in the folder, `called` a hash of that.
 /// @throws Error(file_missing, file_broken, file_unsupported)
 std::vector<tool::StudyCommand> read_parts(const std::filesystem::path& folder);
 

@@ -13,5 +13,7 @@ constexpr int kMostBySubsets = 12;  ///< stops for which find_order takes it
 /// A cheapest order. Precondition: 1 to 20 stops, ends within them. Takes 2^n n^2
 /// steps and 8 n 2^n bytes.
 std::vector<int> subset_order(const Costs& costs, const Ends& ends);
+/// The same of a symmetric matrix of lengths, shortest up to the rounding of sums.
+std::vector<int> subset_order(int size, const std::vector<double>& lengths, const Ends& ends);
 
 }  // namespace lasius::tour

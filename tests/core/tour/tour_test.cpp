@@ -93,6 +93,9 @@ TEST(Tours, VisitEveryStopOnceByShortestLegs) {
       EXPECT_GE(*tour.gap(), 0);
       EXPECT_LE(*tour.gap(), 0.1) << count << " stops, kind " << kind;
       EXPECT_TRUE(tour.optimal || count > 12);
+      if (tour.optimal) {
+        EXPECT_EQ(tour.gap(), 0.0);
+      }
       ++cases;
     }
   EXPECT_EQ(cases, 27);
@@ -163,6 +166,25 @@ TEST(Tours, EndAtTheGapThatIsAsked) {
   EXPECT_EQ(plan_tour(planner, request).length, best.length);
   request.target_gap = -1;
   EXPECT_THROW(plan_tour(planner, request), Error);
+}
+
+// Two orders whose lengths differ by 4e-6.
+TEST(Tours, OfFewStopsAreShortestToTheLastDigit) {
+  TourRequest request;
+  request.stops = {{7, 3}, {171, 194}, {133, 139}, {123, 47}, {15, 74}};
+  const TourResult tour = plan_tour(Planner(Grid(200, 200)), request);
+  const auto length = [&](const std::vector<int>& order) {
+    double sum = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Cell a = request.stops[order[i]], b = request.stops[order[(i + 1) % order.size()]];
+      sum += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    return sum;
+  };
+  EXPECT_NEAR(tour.length, length({0, 3, 1, 2, 4}), 1e-9);
+  EXPECT_LT(tour.length, length({0, 4, 1, 2, 3}) - 3e-6);
+  EXPECT_TRUE(tour.optimal);
+  EXPECT_EQ(tour.lower_bound, tour.length);
 }
 
 TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
