@@ -142,8 +142,8 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     const double over = std::sqrt(first * first + second * second) / step - 1;
     if (by > tolerance) found(high, by, -1, over > 0 ? by / (weight * over) : share_);
   }
-  std::array<double, 4 * kMostIntervals> high, lows;
-  std::array<std::uint8_t, 4 * kMostIntervals> violated;
+  std::array<double, std::size_t{4} * kMostIntervals> high, lows;
+  std::array<std::uint8_t, std::size_t{4} * kMostIntervals> violated;
   const int places = std::max(places_, 8);  // of two intervals an edge or more
   for (int p = 0; p < places; ++p) {
     high[p] = std::max(values[p], values[next(p)]);
@@ -217,7 +217,7 @@ void CellChords::lower_from_centre(double* values, double weight) const {
 
 double CellChords::excess_from_centre(const double* values, double weight) const {
   double most = 1;
-  std::array<double, 4 * kMostIntervals> kept;
+  std::array<double, std::size_t{4} * kMostIntervals> kept;
   std::copy(values, values + places_, kept.begin());
   // By least way: what is too great at one place is nowhere more than that.
   each_violation_from_centre(kept.data(), weight, [&](int, double by, double) {

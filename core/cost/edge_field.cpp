@@ -81,8 +81,8 @@ void EdgeField::places_of(Cell cell, std::uint32_t* nodes) const noexcept {
   }
   nodes[0] = nw + (split_[row[0]] != 0 ? k : 0);
   nodes[k] = ne;
-  nodes[2 * k] = se;
-  nodes[3 * k] = sw + (split_[below[0]] != 0 ? k : 0);
+  nodes[std::ptrdiff_t{2} * k] = se;
+  nodes[std::ptrdiff_t{3} * k] = sw + (split_[below[0]] != 0 ? k : 0);
 }
 
 void EdgeField::values_of(Cell cell, double* values) const noexcept {

@@ -70,7 +70,7 @@ bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
     if (next == from || previous == from) continue;
     for (const int end : {next, previous}) {
       bool out = false;  // is that edge taken out already?
-      for (int i = 0; i < level && !out; ++i)
+      for (std::ptrdiff_t i = 0; i < level && !out; ++i)
         out =
             (t_[2 * i] == to && t_[2 * i + 1] == end) || (t_[2 * i] == end && t_[2 * i + 1] == to);
       if (out) continue;
@@ -82,8 +82,9 @@ bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
     }
   }
   for (int i = 0; i < count; ++i) {
-    t_[2 * level] = steps[i].to;
-    t_[2 * level + 1] = steps[i].end;
+    int* const taken = t_ + std::ptrdiff_t{2} * level;
+    taken[0] = steps[i].to;
+    taken[1] = steps[i].end;
     const int end = steps[i].end;
     // The bound first: a leg that it rules out need not be priced.
     if (end != t_[0] && steps[i].gain > costs_->lower(end, t_[0]) &&
@@ -99,7 +100,8 @@ bool LocalSearch::close(ArrayTour& tour, int edges) {
   exchange.cuts = edges;
   int by_place[kDepth + 1], end_of[2 * kDepth + 2];
   for (int i = 0; i < edges; ++i) {
-    const int a = t_[2 * i], b = t_[2 * i + 1];
+    const int* const taken = t_ + std::ptrdiff_t{2} * i;
+    const int a = taken[0], b = taken[1];
     const int place = tour.place(tour.next(a) == b ? a : b);
     int at = i;
     for (; at > 0 && exchange.cut[at - 1] > place; --at) {
@@ -150,8 +152,9 @@ bool LocalSearch::kick(ArrayTour& tour, std::int64_t times, kernels::RandomStrea
     // A B C D A becomes A D C B A, in each its own direction: the ends are those at a cut's left
     // (2j) and right (2j + 1); B, C, D begin behind cuts 0, 1, 2.
     const auto join = [&](int left, int right) {
-      exchange.partner[2 * number[left]] = 2 * number[right] + 1;
-      exchange.partner[2 * number[right] + 1] = 2 * number[left];
+      const int behind = 2 * number[left], before = 2 * number[right] + 1;
+      exchange.partner[behind] = before;
+      exchange.partner[before] = behind;
     };
     join(0, 2), join(3, 1), join(2, 0), join(1, 3);
     const std::int64_t before = tour.cost();
