@@ -203,7 +203,8 @@ class Navigator::Impl {
     do {
       ahead.next(map.passable(), rule, piece.back(), piece);
     } while (piece.size() > 1 && piece.back() != to);
-    if (piece.back() == to || connected(from, to, corners, stop) == false) return;
+    if (piece.back() == to) return;
+    if (connected(from, to, corners, stop) == false) return walker.begin({}, true);
     const auto walk = shortest_walk_cells(map.passable(), from, to, Neighbours::eight, rule, stop);
     if (walk.empty()) return end_run(way, stop.poll(), Status::limit);
     way.path.clear();

@@ -197,6 +197,12 @@ TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
   EXPECT_EQ(way.walk, std::vector<Cell>{request.start});
   const auto result = drive(grid, grid, request.start, request.goal, {}, {}, {.radius = 2});
   EXPECT_EQ(result.status, Status::unreachable);
+  EXPECT_EQ(result.ticks, 0) << "it does not set out";
+  // Nor where the door is beyond what it walks at a time.
+  Grid hall(200, 21);
+  hall.fill({170, 0, 20, 21}, true);
+  hall.fill({170, 8, 20, 4}, false);
+  EXPECT_EQ(drive(hall, hall, {3, 3}, {196, 17}, {}, {}, {.radius = 2}).ticks, 0);
 }
 
 // Centres of cells lie beside the path, from where its vertices cannot all be seen.
