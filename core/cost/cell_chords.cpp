@@ -8,7 +8,14 @@
 #include "core/base/special_values.h"
 #include "core/cost/terrain.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+// The thread sanitizer's code may not run as early as a choice between clones is made.
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define LASIUS_ONE_CLONE
+#endif
+#endif
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(LASIUS_ONE_CLONE)
 #define LASIUS_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define LASIUS_WIDE
