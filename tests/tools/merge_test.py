@@ -111,7 +111,7 @@ class Studies(ProgramTest):
             self.assertEqual(run.out, f"part{number}\n")
             self.assertFalse(os.path.exists(self.path(f"part{number}/report.md")))
         self.refused(self.run_program("merge", "part1", "part3"), 3, "part 2 of 3 is missing")
-        merged = self.quiet(self.run_program("merge", "part2", "part1", "part3", "-o", "joined"))
+        merged = self.quiet(self.run_program("merge", "part2/", "part1", "part3", "-o", "joined"))
         self.assertEqual(merged.out, "joined/report.md\n")
         self.assertEqual(self.table("joined"), self.table("whole"))
         # No run was made anew: each file is a part's.

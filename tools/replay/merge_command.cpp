@@ -42,7 +42,7 @@ Error not_of_one(const std::string& file, const std::string& problem) {
   return Error(ErrorCode::file_broken, {.file = file}, problem, "give each part of one run once");
 }
 
-/// "2 of 4", "1 and 3 of 4": what is missing of parts from 1 to `of`.
+/// "2 of 4", "1, 3 of 4": what is missing of parts from 1 to `of`.
 std::string missing_parts(const std::set<int>& there, int of) {
   constexpr std::size_t kMost = 8;
   std::vector<int> missing;
@@ -142,7 +142,7 @@ void copy_runs(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     const fs::path inside = fs::relative(entry.path(), from);
     const bool is_run = std::ranges::find(inside, fs::path("runs")) != inside.end();
-    if (!entry.is_regular_file() || (!is_run && inside != "study.yaml")) continue;
+    if (!entry.is_regular_file() || (!is_run && inside != study::kShortStudy)) continue;
     study::make_folder((to / inside).parent_path());
     fs::copy_file(entry.path(), to / inside, fs::copy_options::overwrite_existing);
   }
@@ -151,15 +151,18 @@ void copy_runs(const fs::path& from, const fs::path& to) {
 int merge_study(const MergeCommand& command) {
   const fs::path folder = command.output.empty() ? command.parts.front() : command.output;
   std::optional<StudyCommand> whole;
+  std::string hash;
   std::set<int> there;
   for (const std::string& part : command.parts) {
-    for (StudyCommand& one : study::read_parts(part)) {
-      if (fs::path(one.name).parent_path() == fs::path(part))
-        one.name = (folder / fs::path(one.name).filename()).string();
-      if (!whole) whole = one;
-      if (one.name != whole->name || one.part.of != whole->part.of ||
+    for (const study::StudyPart& found : study::read_parts(part)) {
+      const StudyCommand& one = found.command;
+      if (!whole) {
+        whole = one;
+        hash = found.hash;
+      }
+      if (found.hash != hash || one.name != whole->name || one.part.of != whole->part.of ||
           one.first_seed != whole->first_seed || one.seeds != whole->seeds ||
-          one.maps != whole->maps || one.called != whole->called)
+          one.maps != whole->maps)
         throw not_of_one(part, "is part of another run than " + command.parts.front());
       there.insert(one.part.number);
     }
@@ -173,6 +176,7 @@ int merge_study(const MergeCommand& command) {
     throw Error(ErrorCode::output_failed, {.file = folder.string()}, fault.what(),
                 "make room for the runs, or give another folder by -o");
   }
+  if (whole->name == "run") whole->name = (folder / study::kShortStudy).string();
   whole->part = {};
   whole->folder = folder.string();
   whole->threads = command.threads;

@@ -19,15 +19,14 @@ namespace fs = std::filesystem;
 using json::Json;
 
 constexpr const char* kFormat = "lasius-study-part/1";
-constexpr const char* kShort = "study.yaml";  // of `study run`, in the folder
 
 /// Of the study's file, where it has one.
 std::string text_hash(const tool::StudyCommand& part) {
-  const fs::path own = fs::path(part.folder) / kShort;
+  const fs::path own = fs::path(part.folder) / kShortStudy;
   return tool::hash_text(tool::file_hash(part.name == "run" ? own.string() : part.name));
 }
 
-tool::StudyCommand read_part(const fs::path& file) {
+StudyPart read_part(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(in), {});
   const auto broken = [&](const std::string& problem) {
@@ -41,16 +40,16 @@ tool::StudyCommand read_part(const fs::path& file) {
       throw Error(ErrorCode::file_unsupported, {.file = file.string()},
                   "is of version " + json.at("version").dump() + ", this is " LASIUS_VERSION,
                   "join the parts by the version that ran them");
-    tool::StudyCommand command;
+    StudyPart part;
+    tool::StudyCommand& command = part.command;
     command.name = json.at("study").get<std::string>();
-    if (command.name == kShort) command.name = (file.parent_path() / kShort).string();
     command.first_seed = json.at("first_seed").get<std::uint64_t>();
     command.seeds = json.at("seeds").get<int>();
     command.maps = json.at("maps").get<std::string>();
-    command.called = json.at("hash").get<std::string>();
+    part.hash = json.at("hash").get<std::string>();
     command.part.number = json.at("part").at("number").get<int>();
     command.part.of = json.at("part").at("of").get<int>();
-    return command;
+    return part;
   } catch (const nlohmann::json::exception& fault) {
     throw broken(fault.what());
   }
@@ -59,20 +58,17 @@ tool::StudyCommand read_part(const fs::path& file) {
 }  // namespace
 
 void write_part(const tool::StudyCommand& part) {
-  const Json json = {{"format", kFormat},
-                     {"version", LASIUS_VERSION},
-                     {"study", part.name == "run" ? kShort : part.name},
-                     {"first_seed", part.first_seed},
-                     {"seeds", part.seeds},
-                     {"maps", part.maps},
-                     {"hash", text_hash(part)},
-                     {"part", {{"number", part.part.number}, {"of", part.part.of}}}};
+  const Json json = {
+      {"format", kFormat},       {"version", LASIUS_VERSION},
+      {"study", part.name},      {"first_seed", part.first_seed},
+      {"seeds", part.seeds},     {"maps", part.maps},
+      {"hash", text_hash(part)}, {"part", {{"number", part.part.number}, {"of", part.part.of}}}};
   const std::string name =
       "part-" + std::to_string(part.part.number) + "-of-" + std::to_string(part.part.of) + ".json";
   write_text(fs::path(part.folder) / name, json::line(json));
 }
 
-std::vector<tool::StudyCommand> read_parts(const fs::path& folder) {
+std::vector<StudyPart> read_parts(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -83,7 +79,7 @@ std::vector<tool::StudyCommand> read_parts(const fs::path& folder) {
     throw Error(ErrorCode::file_missing, {.file = folder.string()},
                 "holds no part of a study whose runs are all there",
                 "give folders that `lasius study ... --part I/N` has ended in");
-  std::vector<tool::StudyCommand> parts;
+  std::vector<StudyPart> parts;
   for (const fs::path& file : files) parts.push_back(read_part(file));
   return parts;
 }

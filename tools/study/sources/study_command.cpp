@@ -201,7 +201,7 @@ int run_users_study(const StudyCommand& command) {
   const bool is_short = command.name == "run";
   const std::string text =
       is_short ? study::study_text(command.run, {command.first_seed, command.seeds}) : "";
-  const std::string file = (fs::path(command.folder) / "study.yaml").string();
+  const std::string file = (fs::path(command.folder) / study::kShortStudy).string();
   Study study = is_short ? short_study(text, file) : study::read_study(command.name);
   if (!was_built(study.kind))
     throw UsageError(study.file + ": this lasius was built without that world");
