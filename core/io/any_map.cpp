@@ -3,6 +3,7 @@
 
 #include "core/base/file_kind.h"
 #include "core/base/output.h"
+#include "core/io/grey_image.h"
 #include "core/io/png_reader.h"
 #include "core/io/ros_map.h"
 #include "core/map_files/bmp.h"
@@ -29,6 +30,17 @@ Map read_image(ByteReader& in, const PixelRule& rule) {
   if (is_bmp(head)) return read_bmp(in, rule);
   in.fail_at_offset(0, "this is no PNG, PGM, PBM or BMP image", "convert it",
                     ErrorCode::file_unsupported);
+}
+
+/// Puts two bits of each pixel's level in their place.
+void add_bits(const Map& map, int shift, GreyImage& image) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const int bits = map.grid.blocked({x, y}) + 2 * map.unknown->blocked({x, y});
+      image.levels[static_cast<std::size_t>(y) * image.width + x] |=
+          static_cast<std::uint16_t>(bits << shift);
+    }
+  }
 }
 
 Map read_ros_map(ByteReader& in, const ReadOptions& options) {
@@ -62,6 +74,26 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
                      kMaps);
   if (is_yaml_name(path)) return read_ros_map(in, options);
   in.fail_at_offset(0, "this is no map that is read", kMaps, ErrorCode::file_unsupported);
+}
+
+// Readers tell two bits of each pixel. So an image is read once for each two bits of its levels,
+// and none of them has to know of grey.
+GreyImage read_grey_image(const std::string& path) {
+  GreyImage image;
+  PixelRule rule{.kind = {}, .unknown = PixelRule::kUnknown};
+  for (int shift = 0; shift == 0 || image.white >> shift > 0; shift += 2) {
+    rule.kind = [&](int level, int white) {
+      image.white = white;
+      return level >> shift & 3;
+    };
+    InputFile file(path);
+    const Map map = read_image(file.reader(), rule);
+    image.width = map.grid.width();
+    image.height = map.grid.height();
+    image.levels.resize(static_cast<std::size_t>(image.width) * image.height);
+    add_bits(map, shift, image);
+  }
+  return image;
 }
 
 void write_any_map(const Grid& grid, const std::string& path) {

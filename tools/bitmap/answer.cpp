@@ -66,7 +66,10 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   in_metres_asked(map, run, [&] {
-    answer.result = map.planner->plan(request, run.params, &workspace, observer);
+    if (map.costs)
+      set_costs(answer, map.costs->planner->plan(request, cost_options(run), observer));
+    else
+      answer.result = map.planner->plan(request, run.params, &workspace, observer);
   });
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum) add_optima(map, run, stop, answer);
@@ -84,6 +87,16 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
                     to_text(map.frame->resolution) + " m",
                 fault.remedy());
   }
+}
+
+CostOptions cost_options(const RunOptions& run) {
+  const CostLayers& asked = run.map.costs;
+  return {.eight_moves = asked.eight_moves, .corners = run.params.corners, .proof = asked.proof};
+}
+
+void set_costs(Answer& answer, const CostResult& found) {
+  answer.result = found;
+  answer.over_costs = found;
 }
 
 Route route_of(const LoadedMap& map, const RunOptions& run) {

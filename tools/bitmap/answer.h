@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lasius/batch.h"
+#include "lasius/cost_planner.h"
 #include "lasius/planner.h"
 #include "tools/bitmap/reasons.h"
 #include "tools/options/options.h"
@@ -21,7 +22,8 @@ struct Answer {
   std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
-  std::optional<Remedy> remedy{};  ///< where the ends are not joined
+  std::optional<Remedy> remedy{};          ///< where the ends are not joined
+  std::optional<CostResult> over_costs{};  ///< `result` with what it has beside
 };
 
 /// @throws UsageError for a radius in metres that the algorithm does not serve, which tells them.
@@ -42,6 +44,11 @@ Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell
 /// Plans; a radius that is refused is told in metres where it was given so.
 void in_metres_asked(const LoadedMap& map, const RunOptions& run,
                      const std::function<void()>& plan);
+
+/// How a run plans over costs.
+CostOptions cost_options(const RunOptions& run);
+/// Makes an answer of one over costs.
+void set_costs(Answer& answer, const CostResult& found);
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.

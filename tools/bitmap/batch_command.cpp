@@ -7,6 +7,7 @@
 
 #include "core/base/output.h"
 #include "core/base/parallel.h"
+#include "core/loop/batch_run.h"
 #include "lasius/batch.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
@@ -75,6 +76,15 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
   return requests;
 }
 
+void plan_over_costs(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
+                     const BatchOptions& how, const BatchReceiverOf<CostResult>& receive) {
+  run_batch<CostResult>(queries, run.params.seed, how, receive, [&] {
+    return [&](const Request& request, std::uint64_t) {
+      return map.costs->planner->plan(request, cost_options(run));
+    };
+  });
+}
+
 /// Start and goal as they were asked for, a coordinate a text.
 std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) {
   const auto text = run.frame == Frame::world ? to_text : whole_text;
@@ -103,13 +113,14 @@ int run_bitmap_batch(const PlanCommand& command) {
       any_angle = optima(map, run, part, how);
       by_moves = own_optima(map, run, part, how.token);
     }
-    const auto receive = [&](const BatchAnswer& found) {
+    const auto receive = [&](const auto& found) {
       const std::size_t index = first + found.index;
       const auto [start, goal] = ends_of(file, index, map, run.frame);
       Answer answer{.start = start,
                     .goal = goal,
                     .result = found.result,
                     .elapsed_ms = 1e3 * found.elapsed.count()};
+      if constexpr (requires { found.result.cost; }) set_costs(answer, found.result);
       if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
       set_remedy(map, run, how.token, answer);
       Record record = record_of(map, run, answer);
@@ -117,7 +128,12 @@ int run_bitmap_batch(const PlanCommand& command) {
       record.seed = found.seed;
       take(record, end_texts(run, answer), found.result.path);
     };
-    in_metres_asked(map, run, [&] { plan_batch(*map.planner, part, run.params, how, receive); });
+    in_metres_asked(map, run, [&] {
+      if (map.costs)
+        plan_over_costs(map, run, part, how, receive);
+      else
+        plan_batch(*map.planner, part, run.params, how, receive);
+    });
   };
   // Optima are asked beside each part, so that answers still stream.
   const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lasius/io_json.h"
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/picture.h"
@@ -54,6 +55,10 @@ Json curve_json(const Result& result, const LoadedMap* frame) {
 Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
   const Result& result = answer.result;
   Json json = Json::object();
+  if (ends.map.costs) {
+    const auto& costs = answer.over_costs;
+    json["cost"] = costs && has_path ? number(costs->cost) : Json(nullptr);
+  }
   add_goal_reached(json, ends);
   if (const auto& out = ends.way_out; ends.map.radius > 0) {
     json["way_out"] = out ? point(*out) : Json();
@@ -73,6 +78,44 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
   return json;
 }
 
+/// What plans over costs tell beside.
+void add_costs(Record& record, Json& findings, const LoadedCosts& costs, const Answer& answer) {
+  record.gap = answer.over_costs ? answer.over_costs->gap() : std::nullopt;
+  Json& layers = findings["layers"] = Json::array();
+  for (std::size_t i = 0; i < costs.hashes.size(); ++i)
+    layers.push_back({{"file", costs.asked.layers[i].file},
+                      {"hash", hash_text(costs.hashes[i])},
+                      {"factor", number(costs.asked.layers[i].factor)}});
+  if (const auto& inflation = costs.inflation)
+    record.parameters["inflation"] = {number(inflation->radius), number(inflation->scaling),
+                                      number(inflation->weight)};
+  if (costs.asked.eight_moves) record.parameters["moves"] = 8;
+}
+
+/// Where the weights of a proof come from.
+Json weights_json(const Record& run) {
+  return {{"layers", run.answer["layers"]},
+          {"inflation", run.parameters.value("inflation", Json(nullptr))}};
+}
+
+std::string cost_text(const Record& record, const Answer& answer) {
+  std::string text = "cost " + decimal_text(answer.over_costs->cost, 6);
+  if (record.gap) text += printed(", at most %.3f%% above the least", 100 * *record.gap);
+  return text;
+}
+
+/// @throws Error(file_broken) where a layer is not the one that the result records.
+void check_layers(const LoadedMap& map, const Json& result) {
+  for (std::size_t i = 0; map.costs && i < map.costs->hashes.size(); ++i) {
+    const auto hash = hash_text(map.costs->hashes[i]);
+    const auto made_on = recorded<std::string>(result["layers"][i], "hash");
+    if (hash != made_on)
+      throw Error(ErrorCode::file_broken, {.file = map.costs->asked.layers[i].file},
+                  "has hash " + hash + ", the result was made on " + made_on,
+                  "put the file of that time in its place");
+  }
+}
+
 std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last) {
   PlanCommand command = recorded_plan(from);
   const RunOptions& run = command.run;
@@ -80,10 +123,12 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
   std::shared_ptr<LoadedMap> map = before != nullptr ? before->map() : nullptr;
   const bool same = map && map->file == run.map.file && map->radius == run.map.radius &&
                     map->unknown_is_free == run.map.unknown_is_free &&
+                    (map->costs ? map->costs->asked : CostLayers()) == run.map.costs &&
                     map->prepare == run.map.prepare;
   if (!same)
     map =
         std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, run.threads));
+  check_layers(*map, from.result);
   return std::make_unique<BitmapProblem>(std::move(command), std::move(map));
 }
 
@@ -153,6 +198,10 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
     if (moves_on_cells(run.params))
       findings["grid_gap"] = optional_number(grid_gap(answer, run.params));
   }
+  if (map.costs) {
+    add_costs(record, findings, *map.costs, answer);
+    if (!run.json && record.has_path()) record.remarks.push_back(cost_text(record, answer));
+  }
   record.answer =
       answer_json(record, path_json(ends, answer, record.has_path()), Json::object(), findings);
   return record;
@@ -202,6 +251,10 @@ void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
 }
 
 Forms BitmapProblem::show(const Record& run) const {
+  const auto write_proof = [&](std::ostream& out) {
+    const auto& proof = answer_.over_costs->proof;
+    out << (proof ? proof_to_json(*proof, dumped(weights_json(run))) : "null\n");
+  };
   return {.picture =
               [&](const std::string& file) {
                 write_plan_picture(file, *map_, command_.run, answer_,
@@ -212,7 +265,8 @@ Forms BitmapProblem::show(const Record& run) const {
                 write_bitmap_report(out, run, *map_, command_.run,
                                     {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
                                     frames_ ? &*frames_ : nullptr);
-              }};
+              },
+          .proof = answer_.over_costs ? Forms::Write(write_proof) : Forms::Write()};
 }
 
 }  // namespace lasius::tool

@@ -16,7 +16,8 @@ Subcommand add_check_proof(CLI::App& app) {
   struct Asked {
     MapOptions map;
     std::string proof;
-    CostLayers layers;
+    Frame frame = Frame::cell;
+    CostLayers costs;
   };
   auto asked = std::make_shared<Asked>();
   OptionTable table(app, "check-proof", "Check the proof of a bound of costs, without a search");
@@ -27,14 +28,9 @@ Subcommand add_check_proof(CLI::App& app) {
   table
       .file("PROOF", asked->proof, "The proof, as CostPlanner's proof_to_json wrote it", {".json"})
       ->required();
-  table.repeatable("--cost", asked->layers.files,
-                   "A layer of the costs, PFM or .npy of the map's size: its values, at least 0, "
-                   "times the factor (default 1) are added to the weight 1 of each cell "
-                   "(repeatable)",
-                   "FILE[*FACTOR]");
-  table.text("--inflation", asked->layers.inflation,
-             "Costs near what is blocked, as Nav2 has them, in cells; the weight is 2 by itself",
-             "RADIUS,SCALING[,WEIGHT]");
+  add_cost_options(table, asked->costs);
+  table.choice("--frame", asked->frame, kFrames, "The unit of --inflation, as of plan",
+               "cell|world");
   table.flag("--unknown-free", asked->map.unknown_is_free,
              "Unknown cells of a ROS map count as free");
   return table.command(
@@ -46,8 +42,9 @@ Subcommand add_check_proof(CLI::App& app) {
                  {kInternal, "it does not: its first fault is printed; internal error"},
                  {kBadFile, "map, proof or a layer is missing or broken"}}},
       [=](const Call&) {
-        const LoadedMap map = read_map(asked->map, Frame::cell);
-        const CostField costs = cost_field(map, asked->layers);
+        const LoadedMap map = read_map(asked->map, asked->frame);
+        const double unit = map.cells_of(asked->frame == Frame::world, 1);
+        const CostField costs = load_costs(map.as_read(), asked->costs, unit).field;
         const CostProof proof = proof_from_json(
             read_text(asked->proof, std::numeric_limits<std::int64_t>::max()), asked->proof);
         if (const auto fault = check_proof(map.as_read(), costs, proof)) {

@@ -9,9 +9,12 @@
 #include <sstream>
 
 #include "core/base/number_text.h"
+#include "core/base/output.h"
+#include "core/io/grey_image.h"
 #include "core/map_files/byte_reader.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -27,8 +30,8 @@ struct LayerValues {
 [[noreturn]] void refuse_layer(const std::string& file, const std::string& problem,
                                ErrorCode code = ErrorCode::file_broken) {
   throw Error(code, {.file = file}, problem,
-              "give a PFM of one channel or a .npy of rows of float32, float64 or uint8, of the "
-              "map's size");
+              "give a PNG, a PGM, a PFM of one channel or a .npy of rows of float32, float64 or "
+              "uint8, of the map's size");
 }
 
 template <class Number>
@@ -118,38 +121,75 @@ LayerValues read_npy(const std::string& file, std::string_view bytes) {
   return raster;
 }
 
+/// White is 1.
+LayerValues read_grey(const std::string& file) {
+  const GreyImage image = read_grey_image(file);
+  LayerValues raster{.width = image.width, .height = image.height};
+  raster.values.reserve(image.levels.size());
+  for (const int level : image.levels)
+    raster.values.push_back(static_cast<double>(level) / image.white);
+  return raster;
+}
+
 LayerValues read_layer(const std::string& file) {
   const std::string bytes = read_text(file, kMostBytes);
   if (bytes.starts_with("\x93NUMPY")) return read_npy(file, bytes);
   if (bytes.starts_with("Pf")) return read_pfm(file, bytes);
-  refuse_layer(file, "it is neither a PFM nor a .npy", ErrorCode::file_unsupported);
+  if (has_ending(file, ".yaml") || has_ending(file, ".yml"))
+    refuse_layer(file, "layers of ROS maps are not read", ErrorCode::file_unsupported);
+  return read_grey(file);
 }
 
 }  // namespace
 
-CostField cost_field(const LoadedMap& map, const CostLayers& layers) {
-  CostField costs(map.width, map.height);
-  for (const std::string& layer : layers.files) {
-    const auto star = layer.rfind('*');
-    const std::string file = layer.substr(0, star);
-    const double factor =
-        star == layer.npos ? 1 : real_value("--cost", layer.substr(star + 1), 0, CostField::kMost);
+LoadedCosts load_costs(const Grid& grid, const CostLayers& asked, double cells_a_unit) {
+  LoadedCosts costs{.asked = asked, .field = CostField(grid.width(), grid.height())};
+  const auto size = [](int width, int height) { return size_text(width, height); };
+  for (const auto& [file, factor] : asked.layers) {
     const LayerValues raster = read_layer(file);
-    if (raster.width != map.width || raster.height != map.height)
-      refuse_layer(file, "it has " + size_text(raster.width, raster.height) + " values, the map " +
-                             size_text(map.width, map.height) + " cells");
+    if (raster.width != grid.width() || raster.height != grid.height())
+      refuse_layer(file, "it has " + size(raster.width, raster.height) + " values, the map " +
+                             size(grid.width(), grid.height()) + " cells");
     const auto bad = std::ranges::find_if(
         raster.values, [](double value) { return !std::isfinite(value) || value < 0; });
-    if (bad != raster.values.end()) refuse_layer(file, "it holds " + number_text(*bad));
-    costs.add(raster.values, factor);
+    if (bad != raster.values.end()) {
+      const auto i = static_cast<int>(bad - raster.values.begin());
+      refuse_layer(file, "it holds " + number_text(*bad) + " in cell " +
+                             pair_text(i % raster.width, i / raster.width));
+    }
+    costs.field.add(raster.values, factor);
+    costs.hashes.push_back(file_hash(file));
   }
-  if (!layers.inflation.empty()) {
-    const auto numbers = reals_value("--inflation", layers.inflation, 2, 3);
-    Inflation inflation{.radius = numbers[0], .scaling = numbers[1]};
-    if (numbers.size() > 2) inflation.weight = numbers[2];
-    costs.add(map.as_read(), inflation);
+  if (asked.inflation) {
+    const auto [radius, scaling, weight] = *asked.inflation;
+    costs.inflation = Inflation{
+        .radius = radius * cells_a_unit, .scaling = scaling / cells_a_unit, .weight = weight};
+    costs.field.add(grid, *costs.inflation);
   }
   return costs;
+}
+
+void add_cost_options(OptionTable& table, CostLayers& to) {
+  table.repeatable(
+      "--cost",
+      "A layer of costs of the map's size: PNG or PGM (grey / largest grey), PFM, .npy "
+      "(the value itself, at least 0). Times the factor (default 1) it is added to the "
+      "weight 1 of each cell (repeatable)",
+      "FILE[*FACTOR]", [&to](const std::string& text) {
+        const auto star = text.rfind('*');
+        CostLayers::Layer layer{.file = text.substr(0, star)};
+        if (star != text.npos)
+          layer.factor = real_value("--cost", text.substr(star + 1), 0, CostField::kMost);
+        to.layers.push_back(std::move(layer));
+      });
+  table.add("--inflation",
+            "Costs near what is blocked, as Nav2 has them: WEIGHT (default 2) times "
+            "exp(-SCALING (d - 1 cell)) up to the distance RADIUS; in cells (metres and per metre "
+            "with --frame world)",
+            "RADIUS,SCALING[,WEIGHT]", [&to](const std::string& text) {
+              const auto numbers = reals_value("--inflation", text, 2, 3);
+              to.inflation = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 2};
+            });
 }
 
 }  // namespace lasius::tool

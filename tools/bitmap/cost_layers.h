@@ -1,21 +1,33 @@
-// Costs as the command line gives them: files of values with their factors, and inflation.
+// What cells cost, as the command line gives it: files of values with their factors, and inflation.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "lasius/cost_field.h"
-#include "tools/bitmap/map_file.h"
+#include "lasius/cost_planner.h"
+#include "tools/command_line/option_table.h"
+#include "tools/options/options.h"
 
 namespace lasius::tool {
 
-struct CostLayers {
-  std::vector<std::string> files;  ///< FILE[*FACTOR], in their order
-  std::string inflation;           ///< RADIUS,SCALING[,WEIGHT] in cells; empty: none
+/// What cells of a map cost, and where that comes from.
+struct LoadedCosts {
+  CostLayers asked;
+  CostField field;
+  std::vector<std::uint64_t> hashes = {};   ///< of the layers' files
+  std::optional<Inflation> inflation = {};  ///< in cells
+  std::optional<CostPlanner> planner = {};  ///< once there is one of the map
 };
 
-/// The weights of a map's cells: 1, each file's values times its factor, and the inflation.
-/// @throws Error for files that are missing, broken or of another size; UsageError for the rest.
-CostField cost_field(const LoadedMap& map, const CostLayers& layers);
+/// The weights of a map's cells: 1, each file's values times its factor, and the inflation, whose
+/// unit of length is so many cells.
+/// @throws Error for files that are missing, broken or of another size, and for inflation out of
+/// its range.
+LoadedCosts load_costs(const Grid& grid, const CostLayers& asked, double cells_a_unit);
+
+/// --cost and --inflation.
+void add_cost_options(OptionTable& table, CostLayers& to);
 
 }  // namespace lasius::tool

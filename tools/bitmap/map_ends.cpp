@@ -190,6 +190,15 @@ RunOptions recorded_run(const Recorded& from) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  if (!result.contains("layers")) return run;
+  CostLayers& costs = run.map.costs;
+  for (const Json& layer : result["layers"])
+    costs.layers.push_back({.file = from.found(recorded<std::string>(layer, "file")),
+                            .factor = recorded_real(layer, "factor", 0, CostField::kMost)});
+  const Json& parameters = result["parameters"];
+  if (parameters.contains("inflation"))
+    costs.inflation = recorded<std::array<double, 3>>(result, "parameters/inflation");
+  costs.eight_moves = parameters.contains("moves");
   return run;
 }
 

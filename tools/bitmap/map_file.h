@@ -11,6 +11,7 @@
 #include "lasius/clearance.h"
 #include "lasius/map_io.h"
 #include "lasius/planner.h"
+#include "tools/bitmap/cost_layers.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -28,8 +29,9 @@ struct LoadedMap {
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
   std::optional<Grid> grid_alone{};  ///< without a planner: the grid as read
   std::optional<Grid> unknown{};     ///< as Map::unknown
-  double read_ms = 0;                ///< reading
-  double ready_ms = 0;               ///< making the planner, growing obstacles
+  std::optional<LoadedCosts> costs{};
+  double read_ms = 0;   ///< reading
+  double ready_ms = 0;  ///< making the planner, growing obstacles
   /// Made when reasons.h first needs them: of the map, with 4 and 8 neighbours; with the unknown
   /// cells free.
   std::array<std::optional<WidestRadius>, 2> widest{};

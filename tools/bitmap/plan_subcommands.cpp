@@ -1,4 +1,5 @@
 // lasius plan, lasius batch.
+#include <algorithm>
 #include <memory>
 
 #include "tools/bitmap/bitmap_problem.h"
@@ -6,6 +7,7 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/options/commands.h"
+#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 namespace {
@@ -43,6 +45,50 @@ void add_tracks(OptionTable& table, RunOptions& to) {
             [&to](const auto& text) { to.track_iterations = list_value("--tracks", text); });
 }
 
+/// Of `plan` and `batch`, not of drives.
+void add_costs(OptionTable& table, CostLayers& to) {
+  add_cost_options(table, to);
+  table.add("--moves",
+            "With costs 8: the cheapest walk by moves to eight neighbours, from centre to centre, "
+            "to compare with other planners",
+            "8", [&to](const auto& text) {
+              (void)integer_value("--moves", text, 8, 8);
+              to.eight_moves = true;
+            });
+}
+
+/// How a plan over costs is asked for. @throws UsageError
+void finish_costs(RunOptions& run, bool batch) {
+  CostLayers& costs = run.map.costs;
+  const bool proof = std::ranges::any_of(run.outputs, is_proof);
+  const std::string option = !costs.layers.empty() ? "--cost"
+                             : costs.inflation     ? "--inflation"
+                             : costs.eight_moves   ? "--moves"
+                                                   : "";
+  if (option.empty()) {
+    if (proof) throw UsageError("-o of a .proof.json is for plans over --cost or --inflation");
+    return;
+  }
+  if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
+    throw UsageError(option + " is for exact; " + run.params.algorithm() +
+                     " plans by length alone; leave --algorithm out");
+  if (run.map.radius > 0)
+    throw UsageError(option +
+                     " is for a point: leave --radius out, and make the disc's cost of "
+                     "--inflation");
+  if (run.with_optimum)
+    throw UsageError(
+        "--gap is for lengths: over costs `gap` is the certified one; leave --gap out");
+  if (proof && (costs.eight_moves || batch))
+    throw UsageError("-o of a .proof.json is for one plan of any angle");
+  if (run.map.prepare) {
+    run.map.prepare = false;
+    run.notes.push_back("--prepare has no effect over costs");
+  }
+  for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
+  costs.proof = proof;
+}
+
 /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
 struct PlanText {
   RunOptions run;
@@ -63,6 +109,8 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--frame world: " + command.world.file +
                      " gives no frame, a polygon world is in its own coordinates; leave it out");
   refuse_radius(table);
+  for (const char* option : {"--cost", "--inflation", "--moves"})
+    if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
   for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
@@ -79,10 +127,12 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   refuse_world_options(table);
   if (!text.queries.empty()) {
     finish_run(asked);
+    finish_costs(asked, true);
     asked.inputs.push_back(text.queries);
     return run_bitmap_batch({asked, {}, {}, text.queries});
   }
-  const PlanCommand plan = plan_command(asked, text.start, text.goal);
+  PlanCommand plan = plan_command(asked, text.start, text.goal);
+  finish_costs(plan.run, plan.run.ranged);
   if (plan.run.ranged) return run_bitmap_batch(plan);
   BitmapProblem problem(plan);
   return run(problem);
@@ -97,6 +147,7 @@ Subcommand add_plan(CLI::App& app) {
   table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
+  add_costs(table, text->run.map.costs);
   add_tracks(table, text->run);
   add_world_options(table, text->world);
   return table.command(
@@ -128,6 +179,7 @@ Subcommand add_batch(CLI::App& app) {
   SearchHelp help = kRunHelp;
   help.endings = kBatchEndings;
   add_run_options(table, text->run, help);
+  add_costs(table, text->run.map.costs);
   add_tracks(table, text->run);
   add_world_options(table, text->world);
   table

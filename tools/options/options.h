@@ -20,6 +20,23 @@ enum class Frame { cell, world };
 inline constexpr std::string_view kFrames[] = {"cell", "world"};  ///< their names
 enum class ProgressMode { automatic, always, never };
 
+/// What cells cost.
+struct CostLayers {
+  struct Layer {
+    std::string file;
+    double factor = 1;
+    friend bool operator==(const Layer&, const Layer&) = default;
+  };
+  std::vector<Layer> layers;
+  /// Radius, scaling, weight; lengths in the unit of MapOptions::radius.
+  std::optional<std::array<double, 3>> inflation;
+  bool eight_moves = false;  ///< walks of these, in place of paths of any angle
+  bool proof = false;        ///< kept, to be written
+
+  bool asked() const noexcept { return !layers.empty() || inflation || eight_moves; }
+  friend bool operator==(const CostLayers&, const CostLayers&) = default;
+};
+
 /// How the map file becomes the grid that is planned on.
 struct MapOptions {
   std::string file;
@@ -27,6 +44,7 @@ struct MapOptions {
   double radius = 0;           ///< of the robot, a disc
   bool radius_metres = false;  ///< else cells; so a goal tolerance
   bool prepare = false;        ///< make the visibility graph
+  CostLayers costs = {};
 };
 
 /// `--part I/N`: of the queries or runs those whose number, from 0, leaves I - 1 by N.

@@ -38,7 +38,7 @@ std::string row(const Record& run, const std::vector<std::string>& ends) {
   row << "," << to_string(result.status);
   shown(result.length);
   shown(result.lower_bound);
-  add(result.gap());
+  add(run.gap);
   row << "," << result.iterations << "," << to_text(run.elapsed_ms) << "," << run.seed;
   shown(run.optimum);
   add(gap_to(run.optimum, result.length));

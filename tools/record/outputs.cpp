@@ -23,13 +23,16 @@ bool is_film(std::string_view file) { return has_ending(file, ".gif"); }
 
 bool is_page(std::string_view file) { return has_ending(file, ".html"); }
 
+bool is_proof(std::string_view file) { return has_ending(file, ".proof.json"); }
+
 void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture(file);
-  write_file(file, is_table(file)                ? forms.csv
-                   : is_yaml(file) && forms.yaml ? forms.yaml
-                   : is_film(file) && forms.film ? forms.film
-                   : is_page(file) && forms.page ? forms.page
-                                                 : forms.json);
+  write_file(file, is_table(file)                  ? forms.csv
+                   : is_yaml(file) && forms.yaml   ? forms.yaml
+                   : is_film(file) && forms.film   ? forms.film
+                   : is_page(file) && forms.page   ? forms.page
+                   : is_proof(file) && forms.proof ? forms.proof
+                                                   : forms.json);
 }
 
 void Delivery::print(const std::string& text) {

@@ -16,6 +16,7 @@ bool is_table(std::string_view file);  ///< .csv
 bool is_yaml(std::string_view file);   ///< .yaml, .yml
 bool is_film(std::string_view file);   ///< .gif
 bool is_page(std::string_view file);   ///< .html
+bool is_proof(std::string_view file);  ///< .proof.json
 
 /// The forms of a file, each made when it is asked for.
 struct Forms {
@@ -23,6 +24,7 @@ struct Forms {
   Write json = {}, csv = {};
   std::function<void(const std::string& file)> picture = {};
   Write yaml = {}, film = {}, page = {};  ///< of those that have it
+  Write proof = {};                       ///< likewise: .proof.json
 };
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws

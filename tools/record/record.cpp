@@ -77,6 +77,7 @@ Json answer_json(const Record& run, const Json& path, const Json& effort, const 
   add_convergence(json, run.result);
   json.update(effort);
   add_proof(json, run.result);
+  json["gap"] = optional_number(run.gap);
   if (run.options.with_optimum) {
     json["optimum"] = optional_number(run.optimum);
     json["optimum_gap"] = optional_number(gap_to(run.optimum, run.result.length));

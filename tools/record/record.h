@@ -33,6 +33,7 @@ struct Record {
   Json parameters = {};  ///< all that decides the result
 
   SearchResult result = {};
+  std::optional<double> gap = result.gap();  ///< certified
   std::string error = result.error;
   std::optional<double> optimum = {};  ///< found for --gap
   Json answer = {};                    ///< what came of it, from "length" on
