@@ -1,4 +1,6 @@
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include "core/base/file_kind.h"
@@ -32,6 +34,13 @@ Map read_image(ByteReader& in, const PixelRule& rule) {
                     ErrorCode::file_unsupported);
 }
 
+/// What a pixel is as a number.
+struct LevelRule {
+  std::function<int(int level, int white)> level;
+  int unknown = 0;  ///< the greatest number, of unknown pixels; 0: white is the greatest
+  PixelRule::Transparent transparent = PixelRule::Transparent::on_white;
+};
+
 /// Puts two bits of each pixel's level in their place.
 void add_bits(const Map& map, int shift, GreyImage& image) {
   for (int y = 0; y < image.height; ++y) {
@@ -43,20 +52,63 @@ void add_bits(const Map& map, int shift, GreyImage& image) {
   }
 }
 
-Map read_ros_map(ByteReader& in, const ReadOptions& options) {
-  const RosMap ros = read_ros_yaml(in);
+// Readers tell two bits of each pixel. So an image is read once for each two bits of its levels,
+// and none of them has to know of grey.
+void read_levels(const std::string& path, const LevelRule& rule, GreyImage& to) {
+  for (int shift = 0; (rule.unknown > 0 ? rule.unknown : to.white) >> shift > 0; shift += 2) {
+    const PixelRule bits{.kind =
+                             [&](int level, int white) {
+                               to.white = white;
+                               return rule.level(level, white) >> shift & 3;
+                             },
+                         .unknown = rule.unknown > 0 ? rule.unknown >> shift & 3
+                                                     : static_cast<int>(PixelRule::kUnknown),
+                         .transparent = rule.transparent};
+    InputFile file(path);
+    const Map map = read_image(file.reader(), bits);
+    to.width = map.grid.width();
+    to.height = map.grid.height();
+    to.levels.resize(static_cast<std::size_t>(to.width) * to.height);
+    add_bits(map, shift, to);
+  }
+}
+
+/// What `read` makes of the file of a ROS map's image.
+template <class Read>
+auto of_ros_image(ByteReader& in, const RosMap& ros, const Read& read) {
   const auto image = std::filesystem::path(in.name()).parent_path() / ros.image;
   try {
-    InputFile file(image.string());
-    Map map = read_image(file.reader(), ros_rule(ros, options));
-    map.frame = ros.frame;
-    map.image = image.string();
-    return map;
+    return read(image.string());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_missing) throw;
     in.fail_at_line(ros.image_line, "its image " + image.string() + " " + error.problem(),
                     "correct 'image', which is relative to the YAML file", ErrorCode::file_missing);
   }
+}
+
+Map read_ros_map(ByteReader& in, const ReadOptions& options) {
+  const RosMap ros = read_ros_yaml(in);
+  return of_ros_image(in, ros, [&](const std::string& image) {
+    InputFile file(image);
+    Map map = read_image(file.reader(), ros_rule(ros, options));
+    map.frame = ros.frame;
+    map.image = image;
+    return map;
+  });
+}
+
+/// Percent, or OccupancyImage::kUnknown.
+int occupancy(const RosMap& ros, int level, int white) {
+  if (ros.mode == RosMap::Mode::raw) {
+    const int grey = ros_grey(level, white);
+    return grey > 100 ? OccupancyImage::kUnknown : grey;
+  }
+  const double p = ros_darkness(ros, level, white);
+  if (p >= ros.occupied_thresh) return 100;
+  if (p <= ros.free_thresh) return 0;
+  if (ros.mode == RosMap::Mode::trinary) return OccupancyImage::kUnknown;
+  return static_cast<int>(
+      std::rint(100 * (p - ros.free_thresh) / (ros.occupied_thresh - ros.free_thresh)));
 }
 
 }  // namespace
@@ -76,24 +128,28 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
   in.fail_at_offset(0, "this is no map that is read", kMaps, ErrorCode::file_unsupported);
 }
 
-// Readers tell two bits of each pixel. So an image is read once for each two bits of its levels,
-// and none of them has to know of grey.
 GreyImage read_grey_image(const std::string& path) {
   GreyImage image;
-  PixelRule rule{.kind = {}, .unknown = PixelRule::kUnknown};
-  for (int shift = 0; shift == 0 || image.white >> shift > 0; shift += 2) {
-    rule.kind = [&](int level, int white) {
-      image.white = white;
-      return level >> shift & 3;
-    };
-    InputFile file(path);
-    const Map map = read_image(file.reader(), rule);
-    image.width = map.grid.width();
-    image.height = map.grid.height();
-    image.levels.resize(static_cast<std::size_t>(image.width) * image.height);
-    add_bits(map, shift, image);
-  }
+  read_levels(path, {[](int level, int) { return level; }}, image);
   return image;
+}
+
+OccupancyImage read_occupancy(const std::string& yaml) {
+  InputFile file(yaml);
+  const RosMap ros = read_ros_yaml(file.reader());
+  OccupancyImage made;
+  made.frame = ros.frame;
+  const bool raw = ros.mode == RosMap::Mode::raw;
+  of_ros_image(file.reader(), ros, [&](const std::string& image) {
+    made.image = image;
+    read_levels(image,
+                {[&](int level, int white) { return occupancy(ros, level, white); },
+                 OccupancyImage::kUnknown,
+                 raw ? PixelRule::Transparent::ignored : PixelRule::Transparent::unknown},
+                made);
+    return 0;
+  });
+  return made;
 }
 
 void write_any_map(const Grid& grid, const std::string& path) {

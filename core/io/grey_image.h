@@ -1,4 +1,4 @@
-// Grey levels of an image, as layers of costs have them.
+// Grey levels of an image and occupancies of a ROS map, as layers of costs have them.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lasius/io.h"
+#include "lasius/map_io.h"
 
 namespace lasius {
 
@@ -19,5 +20,17 @@ struct GreyImage {
 /// Reads PNG, PGM, PBM or BMP; colours by their luma, on a white page where they are transparent.
 /// @throws as read_any_map.
 LASIUS_IO_EXPORT GreyImage read_grey_image(const std::string& path);
+
+/// The occupancy grid that map_server makes of a ROS map.
+struct OccupancyImage : GreyImage {
+  static constexpr int kUnknown = 127;  ///< the level of an unknown cell; others have 0 to 100
+  WorldFrame frame;
+  std::string image;  ///< the file of the pixels
+};
+
+/// Reads a ROS map by the rules of map_server in nav2, its `mode` as written: dark is dear, or
+/// light where `negate` is set; in mode scale, between the thresholds, the nearest whole percent.
+/// @throws as read_any_map.
+LASIUS_IO_EXPORT OccupancyImage read_occupancy(const std::string& yaml);
 
 }  // namespace lasius

@@ -150,6 +150,12 @@ RosMap read_ros_yaml(ByteReader& in) {
   }
 }
 
+double ros_darkness(const RosMap& ros, int level, int white) {
+  return static_cast<double>(ros.negate ? level : white - level) / white;
+}
+
+int ros_grey(int level, int white) { return (level * 255 + white / 2) / white; }
+
 PixelRule ros_rule(const RosMap& ros, const ReadOptions& options) {
   const int unknown =
       PixelRule::kUnknown | (options.unknown_is_free ? PixelRule::kFree : PixelRule::kBlocked);
@@ -159,13 +165,13 @@ PixelRule ros_rule(const RosMap& ros, const ReadOptions& options) {
   };
   if (ros.mode == RosMap::Mode::raw) {
     const auto kind = [=](int level, int white) {
-      const int grey = (level * 255 + white / 2) / white;
+      const int grey = ros_grey(level, white);
       return grey > 100 ? unknown : blocked_if(grey >= 100 * free_below);
     };
     return {kind, unknown, PixelRule::Transparent::ignored};
   }
   const auto kind = [=](int level, int white) {
-    const double p = static_cast<double>(ros.negate ? level : white - level) / white;
+    const double p = ros_darkness(ros, level, white);
     if (p <= ros.free_thresh || p >= ros.occupied_thresh)
       return blocked_if(p >= ros.occupied_thresh);
     if (ros.mode == RosMap::Mode::trinary) return unknown;

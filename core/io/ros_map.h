@@ -25,6 +25,11 @@ struct RosMap {
 /// @throws Error(file_broken) with the line.
 RosMap read_ros_yaml(ByteReader& in);
 
+/// Of a pixel, 0 to 1; lightness where `negate` is set.
+double ros_darkness(const RosMap& ros, int level, int white);
+/// Of a pixel, as its occupancy in mode raw: 0 to 255.
+int ros_grey(int level, int white);
+
 /// The cells' rule, as read_any_map states it.
 PixelRule ros_rule(const RosMap& ros, const ReadOptions& options);
 

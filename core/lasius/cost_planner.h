@@ -31,20 +31,28 @@ struct CostResult : Result {
 /// Which paths there are.
 struct CostOptions {
   /// Only walks by eight moves from centre to centre, for comparison with other planners;
-  /// `lower_bound` and `optimal` are about these.
+  /// `lower_bound` and `optimal` are about these. Not of a disc.
   bool eight_moves = false;
   Corners corners = Corners::forbid;  ///< of eight moves
-  /// Ask for CostResult::proof; not of eight moves. Then equal weights are searched as others are.
+  /// Ask for CostResult::proof; not of eight moves or a disc. Then equal weights are searched as
+  /// others are.
   bool proof = false;
 };
 
 /// Finds the cheapest path over costs, of any angle, within a gap that it proves. Immutable; copies
-/// share what they hold: 8 bytes a cell. A call takes 9 bytes a cell, and in the cells where a
-/// cheapest path may be, half of the map on long ways, 80 more.
+/// share what they hold: 8 bytes a cell, for a disc 16. A call takes 9 bytes a cell, and in the
+/// cells where a cheapest path may be, half of the map on long ways, 80 more.
+///
+/// For a disc the bound is that of the cells where its centre may be at some point. Mostly their
+/// cheapest path keeps the radius, since costs are high near what is blocked; where it does not,
+/// the path is the cheapest one found that does, over the cells whose centres keep it, those all of
+/// whose points do, and the shortest curve: never nearer than the radius, its gap proven, but not
+/// always small. One that begins or ends beside the centres of cells, led out or within a goal
+/// tolerance, is the shortest path.
 class LASIUS_EXPORT CostPlanner {
  public:
   /// @throws Error(invalid_parameter) where the costs are for a map of another size, or the planner
-  /// is for a disc: block the cells that it cannot enter and add inflation instead.
+  /// is for a disc whose radius `exact` does not serve.
   CostPlanner(Planner planner, const CostField& costs);
   ~CostPlanner();
   CostPlanner(const CostPlanner&) noexcept;

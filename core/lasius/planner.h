@@ -224,6 +224,7 @@ class LASIUS_EXPORT Planner {
   class Impl;
 
  private:
+  friend class CostPlanner;
   explicit Planner(std::shared_ptr<const Impl> impl);
   static std::optional<Planner> if_made(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;

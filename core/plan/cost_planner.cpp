@@ -1,36 +1,184 @@
 #include "lasius/cost_planner.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "core/cost/cost_search.h"
+#include "core/cost/merged.h"
+#include "core/cost/path_cost.h"
+#include "core/grid/components.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/plan/exact_view.h"
+#include "core/plan/planner_impl.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
 
 namespace lasius {
 namespace {
 
-Planner of_a_point(Planner planner) {
-  if (planner.robot().radius == 0) return planner;
-  throw Error(ErrorCode::invalid_parameter, "there are costs for a disc",
-              "plan for a point, block the cells that a disc cannot enter and add an inflation");
+using cost::CostAnswer;
+using cost::Terrain;
+
+/// NaN where the path is not allowed.
+double cost_over(const Terrain& terrain, const std::vector<Point>& path) {
+  const auto weight = [&](int x, int y) { return terrain.weight(x, y); };
+  cost::PathCost sum(weight);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (!sum.add(path[i - 1], path[i])) return kNaN;
+  return sum.sum();
 }
+
+/// The terrain where a grid is free as well.
+Terrain narrowed(const Terrain& terrain, const Grid& grid) {
+  std::vector<double> weights;
+  weights.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
+  Grid free = grid;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      weights.push_back(terrain.weight(x, y));
+      if (!terrain.free(x, y)) free.set_blocked({x, y});
+    }
+  }
+  return Terrain(free, weights);
+}
+
+/// The cells all of whose points are clear, and about two more those whose centres are.
+Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal) {
+  Grid wide = space.blocked_cells();
+  for (int y = 0; y < wide.height(); ++y)
+    for (int x = 0; x < wide.width(); ++x)
+      if (space.in_band({x, y})) wide.set_blocked({x, y});
+  for (const Cell end : {start, goal})
+    for (int y = end.y - 1; y <= end.y + 1; ++y)
+      for (int x = end.x - 1; x <= end.x + 1; ++x)
+        if (!passable.blocked({x, y})) wide.set_blocked({x, y}, false);
+  return wide;
+}
+
+/// The cheapest path so far that a robot can go, and who is told of it.
+class Kept {
+ public:
+  Kept(const Terrain& terrain, const disc::DiscSpace* space, const Observer& observer)
+      : terrain_(terrain), space_(space), observer_(observer) {}
+
+  /// False where whoever looks on asks to end.
+  bool offer(const std::vector<Point>& path, double cost, double bound) {
+    if (!(cost < cost_) || !can_go(path)) return true;
+    path_ = path;
+    cost_ = cost;
+    if (!observer_) return true;
+    const ExactView view(path_, improvements_++, cost_, std::min(bound, cost_));
+    observer_(view);
+    return !view.stopped();
+  }
+  /// With fewer vertices.
+  std::vector<Point> path() const {
+    std::vector<Point> fewer = cost::merged(terrain_, path_);
+    return can_go(fewer) && cost_over(terrain_, fewer) <= cost_ * (1 + 1e-12) ? fewer : path_;
+  }
+  bool any() const noexcept { return !path_.empty(); }
+  double cost() const noexcept { return cost_; }
+
+ private:
+  bool can_go(const std::vector<Point>& path) const {
+    if (space_ == nullptr) return true;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (!space_->reaches(path[i - 1], path[i])) return false;
+    return true;
+  }
+
+  const Terrain& terrain_;
+  const disc::DiscSpace* space_;
+  const Observer& observer_;
+  std::vector<Point> path_;
+  double cost_ = kInfinity;
+  int improvements_ = 0;
+};
 
 }  // namespace
 
 struct CostPlanner::Impl {
-  Impl(Planner p, const CostField& costs)
-      : planner(of_a_point(std::move(p))),
-        terrain(planner.grid(), costs),
-        costs_hash(costs.hash()) {}
+  Impl(Planner p, const DiscMap* disc, const CostField& costs)
+      : planner(std::move(p)),
+        space(disc != nullptr && disc->space ? &*disc->space : nullptr),
+        terrain(space != nullptr ? space->blocked_cells() : planner.grid(), costs),
+        costs_hash(costs.hash()) {
+    if (space != nullptr) whole.emplace(planner.grid(), costs);
+  }
+
+  /// What the searches of one request have in common.
+  struct Run {
+    const Request& request;
+    Cell goal;
+    const CostOptions& options;
+    Kept& kept;
+    std::vector<CostProof::Level> levels = {};
+  };
+  CostAnswer search(const Terrain& over, Run& run) const;
+  CostAnswer search_for_disc(Run& run) const;
+  std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
 
   Planner planner;
-  cost::Terrain terrain;
+  const disc::DiscSpace* space;       ///< of `planner`; null for a point
+  Terrain terrain;                    ///< of a disc the cells that have a clear point
+  std::optional<Terrain> whole = {};  ///< of a disc: where it may have to be led out of, too
   std::uint64_t costs_hash;
 };
+
+CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
+  const Request& request = run.request;
+  cost::CostSearch search;
+  CostAnswer answer;
+  const OnImproved improved = [&](const std::vector<Point>& path, double cost, double bound) {
+    return run.kept.offer(path, cost, bound);
+  };
+  if (run.options.eight_moves) {
+    search.search_eight_moves(over, request.start, run.goal, run.options.corners, request.stop,
+                              answer);
+    if (!answer.path.empty()) run.kept.offer(answer.path, answer.length, answer.lower_bound);
+    return answer;
+  }
+  const ExactOptions how{.target_gap = request.target_gap, .improved = &improved};
+  search.search(over, request.start, run.goal, how, request.stop, answer,
+                run.options.proof ? &run.levels : nullptr);
+  return answer;
+}
+
+// The bound is that of the cells that have a clear point. Their cheapest path mostly keeps the
+// radius, too, as costs are high near what is blocked. Else paths are looked for where they must.
+CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
+  const Result shortest =
+      planner.plan({.start = run.request.start, .goal = run.goal, .stop = run.request.stop});
+  if (!shortest.path.empty()) run.kept.offer(shortest.path, cost_over(terrain, shortest.path), 0);
+  CostAnswer answer = search(terrain, run);
+  Request rest = run.request;
+  rest.target_gap = 0;
+  for (const bool wide : {false, true}) {
+    if (run.kept.cost() <= answer.length || answer.end == ExactEnd::stopped) break;
+    const Grid cells = wide ? wide_cells(*space, planner.passable(), run.request.start, run.goal)
+                            : planner.passable();
+    const auto joined = Components::make(cells, Components::Connectivity::four, run.request.stop);
+    if (!joined || !joined->connected(cells, run.request.start, run.goal)) continue;
+    const CostOptions plain;
+    Run again{rest, run.goal, plain, run.kept};
+    const CostAnswer other = search(narrowed(terrain, cells), again);
+    answer.cause = other.cause;
+    answer.end = other.end;
+  }
+  return answer;
+}
+
+std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound) const {
+  if (!run.options.proof) return nullptr;
+  return std::make_shared<const CostProof>(CostProof{.start = run.request.start,
+                                                     .goal = run.goal,
+                                                     .lower_bound = bound,
+                                                     .map_hash = planner.grid().hash(),
+                                                     .costs_hash = costs_hash,
+                                                     .levels = std::move(run.levels)});
+}
 
 std::optional<double> CostResult::gap() const {
   if (cost == 0) return 0;
@@ -38,8 +186,11 @@ std::optional<double> CostResult::gap() const {
   return (cost - *lower_bound) / *lower_bound;
 }
 
-CostPlanner::CostPlanner(Planner planner, const CostField& costs)
-    : impl_(std::make_shared<const Impl>(std::move(planner), costs)) {}
+CostPlanner::CostPlanner(Planner planner, const CostField& costs) {
+  const DiscMap* const disc = planner.impl_->disc.get();
+  if (disc != nullptr && !disc->space) disc::check_disc_radius(disc->radius);
+  impl_ = std::make_shared<const Impl>(std::move(planner), disc, costs);
+}
 CostPlanner::~CostPlanner() = default;
 CostPlanner::CostPlanner(const CostPlanner&) noexcept = default;
 CostPlanner& CostPlanner::operator=(const CostPlanner&) noexcept = default;
@@ -50,13 +201,20 @@ const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
 
 CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
                              const Observer& observer) const {
-  const cost::Terrain& terrain = impl_->terrain;
+  const Terrain& terrain = impl_->terrain;
+  const bool disc = impl_->space != nullptr;
   const Params params;  // of exact
   CostResult result;
   Result& plain = result;
   if (options.proof && options.eight_moves) {
     throw Error(ErrorCode::invalid_parameter, "a proof is asked for of eight moves",
                 "ask for one of any angle");
+  }
+  if (disc && (options.proof || options.eight_moves)) {
+    throw Error(
+        ErrorCode::invalid_parameter,
+        options.proof ? "a proof is asked for of a disc" : "eight moves of a disc are asked for",
+        "ask for paths of any angle alone, or plan for a point");
   }
   if (terrain.least() == terrain.most() && !options.eight_moves && !options.proof) {
     plain = impl_->planner.plan(request, params, nullptr, observer);
@@ -71,48 +229,37 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   plain = impl_->planner.plan(judged, params);
   if (result.status == Status::invalid || result.status == Status::unreachable) return result;
   const Cell goal = result.goal_reached.value_or(request.goal);
-  const auto prove = [&](double bound, std::vector<CostProof::Level> levels) {
-    if (!options.proof) return;
-    result.proof = std::make_shared<const CostProof>(CostProof{.start = request.start,
-                                                               .goal = goal,
-                                                               .lower_bound = bound,
-                                                               .map_hash = planner().grid().hash(),
-                                                               .costs_hash = impl_->costs_hash,
-                                                               .levels = std::move(levels)});
-  };
+  if (disc && (result.way_out || !impl_->planner.clear(goal))) {
+    // It begins or ends beside the centres of cells: the shortest path, which costs what it costs.
+    plain = impl_->planner.plan(request, params);
+    result.optimal = false;
+    if (result.lower_bound) *result.lower_bound *= terrain.least();
+    plain.curve.clear();
+    if (result.path.empty()) return result;
+    result.length = path_length(result.path);
+    result.cost = cost_over(*impl_->whole, result.path);
+    return result;
+  }
+  Kept kept(terrain, impl_->space, observer);
+  Impl::Run run{request, goal, options, kept};
   if (request.start == goal) {
     result.cost = 0;
-    prove(0, {});
+    result.proof = impl_->proof(run, 0);
     return result;
   }
   const std::optional<Cell> goal_reached = result.goal_reached;
   plain = {};
   plain.goal_reached = goal_reached;
-  int improvements = 0;
-  const OnImproved show = [&](const std::vector<Point>& path, double cost, double bound) {
-    const ExactView view(path, improvements++, cost, bound);
-    observer(view);
-    return !view.stopped();
-  };
-  cost::CostSearch search;
-  cost::CostAnswer answer;
-  std::vector<CostProof::Level> levels;
-  if (options.eight_moves) {
-    search.search_eight_moves(terrain, request.start, goal, options.corners, request.stop, answer);
-  } else {
-    const ExactOptions how{.target_gap = request.target_gap,
-                           .improved = observer ? &show : nullptr};
-    search.search(terrain, request.start, goal, how, request.stop, answer,
-                  options.proof ? &levels : nullptr);
-  }
-  end_run(result, answer.cause, answer.path.empty() ? Status::no_path : Status::solved);
+  const CostAnswer answer = disc ? impl_->search_for_disc(run) : impl_->search(terrain, run);
+  end_run(result, answer.cause, kept.any() ? Status::solved : Status::no_path);
   result.lower_bound = answer.lower_bound;
-  result.optimal = answer.optimal;
-  if (answer.path.empty()) return result;
-  result.path = std::move(answer.path);
+  if (!kept.any()) return result;
+  result.path = kept.path();
   result.length = path_length(result.path);
-  result.cost = answer.length;
-  prove(answer.lower_bound, std::move(levels));
+  result.cost = cost_over(terrain, result.path);
+  result.lower_bound = std::min(answer.lower_bound, result.cost);
+  result.optimal = result.cost - *result.lower_bound <= 1e-9 * result.cost;
+  result.proof = impl_->proof(run, *result.lower_bound);
   return result;
 }
 

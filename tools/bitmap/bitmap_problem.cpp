@@ -65,7 +65,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
     if (ends.in_metres()) json["way_out_world"] = out ? point(ends.map.to_world(*out)) : Json();
   }
   json["path"] = points(result.path);
-  if (ends.curved())
+  if (ends.curved() && (!ends.map.costs || !result.curve.empty()))
     for (const LoadedMap* frame : {static_cast<const LoadedMap*>(nullptr), &ends.map})
       if (frame == nullptr || ends.in_metres())
         json[frame == nullptr ? "curve" : "curve_world"] =
@@ -219,6 +219,8 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
     map_ = std::make_shared<LoadedMap>(
         load_map(first, run.frame, run.params.corners, run.threads, token));
   run.inputs.push_back(map_->image);
+  if (map_->costs)
+    run.inputs.insert(run.inputs.end(), map_->costs->images.begin(), map_->costs->images.end());
   check_radius(*map_, run);
   answer_.start = to_place(*map_, command_.start, run.frame);
   answer_.goal = to_place(*map_, command_.goal, run.frame);

@@ -5,6 +5,7 @@
 #include "lasius/cost_proof.h"
 #include "lasius/io_json.h"
 #include "tools/bitmap/cost_layers.h"
+#include "tools/bitmap/map_file.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
@@ -42,9 +43,10 @@ Subcommand add_check_proof(CLI::App& app) {
                  {kInternal, "it does not: its first fault is printed; internal error"},
                  {kBadFile, "map, proof or a layer is missing or broken"}}},
       [=](const Call&) {
-        const LoadedMap map = read_map(asked->map, asked->frame);
+        LoadedMap map = read_map(asked->map, asked->frame);
         const double unit = map.cells_of(asked->frame == Frame::world, 1);
-        const CostField costs = load_costs(map.as_read(), asked->costs, unit).field;
+        const CostField costs =
+            load_costs(*map.grid_alone, map.frame, asked->costs, unit, map.radius).field;
         const CostProof proof = proof_from_json(
             read_text(asked->proof, std::numeric_limits<std::int64_t>::max()), asked->proof);
         if (const auto fault = check_proof(map.as_read(), costs, proof)) {

@@ -121,6 +121,11 @@ LayerValues read_npy(const std::string& file, std::string_view bytes) {
   return raster;
 }
 
+[[noreturn]] void refuse_size(const std::string& file, int width, int height, const Grid& grid) {
+  refuse_layer(file, "it has " + size_text(width, height) + " values, the map " +
+                         size_text(grid.width(), grid.height()) + " cells");
+}
+
 /// White is 1.
 LayerValues read_grey(const std::string& file) {
   const GreyImage image = read_grey_image(file);
@@ -131,25 +136,57 @@ LayerValues read_grey(const std::string& file) {
   return raster;
 }
 
+/// A ROS map's occupancy over 100, as the map's cells have it by their centres; blocks those of
+/// 100, 0 where unknown and outside of it.
+LayerValues read_ros_layer(const std::string& file, const std::optional<WorldFrame>& frame,
+                           Grid& grid, std::string& image) {
+  const OccupancyImage layer = read_occupancy(file);
+  image = layer.image;
+  if (!frame && (layer.width != grid.width() || layer.height != grid.height()))
+    refuse_size(file, layer.width, layer.height, grid);
+  LayerValues raster{.width = grid.width(), .height = grid.height()};
+  raster.values.assign(static_cast<std::size_t>(raster.width) * raster.height, 0);
+  for (int y = 0; y < raster.height; ++y) {
+    for (int x = 0; x < raster.width; ++x) {
+      Point place{x + 0.5, y + 0.5};
+      if (frame) place = layer.frame.to_cells(frame->to_world(place, raster.height), layer.height);
+      if (!(place.x >= 0 && place.x < layer.width && place.y > 0 && place.y <= layer.height))
+        continue;
+      const auto column = static_cast<std::size_t>(place.x);
+      const auto row = static_cast<std::size_t>(std::ceil(place.y) - 1);
+      const int percent = layer.levels[row * layer.width + column];
+      if (percent == 100) grid.set_blocked({x, y});
+      if (percent != OccupancyImage::kUnknown)
+        raster.values[static_cast<std::size_t>(y) * raster.width + x] = percent / 100.0;
+    }
+  }
+  return raster;
+}
+
 LayerValues read_layer(const std::string& file) {
   const std::string bytes = read_text(file, kMostBytes);
   if (bytes.starts_with("\x93NUMPY")) return read_npy(file, bytes);
   if (bytes.starts_with("Pf")) return read_pfm(file, bytes);
-  if (has_ending(file, ".yaml") || has_ending(file, ".yml"))
-    refuse_layer(file, "layers of ROS maps are not read", ErrorCode::file_unsupported);
   return read_grey(file);
 }
 
 }  // namespace
 
-LoadedCosts load_costs(const Grid& grid, const CostLayers& asked, double cells_a_unit) {
+LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
+                       double cells_a_unit, double radius) {
   LoadedCosts costs{.asked = asked, .field = CostField(grid.width(), grid.height())};
-  const auto size = [](int width, int height) { return size_text(width, height); };
   for (const auto& [file, factor] : asked.layers) {
-    const LayerValues raster = read_layer(file);
+    std::uint64_t hash = file_hash(file);
+    LayerValues raster;
+    if (has_ending(file, ".yaml") || has_ending(file, ".yml")) {
+      std::string& image = costs.images.emplace_back();
+      raster = read_ros_layer(file, frame, grid, image);
+      hash = file_hash(image, hash);
+    } else {
+      raster = read_layer(file);
+    }
     if (raster.width != grid.width() || raster.height != grid.height())
-      refuse_layer(file, "it has " + size(raster.width, raster.height) + " values, the map " +
-                             size(grid.width(), grid.height()) + " cells");
+      refuse_size(file, raster.width, raster.height, grid);
     const auto bad = std::ranges::find_if(
         raster.values, [](double value) { return !std::isfinite(value) || value < 0; });
     if (bad != raster.values.end()) {
@@ -158,12 +195,14 @@ LoadedCosts load_costs(const Grid& grid, const CostLayers& asked, double cells_a
                              pair_text(i % raster.width, i / raster.width));
     }
     costs.field.add(raster.values, factor);
-    costs.hashes.push_back(file_hash(file));
+    costs.hashes.push_back(hash);
   }
   if (asked.inflation) {
-    const auto [radius, scaling, weight] = *asked.inflation;
-    costs.inflation = Inflation{
-        .radius = radius * cells_a_unit, .scaling = scaling / cells_a_unit, .weight = weight};
+    const auto [reach, scaling, weight] = *asked.inflation;
+    costs.inflation = Inflation{.radius = reach * cells_a_unit,
+                                .scaling = scaling / cells_a_unit,
+                                .weight = weight,
+                                .inscribed = std::max(1.0, radius)};
     costs.field.add(grid, *costs.inflation);
   }
   return costs;
@@ -173,7 +212,8 @@ void add_cost_options(OptionTable& table, CostLayers& to) {
   table.repeatable(
       "--cost",
       "A layer of costs of the map's size: PNG or PGM (grey / largest grey), PFM, .npy "
-      "(the value itself, at least 0). Times the factor (default 1) it is added to the "
+      "(the value itself, at least 0), or a ROS map's .yaml where that places it (occupancy / "
+      "100; 100 blocks the cell). Times the factor (default 1) it is added to the "
       "weight 1 of each cell (repeatable)",
       "FILE[*FACTOR]", [&to](const std::string& text) {
         const auto star = text.rfind('*');
@@ -182,14 +222,15 @@ void add_cost_options(OptionTable& table, CostLayers& to) {
           layer.factor = real_value("--cost", text.substr(star + 1), 0, CostField::kMost);
         to.layers.push_back(std::move(layer));
       });
-  table.add("--inflation",
-            "Costs near what is blocked, as Nav2 has them: WEIGHT (default 2) times "
-            "exp(-SCALING (d - 1 cell)) up to the distance RADIUS; in cells (metres and per metre "
-            "with --frame world)",
-            "RADIUS,SCALING[,WEIGHT]", [&to](const std::string& text) {
-              const auto numbers = reals_value("--inflation", text, 2, 3);
-              to.inflation = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 2};
-            });
+  table.add(
+      "--inflation",
+      "Costs near what is blocked, as Nav2 has them: WEIGHT (default 2) times "
+      "exp(-SCALING (d - r)) up to the distance d = RADIUS, r: --radius, at least 1 cell; in cells "
+      "(metres and per metre with --frame world)",
+      "RADIUS,SCALING[,WEIGHT]", [&to](const std::string& text) {
+        const auto numbers = reals_value("--inflation", text, 2, 3);
+        to.inflation = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 2};
+      });
 }
 
 }  // namespace lasius::tool

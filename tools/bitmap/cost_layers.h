@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lasius/cost_planner.h"
+#include "lasius/map_io.h"
 #include "tools/command_line/option_table.h"
 #include "tools/options/options.h"
 
@@ -16,16 +17,19 @@ namespace lasius::tool {
 struct LoadedCosts {
   CostLayers asked;
   CostField field;
-  std::vector<std::uint64_t> hashes = {};   ///< of the layers' files
+  std::vector<std::uint64_t> hashes = {};   ///< of the layers' files, a ROS map's with its image
+  std::vector<std::string> images = {};     ///< of layers that are ROS maps
   std::optional<Inflation> inflation = {};  ///< in cells
   std::optional<CostPlanner> planner = {};  ///< once there is one of the map
 };
 
 /// The weights of a map's cells: 1, each file's values times its factor, and the inflation, whose
-/// unit of length is so many cells.
+/// unit of length is so many cells and whose robot has `radius` cells. Blocks cells where a ROS
+/// map among the layers is occupied.
 /// @throws Error for files that are missing, broken or of another size, and for inflation out of
 /// its range.
-LoadedCosts load_costs(const Grid& grid, const CostLayers& asked, double cells_a_unit);
+LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
+                       double cells_a_unit, double radius);
 
 /// --cost and --inflation.
 void add_cost_options(OptionTable& table, CostLayers& to);

@@ -66,10 +66,11 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   LoadedMap map = read_map(options, frame);
   const StopCondition stop{.token = token};
   const auto start = Clock::now();
+  if (options.costs.asked())
+    map.costs = load_costs(*map.grid_alone, map.frame, options.costs,
+                           map.cells_of(options.radius_metres, 1), map.radius);
   map.planner =
       make_planner(*map.grid_alone, {map.radius}, options.prepare, threads, corners, stop);
-  if (options.costs.asked())
-    map.costs = load_costs(*map.grid_alone, options.costs, map.cells_of(options.radius_metres, 1));
   if (map.planner) map.grid_alone.reset();
   if (map.planner && map.costs) map.costs->planner.emplace(*map.planner, map.costs->field);
   map.ready_ms = ms_since(start);

@@ -72,10 +72,9 @@ void finish_costs(RunOptions& run, bool batch) {
   if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
     throw UsageError(option + " is for exact; " + run.params.algorithm() +
                      " plans by length alone; leave --algorithm out");
-  if (run.map.radius > 0)
-    throw UsageError(option +
-                     " is for a point: leave --radius out, and make the disc's cost of "
-                     "--inflation");
+  if (run.map.radius > 0 && (proof || costs.eight_moves))
+    throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
+                     " is for a point; leave --radius out");
   if (run.with_optimum)
     throw UsageError(
         "--gap is for lengths: over costs `gap` is the certified one; leave --gap out");

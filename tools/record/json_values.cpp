@@ -34,8 +34,7 @@ Json range_json(const Parameter& parameter) {
   return object;
 }
 
-std::uint64_t file_hash(const std::string& file) {
-  std::uint64_t hash = 0xcbf29ce484222325;
+std::uint64_t file_hash(const std::string& file, std::uint64_t hash) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return hash;
   std::ifstream in(file, std::ios::binary);

@@ -21,7 +21,7 @@ Json range_json(const Parameter& parameter);
 std::string hash_text(std::uint64_t hash);
 
 /// The hash of the bytes of a file that was just read (FNV-1a); of a pipe, which can be read but
-/// once, that of nothing.
-std::uint64_t file_hash(const std::string& file);
+/// once, that of nothing. Of several files, one behind another: each from the hash before.
+std::uint64_t file_hash(const std::string& file, std::uint64_t hash = 0xcbf29ce484222325);
 
 }  // namespace lasius::tool
