@@ -7,6 +7,7 @@
 #include "core/cost/cost_search.h"
 #include "core/cost/merged.h"
 #include "core/cost/path_cost.h"
+#include "core/disc/disc_search.h"
 #include "core/grid/components.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
@@ -44,7 +45,7 @@ Terrain narrowed(const Terrain& terrain, const Grid& grid) {
   return Terrain(free, weights);
 }
 
-/// The cells all of whose points are clear, and about two more those whose centres are.
+/// The cells all of whose points are clear, and those about the ends whose centres are.
 Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal) {
   Grid wide = space.blocked_cells();
   for (int y = 0; y < wide.height(); ++y)
@@ -57,6 +58,26 @@ Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, 
   return wide;
 }
 
+/// The path with a disc's shortest ways in place of the pieces that it cannot go; empty when
+/// stopped, or where there is none. The path's ends are clear.
+std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
+                            const StopCondition& stop) {
+  std::vector<Point> made{path.front()};
+  disc::DiscSearch search;
+  disc::DiscAnswer way;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    while (!space.clear(path[i])) ++i;
+    if (space.reaches(made.back(), path[i])) {
+      made.push_back(path[i]);
+      continue;
+    }
+    search.search(space, nullptr, made.back(), path[i], {}, stop, way);
+    if (way.path.empty()) return {};
+    made.insert(made.end(), way.path.begin() + 1, way.path.end());
+  }
+  return made;
+}
+
 /// The cheapest path so far that a robot can go, and who is told of it.
 class Kept {
  public:
@@ -64,20 +85,22 @@ class Kept {
       : terrain_(terrain), space_(space), observer_(observer) {}
 
   /// False where whoever looks on asks to end.
-  bool offer(const std::vector<Point>& path, double cost, double bound) {
+  bool offer(std::vector<Point> path, double cost, double bound) {
     if (!(cost < cost_) || !can_go(path)) return true;
-    path_ = path;
+    std::vector<Point> fewer = cost::merged(terrain_, path);
+    const double less = cost_over(terrain_, fewer);
+    if (less <= cost * (1 + 1e-12) && can_go(fewer)) {
+      path = std::move(fewer);
+      cost = less;
+    }
+    path_ = std::move(path);
     cost_ = cost;
     if (!observer_) return true;
     const ExactView view(path_, improvements_++, cost_, std::min(bound, cost_));
     observer_(view);
     return !view.stopped();
   }
-  /// With fewer vertices.
-  std::vector<Point> path() const {
-    std::vector<Point> fewer = cost::merged(terrain_, path_);
-    return can_go(fewer) && cost_over(terrain_, fewer) <= cost_ * (1 + 1e-12) ? fewer : path_;
-  }
+  std::vector<Point>& path() noexcept { return path_; }
   bool any() const noexcept { return !path_.empty(); }
   double cost() const noexcept { return cost_; }
 
@@ -114,6 +137,7 @@ struct CostPlanner::Impl {
     Cell goal;
     const CostOptions& options;
     Kept& kept;
+    double proven = kInfinity;  ///< where not all cells are searched: the bound of all
     std::vector<CostProof::Level> levels = {};
   };
   CostAnswer search(const Terrain& over, Run& run) const;
@@ -132,7 +156,7 @@ CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
   cost::CostSearch search;
   CostAnswer answer;
   const OnImproved improved = [&](const std::vector<Point>& path, double cost, double bound) {
-    return run.kept.offer(path, cost, bound);
+    return run.kept.offer(path, cost, std::min(bound, run.proven));
   };
   if (run.options.eight_moves) {
     search.search_eight_moves(over, request.start, run.goal, run.options.corners, request.stop,
@@ -146,28 +170,28 @@ CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
   return answer;
 }
 
-// The bound is that of the cells that have a clear point. Their cheapest path mostly keeps the
-// radius, too, as costs are high near what is blocked. Else paths are looked for where they must.
+// The bound is that of the cells that have a clear point. Where their cheapest path does not keep
+// the radius it is led round, and where that costs much another is looked for.
 CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
-  const Result shortest =
-      planner.plan({.start = run.request.start, .goal = run.goal, .stop = run.request.stop});
-  if (!shortest.path.empty()) run.kept.offer(shortest.path, cost_over(terrain, shortest.path), 0);
-  CostAnswer answer = search(terrain, run);
-  Request rest = run.request;
-  rest.target_gap = 0;
-  for (const bool wide : {false, true}) {
-    if (run.kept.cost() <= answer.length || answer.end == ExactEnd::stopped) break;
-    const Grid cells = wide ? wide_cells(*space, planner.passable(), run.request.start, run.goal)
-                            : planner.passable();
-    const auto joined = Components::make(cells, Components::Connectivity::four, run.request.stop);
-    if (!joined || !joined->connected(cells, run.request.start, run.goal)) continue;
-    const CostOptions plain;
-    Run again{rest, run.goal, plain, run.kept};
-    const CostAnswer other = search(narrowed(terrain, cells), again);
-    answer.cause = other.cause;
-    answer.end = other.end;
-  }
-  return answer;
+  constexpr double kMuch = 1e-3;  // of the cost
+  const auto offer = [&](const std::vector<Point>& path, double bound) {
+    if (!path.empty()) run.kept.offer(path, cost_over(terrain, path), bound);
+  };
+  const StopCondition& stop = run.request.stop;
+  offer(planner.plan({.start = run.request.start, .goal = run.goal, .stop = stop}).path, 0);
+  const CostAnswer answer = search(terrain, run);
+  if (answer.end == ExactEnd::stopped) return answer;
+  offer(repaired(*space, answer.path, stop), answer.lower_bound);
+  if (run.kept.cost() <= answer.lower_bound * (1 + std::max(kMuch, run.request.target_gap)))
+    return answer;
+  const Grid cells = wide_cells(*space, planner.passable(), run.request.start, run.goal);
+  const auto regions = Components::make(cells, Components::Connectivity::four, stop);
+  if (!regions || !regions->connected(cells, run.request.start, run.goal)) return answer;
+  run.proven = answer.lower_bound;
+  CostAnswer wide = search(narrowed(terrain, cells), run);
+  offer(repaired(*space, wide.path, stop), answer.lower_bound);
+  wide.lower_bound = answer.lower_bound;
+  return wide;
 }
 
 std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound) const {
@@ -254,9 +278,9 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
   end_run(result, answer.cause, kept.any() ? Status::solved : Status::no_path);
   result.lower_bound = answer.lower_bound;
   if (!kept.any()) return result;
-  result.path = kept.path();
+  result.path = std::move(kept.path());
   result.length = path_length(result.path);
-  result.cost = cost_over(terrain, result.path);
+  result.cost = kept.cost();
   result.lower_bound = std::min(answer.lower_bound, result.cost);
   result.optimal = result.cost - *result.lower_bound <= 1e-9 * result.cost;
   result.proof = impl_->proof(run, *result.lower_bound);

@@ -69,7 +69,10 @@ TEST(CostPlanner, AnswersAsPlannersDo) {
   EXPECT_GE(walk.cost, result.cost);
   EXPECT_TRUE(walk.optimal);
   EXPECT_THROW(CostPlanner(Planner(Grid(grid)), CostField(9, 5)), Error);
-  EXPECT_THROW(CostPlanner(Planner(Grid(grid), Disc{1}), CostField(9, 4)), Error);
+  EXPECT_THROW(CostPlanner(Planner(Grid(grid), Disc{60}), CostField(9, 4)), Error);
+  const CostPlanner disc(Planner(Grid(grid), Disc{0.5}), striped(grid));
+  EXPECT_THROW((void)disc.plan({.start = {0, 0}, .goal = {8, 3}}, {.eight_moves = true}), Error);
+  EXPECT_THROW((void)disc.plan({.start = {0, 0}, .goal = {8, 3}}, {.proof = true}), Error);
 }
 
 TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
