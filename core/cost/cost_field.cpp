@@ -123,4 +123,22 @@ void CostField::check_size(const Grid& grid) const {
          "use costs of the map's size");
 }
 
+Costmap read_costmap(int width, int height, std::span<const std::uint8_t> values, double weight,
+                     bool unknown_is_free) {
+  constexpr int kInscribed = 253, kUnknown = 255;
+  CostField costs(width, height);
+  check_count(values.size(), width, height);
+  check_in(weight, 0, CostField::kMost, "the weight of a costmap");
+  Grid grid(width, height);
+  std::vector<double> shares(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] < kInscribed)
+      shares[i] = values[i] / 252.0;
+    else if (values[i] < kUnknown || !unknown_is_free)
+      grid.set_blocked({static_cast<int>(i % width), static_cast<int>(i / width)});
+  }
+  costs.add(shares, weight);
+  return {std::move(grid), std::move(costs)};
+}
+
 }  // namespace lasius

@@ -76,6 +76,19 @@ class LASIUS_EXPORT CostField {
   std::vector<double> weights_;
 };
 
+/// Which cells a ROS costmap blocks, and what the others cost.
+struct Costmap {
+  Grid grid;        ///< the cells that may be planned on
+  CostField costs;  ///< their weights
+};
+/// Makes them of a costmap's width x height values, row by row from the top (those of a message
+/// begin at the bottom): of 0 to 252 a cell costs 1 + weight * value / 252, 253 and 254 block it,
+/// 255 is unknown, which blocks, or costs 1.
+/// @throws Error(invalid_parameter) for another number of values, sides as of CostField, or a
+/// weight out of [0, CostField::kMost].
+LASIUS_EXPORT Costmap read_costmap(int width, int height, std::span<const std::uint8_t> values,
+                                   double weight = 2, bool unknown_is_free = false);
+
 /// The cost of a polyline: exact, up to rounding. Nothing where it leaves the map, enters a blocked
 /// cell, runs between two of them or squeezes between two that touch at a corner; what is shorter
 /// than 1e-9 cells of it does not count as entering. 0 for fewer than two points.

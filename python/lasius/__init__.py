@@ -17,6 +17,7 @@ from ._lasius import DriveTick, Grid, IterationTours, Pheromone, Progress, World
 from ._lasius import version as __version__
 from .arguments import told
 from .arrays import reduced
+from .costs import CostField, CostPlanner, CostResult, path_cost, read_costmap
 from .errors import Error, FileBroken, FileMissing, FileUnsupported, InvalidParameter, OutputFailed
 from .maps import (
     Map,
@@ -41,6 +42,9 @@ __all__ = [
     "Algorithm",
     "BatchResult",
     "Changes",
+    "CostField",
+    "CostPlanner",
+    "CostResult",
     "CurvePiece",
     "Curves",
     "DriveResult",
@@ -75,10 +79,12 @@ __all__ = [
     "generate",
     "grow_obstacles",
     "map_kinds",
+    "path_cost",
     "path_fault",
     "path_length",
     "plan",
     "pull_taut",
+    "read_costmap",
     "read_map",
     "shortest_walk",
     "tour",

@@ -275,6 +275,34 @@ def drive(
     time_limit: Optional[float],
     observer: Optional[Callable[[DriveTick], Any]],
 ) -> Tuple[_Error, Tuple[Any, ...]]: ...
+class CostField:
+    def __init__(self, width: int, height: int) -> None: ...
+    @staticmethod
+    def of_weights(weights: npt.NDArray[np.float64]) -> CostField: ...
+    def add(self, values: npt.NDArray[np.float64], factor: float) -> None: ...
+    def inflate(self, grid: Grid, radius: float, scaling: float, weight: float, inscribed: float) -> None: ...
+    def weights(self) -> npt.NDArray[np.float64]: ...
+
+def read_costmap(
+    values: npt.NDArray[np.uint8], weight: float, unknown_is_free: bool
+) -> Tuple[Grid, CostField]: ...
+def path_cost(grid: Grid, costs: CostField, path: npt.NDArray[np.float64]) -> Optional[float]: ...
+
+class CostPlanner:
+    def __init__(self, planner: Planner, costs: CostField) -> None: ...
+    def plan(
+        self,
+        start: _Cell,
+        goal: _Cell,
+        eight_moves: bool,
+        corners: str,
+        proof: bool,
+        target_gap: float,
+        goal_tolerance: float,
+        time_limit: Optional[float],
+        observer: Optional[Callable[[Progress], Any]],
+    ) -> Tuple[_Error, Tuple[Any, ...], float, Optional[float], Optional[str]]: ...
+
 def tour(
     planner: Planner,
     stops: npt.NDArray[np.int32],

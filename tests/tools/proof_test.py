@@ -1,11 +1,13 @@
 """lasius check-proof, and tools/check_proof, which shares nothing with it: both say the same of proofs."""
 import json
-import os
 import pathlib
+import random
+import struct
 import subprocess
 import sys
 import unittest
 
+from layers import map_text, npy, pfm, random_map
 from program import ProgramTest
 
 SCRIPT = pathlib.Path(__file__).parents[2] / "tools" / "check_proof"
@@ -19,7 +21,16 @@ def has_numpy():
 class Proofs(ProgramTest):
     def setUp(self):
         super().setUp()
-        subprocess.run([os.environ["LASIUS_MAKE_PROOFS"], self.folder, "12"], check=True)
+        rng = random.Random(7)
+        for i in range(12):
+            while True:
+                width, height = rng.randint(8, 37), rng.randint(8, 37)
+                self.write(f"{i}.map", map_text(random_map(rng, width, height)))
+                self.write(f"{i}.pfm", pfm([[rng.randrange(40) / 8 for _ in range(width)] for _ in range(height)]))
+                if self.run_program("plan", f"{i}.map", "--algorithm", "exact", "--start", "0,0", "--goal",
+                                    f"{width - 1},{height - 1}", "--cost", f"{i}.pfm", *INFLATION,
+                                    "-o", f"{i}.proof.json").code == 0:
+                    break
 
     def check(self, i, proof=None, *options):
         return self.run_program("check-proof", f"{i}.map", proof or f"{i}.proof.json",
@@ -75,18 +86,15 @@ class Proofs(ProgramTest):
         pfm = self.read("0.pfm")
         _, size, _, rest = pfm.split(b"\n", 3)
         width, height = map(int, size.split())
-        row = 4 * width
-        head = f"{{'descr': '<f4', 'fortran_order': False, 'shape': ({height}, {width}), }}".encode()
-        head += b" " * (63 - (len(head) + 10) % 64) + b"\n"
-        values = b"".join(rest[i * row:(i + 1) * row] for i in reversed(range(height)))
-        npy = b"\x93NUMPY\x01\x00" + len(head).to_bytes(2, "little") + head + values
-        self.write("0.npy", npy)
+        values = struct.unpack(f"<{width * height}f", rest)
+        npy_file = npy([values[y * width:(y + 1) * width] for y in reversed(range(height))])
+        self.write("0.npy", npy_file)
         self.quiet(self.check(0, None, "--cost", "0.npy", *INFLATION))
-        for content, says in ((npy[:-1], "bytes of values"), (npy[:40], "ends in its head"),
-                              (npy.replace(b"<f4", b"<i4"), "another type"), (pfm[:9], "no PFM's"),
-                              (pfm.replace(size, b"3 2"), "bytes of values"), (b"no", "neither a PFM nor a .npy"),
+        for content, says in ((npy_file[:-1], "bytes of values"), (npy_file[:40], "ends in its head"),
+                              (npy_file.replace(b"<f8", b"<i4"), "another type"), (pfm[:9], "no PFM's"),
+                              (pfm.replace(size, b"3 2"), "bytes of values"), (b"no", "no PNG, PGM, PBM or BMP image"),
                               (b"Pf\n1 1\n-1\n\0\0\0\0", "it has 1 x 1 values, the map"),
-                              (npy[:-4] + b"\0\0\x80\xbf", "it holds -1")):
+                              (npy_file[:-8] + struct.pack("<d", -1), "it holds -1")):
             self.write("bad", content)
             self.refused(self.check(0, None, "--cost", "bad"), 3, says)
 
