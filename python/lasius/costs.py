@@ -90,8 +90,8 @@ def read_costmap(values: npt.ArrayLike, *, weight: float = 2.0, unknown_is_free:
     """A ROS costmap as a map and its costs.
 
     >>> grid, costs = read_costmap(np.array([[0, 126, 252, 253, 255]], np.uint8))
-    >>> costs.weights[0, :3].tolist(), [grid[x, 0] for x in range(5)]
-    ([1.0, 2.0, 3.0], [False, False, False, True, True])
+    >>> costs.weights[0, :3].tolist(), [grid.free((x, 0)) for x in range(5)]
+    ([1.0, 2.0, 3.0], [True, True, True, False, False])
 
     Args:
         values: (height, width) of 0 to 255, row 0 at the top: of a message, whose rows begin at the bottom,

@@ -68,7 +68,6 @@ class Usage(ProgramTest):
         cases = [
             ([*plan, "--footprint", "1"], "robots are discs: --radius R; see --help"),
             ([*plan, "--via", "3,3"], "a path has one goal: plan it part by part; see --help"),
-            ([*plan, "--inflation", "1"], "robots are discs: --radius R; see --help"),
             ([*plan, "--quux"], 'unknown option "--quux"; see --help'),
             ([*plan, "--polish", "smooth"], "none|straight|taut|local"),
             (["zzzz"], "it is one of plan, drive, tour, batch"),

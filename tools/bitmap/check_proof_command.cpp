@@ -36,9 +36,9 @@ Subcommand add_check_proof(CLI::App& app) {
              "Unknown cells of a ROS map count as free");
   return table.command(
       {.detail = "The format of proofs, and a script that checks them alike: docs/costs.md.",
-       .examples =
-           {{"lasius check-proof world.map world.proof.json --cost world.pfm --inflation 4,0.5,3",
-             "whether no path over these costs is cheaper than the proof's bound"}},
+       .examples = {{"lasius check-proof world.map world.proof.json --cost 'world.pfm*0.5' "
+                     "--inflation 4,0.5,3",
+                     "whether no path over these costs is cheaper than the proof's bound"}},
        .exits = {{kFound, "the proof holds"},
                  {kInternal, "it does not: its first fault is printed; internal error"},
                  {kBadFile, "map, proof or a layer is missing or broken"}}},

@@ -158,6 +158,9 @@ Subcommand add_plan(CLI::App& app) {
                     {"lasius plan maps/grid20a.map --start 0,0 --goal 19,19 --algorithm as "
                      "--set persistence=0.7 --seed 1-5",
                      "five seeds: a JSON object each"},
+                    {"lasius plan world.map --start 1,2 --goal 36,25 --cost 'world.pfm*0.5' "
+                     "--inflation 4,0.5,3 -o world.proof.json",
+                     "the cheapest path over costs, with the proof of its bound"},
                     {"lasius plan maps/maklink200.geojson --algorithm maklink-acs",
                      "among polygons, whose file names start and goal"}},
        .exits = {{kFound, "a path was returned"},

@@ -31,6 +31,20 @@ TEST(CostField, AddsLayersToOne) {
   EXPECT_NE(CostField(1, 2).hash(), CostField(2, 1).hash());
 }
 
+TEST(CostField, ACostmapBlocksAndCosts) {
+  const std::vector<std::uint8_t> values{0, 63, 252, 253, 254, 255};
+  const Costmap known = read_costmap(3, 2, values, 4);
+  EXPECT_EQ(known.grid, drawn({"...", "###"}));
+  EXPECT_EQ(known.costs.weight({0, 0}), 1);
+  EXPECT_EQ(known.costs.weight({1, 0}), 2);
+  EXPECT_EQ(known.costs.weight({2, 0}), 5);
+  const Costmap unknown = read_costmap(3, 2, values, 4, true);
+  EXPECT_EQ(unknown.grid, drawn({"...", "##."}));
+  EXPECT_EQ(unknown.costs.weight({2, 1}), 1);
+  EXPECT_THROW(read_costmap(3, 3, values), Error);
+  EXPECT_THROW(read_costmap(3, 2, values, -1), Error);
+}
+
 TEST(CostField, RefusesWhatIsNoCost) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

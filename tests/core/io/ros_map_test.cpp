@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include "core/io/grey_image.h"
 #include "lasius/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/io/images.h"
@@ -37,6 +40,41 @@ TEST_F(RosIo, ReadsTrinaryRosMaps) {
   EXPECT_EQ(map.frame->origin_x, 1);
   EXPECT_EQ(map.frame->origin_y, 2);
   EXPECT_EQ(map.frame->yaw, 0);
+}
+
+TEST_F(RosIo, ReadsOccupancies) {
+  constexpr int kUnknown = OccupancyImage::kUnknown;
+  const struct {
+    std::string lines, image;
+    std::vector<std::uint16_t> percent;
+  } cases[] = {{kTrinary, "P2 6 1 255  0 89 90 205 206 255", {100, 100, kUnknown, kUnknown, 0, 0}},
+               {kTrinary + "mode: raw\n",
+                "P2 6 1 255  0 49 50 100 101 255",
+                {0, 49, 50, 100, kUnknown, kUnknown}},
+               {"negate: 1\noccupied_thresh: 1\nfree_thresh: 0\nmode: scale\n",
+                "P2 4 1 1000  0 4 506 1000",
+                {0, 0, 51, 100}},
+               {kTrinary,
+                png_of({2, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {{0, 255, 255, 254}}}),
+                {100, kUnknown}},
+               {kTrinary, "P4 4 1\n\x50", {0, 100, 0, 100}}};
+  for (const auto& c : cases) {
+    file(c.image, "image");
+    const OccupancyImage read = read_occupancy(
+        file("image: image\nresolution: 0.5\norigin: [1, 2, 0]\n" + c.lines, "map.yaml"));
+    EXPECT_EQ(read.levels, c.percent) << c.lines;
+    EXPECT_EQ(read.height, 1);
+    EXPECT_EQ(read.frame.origin_y, 2);
+  }
+}
+
+TEST_F(RosIo, ReadsGreys) {
+  const GreyImage deep = read_grey_image(file("P2 3 1 65535  0 40000 65535", "deep.pgm"));
+  EXPECT_EQ(deep.levels, (std::vector<std::uint16_t>{0, 40000, 65535}));
+  EXPECT_EQ(deep.white, 65535);
+  const GreyImage few = read_grey_image(file("P2 2 2 5  0 5 3 1", "few.pgm"));
+  EXPECT_EQ(few.levels, (std::vector<std::uint16_t>{0, 5, 3, 1}));
+  EXPECT_EQ(few.white, 5);
 }
 
 /// As the blocked cells of Map::unknown, however they count.

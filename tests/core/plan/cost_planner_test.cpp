@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "core/plan/disc_path.h"
 #include "lasius/error.h"
+#include "lasius/path.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -73,6 +77,78 @@ TEST(CostPlanner, AnswersAsPlannersDo) {
   const CostPlanner disc(Planner(Grid(grid), Disc{0.5}), striped(grid));
   EXPECT_THROW((void)disc.plan({.start = {0, 0}, .goal = {8, 3}}, {.eight_moves = true}), Error);
   EXPECT_THROW((void)disc.plan({.start = {0, 0}, .goal = {8, 3}}, {.proof = true}), Error);
+}
+
+/// What is wrong with an answer for a disc, or nothing.
+std::string fault_of(const CostPlanner& planner, const CostField& costs, const CostResult& result) {
+  const Grid& grid = planner.planner().grid();
+  const double radius = planner.planner().robot().radius;
+  if (const auto fault = disc_path_fault(grid, radius, result.path, {})) return *fault;
+  const auto cost = path_cost(grid, costs, result.path);
+  if (!cost || std::abs(*cost - result.cost) > 1e-9 * result.cost) return "it has another cost";
+  if (std::abs(path_length(result.path) - result.length) > 1e-9) return "it has another length";
+  return *result.lower_bound <= result.cost ? "" : "its bound is above its cost";
+}
+
+TEST(CostPlanner, ADiscKeepsItsRadius) {
+  std::mt19937 random(8);
+  int solved = 0;
+  double gaps = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double radius = std::array{0.3, 0.5, 0.8, 1.0, 2.2}[i % 5];
+    const Grid grid = random_grid(50, 40, i % 5 < 3 ? 8 : 2, random);
+    CostField costs = striped(grid);
+    costs.add(grid, {.radius = 6, .scaling = 0.6, .weight = 3, .inscribed = radius});
+    const CostPlanner planner(Planner(Grid(grid), Disc{radius}), costs);
+    const Request request{.start = *planner.planner().nearest_free({2, 3}),
+                          .goal = *planner.planner().nearest_free({45, 36})};
+    double seen = kInfinity;
+    const CostResult result = planner.plan(request, {}, [&](const GridProgress& progress) {
+      EXPECT_LT(progress.best_length, seen);
+      EXPECT_FALSE(disc_path_fault(grid, radius, progress.path(), {}));
+      seen = progress.best_length;
+    });
+    if (result.status == Status::unreachable) continue;
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_EQ(fault_of(planner, costs, result), "") << i;
+    EXPECT_EQ(result.cost, seen);
+    EXPECT_EQ(planner.plan(request).path, result.path);
+    // Nothing that a point may do is cheaper than a bound for the point says.
+    const CostPlanner point(Planner(Grid(grid)), costs);
+    EXPECT_LE(*point.plan(request).lower_bound, result.cost);
+    gaps += *result.gap();
+    ++solved;
+  }
+  EXPECT_GT(solved, 40);
+  EXPECT_LT(gaps / solved, 0.05);
+}
+
+TEST(CostPlanner, ADiscIsLedOut) {
+  const Grid grid = drawn({".........", ".........", "....#....", ".........", "........."});
+  const CostField costs = striped(grid);
+  const CostPlanner planner(Planner(Grid(grid), Disc{1}), costs);
+  const CostResult result = planner.plan({.start = {4, 1}, .goal = {7, 3}});
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_TRUE(result.way_out);
+  EXPECT_EQ(result.path.front(), (Point{4.5, 1.5}));
+  EXPECT_NEAR(*path_cost(grid, costs, result.path), result.cost, 1e-12);
+  EXPECT_FALSE(result.lower_bound);
+  EXPECT_FALSE(result.optimal);
+}
+
+TEST(CostPlanner, VerticesOfStraightPiecesAreLeftOut) {
+  const Grid grid(60, 60);
+  CostField costs(60, 60);
+  std::vector<double> left(3600, 0);
+  for (const Cell c : cells_of(grid)) left[c.y * 60 + c.x] = c.x < 30;
+  costs.add(left);
+  const CostResult result = CostPlanner(Planner(Grid(grid)), costs).plan({{2, 3}, {55, 50}});
+  ASSERT_EQ(result.path.size(), 3);  // refracted where the weight changes
+  EXPECT_NEAR(result.path[1].x, 30, 1e-9);
+  const auto sine = [&](Point a, Point b) {
+    return (b.y - a.y) / std::hypot(b.x - a.x, b.y - a.y);
+  };
+  EXPECT_NEAR(2 * sine(result.path[0], result.path[1]), sine(result.path[1], result.path[2]), 1e-5);
 }
 
 TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
