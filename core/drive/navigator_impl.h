@@ -19,6 +19,7 @@
 #include "core/drive/retreat.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
+#include "core/grid/nearest_free.h"
 #include "core/grid/walk_cells.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
@@ -194,9 +195,10 @@ class Navigator::Impl {
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
   }
   /// Where no walk follows a disc's path, which passes between centres of cells, the shortest walk
-  /// over cells becomes the path.
+  /// over cells becomes the path; where none leads there, one within the goal's tolerance.
   void walk_over_cells(const StopCondition& stop) {
-    const Cell from = cell_at(way.path.front()), to = cell_at(way.path.back());
+    const Cell from = cell_at(way.path.front());
+    Cell to = cell_at(way.path.back());
     const Corners rule = rule_of_walks(corners);
     std::vector<Cell> piece(1, from);
     PathWalker ahead = walker;
@@ -204,7 +206,12 @@ class Navigator::Impl {
       ahead.next(map.passable(), rule, piece.back(), piece);
     } while (piece.size() > 1 && piece.back() != to);
     if (piece.back() == to) return;
-    if (connected(from, to, corners, stop) == false) return walker.begin({}, true);
+    if (connected(from, to, corners, stop) == false) {
+      const auto near = nearest_walked_to(from, stop);
+      if (!near) return walker.begin({}, true);
+      way.goal_reached = to = *near;
+      way.lower_bound.reset();
+    }
     const auto walk = shortest_walk_cells(map.passable(), from, to, Neighbours::eight, rule, stop);
     if (walk.empty()) return end_run(way, stop.poll(), Status::limit);
     way.path.clear();
@@ -213,6 +220,15 @@ class Navigator::Impl {
     way.length = path_length(way.path);
     way.optimal = false;
     walker.begin(way.path, true);
+  }
+  /// The cell nearest to the goal, within its tolerance, that a walk leads to.
+  std::optional<Cell> nearest_walked_to(Cell from, const StopCondition& stop) {
+    if (options.goal_tolerance == 0) return std::nullopt;
+    Poller poller(stop);
+    const auto near = nearest_free(map.passable(), goal, poller, [&](Cell c) {
+      return connected(from, c, corners, stop) == true;
+    });
+    return near && distance(*near, goal) <= options.goal_tolerance ? near : std::nullopt;
   }
   bool blocked() const noexcept { return way.status == Status::invalid; }
 

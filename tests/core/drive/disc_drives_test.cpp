@@ -270,5 +270,27 @@ TEST(DiscDrives, AStepCanBeStopped) {
   }
 }
 
+// The same door and no way around: near the goal is as far as a walk leads.
+TEST(DiscDrives, EndNearAGoalThatNoWalkLeadsTo) {
+  Grid map(60, 40);
+  map.fill({28, 0, 4, 40}, true);
+  map.fill({28, 18, 4, 4}, false);
+  const Cell start{10, 20}, goal{50, 20};
+  ASSERT_EQ(Planner(Grid(map), Disc{2}).plan({start, goal}).status, Status::solved);
+  const auto arrived = [&](double tolerance, Cell from = {10, 20}) {
+    return drive(map, map, from, goal, {}, {}, {.radius = 2, .goal_tolerance = tolerance});
+  };
+  EXPECT_EQ(arrived(0).status, Status::unreachable);
+  EXPECT_EQ(arrived(23).status, Status::unreachable);
+  const DriveResult near = arrived(25);
+  EXPECT_EQ(near.status, Status::solved);
+  ASSERT_TRUE(near.goal_reached);
+  EXPECT_EQ(*near.goal_reached, (Cell{26, 20}));
+  EXPECT_EQ(near.track.back(), *near.goal_reached);
+  const DriveResult there = arrived(25, *near.goal_reached);
+  EXPECT_EQ(there.status, Status::solved);
+  EXPECT_EQ(there.ticks, 0);
+}
+
 }  // namespace
 }  // namespace lasius
