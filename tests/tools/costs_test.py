@@ -201,6 +201,7 @@ class Costs(ProgramTest):
         options = ("--cost", "a.pgm*1.5", "--inflation", "2,1")
         run = self.plan(*options, "-o", "r.json", "-o", "r.proof.json", "-o", "r.svg", "-o", "r.csv")
         self.ended(run, 0, "cost ", "% above the least")
+        self.holds(self.words("r.svg"), "% above the least; colours: weight of cells")
         self.quiet(self.run_program("verify", "r.json"))
         self.quiet(self.run_program("check-proof", "small.map", "r.proof.json", *options))
         self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n9\t5\t0\t0\n4\t2\t0\t0\n3\t2\t0\t0\n")

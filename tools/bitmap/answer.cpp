@@ -94,6 +94,14 @@ CostOptions cost_options(const RunOptions& run) {
   return {.eight_moves = asked.eight_moves, .corners = run.params.corners, .proof = asked.proof};
 }
 
+std::string cost_text(const CostResult& result) {
+  std::string text = "cost " + decimal_text(result.cost, 6);
+  if (result.optimal) return text + ", proven least";
+  if (const auto gap = result.gap())
+    text += printed(", at most %.3f%% above the least", 100 * *gap);
+  return text;
+}
+
 void set_costs(Answer& answer, const CostResult& found) {
   answer.result = found;
   answer.over_costs = found;

@@ -47,6 +47,8 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
 
 /// How a run plans over costs.
 CostOptions cost_options(const RunOptions& run);
+/// A path's cost, and how far above the least it is at most.
+std::string cost_text(const CostResult& result);
 /// Makes an answer of one over costs.
 void set_costs(Answer& answer, const CostResult& found);
 

@@ -98,12 +98,6 @@ Json weights_json(const Record& run) {
           {"inflation", run.parameters.value("inflation", Json(nullptr))}};
 }
 
-std::string cost_text(const Record& record, const Answer& answer) {
-  std::string text = "cost " + decimal_text(answer.over_costs->cost, 6);
-  if (record.gap) text += printed(", at most %.3f%% above the least", 100 * *record.gap);
-  return text;
-}
-
 /// @throws Error(file_broken) where a layer is not the one that the result records.
 void check_layers(const LoadedMap& map, const Json& result) {
   for (std::size_t i = 0; map.costs && i < map.costs->hashes.size(); ++i) {
@@ -200,7 +194,7 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
   }
   if (map.costs) {
     add_costs(record, findings, *map.costs, answer);
-    if (!run.json && record.has_path()) record.remarks.push_back(cost_text(record, answer));
+    if (!run.json && record.has_path()) record.remarks.push_back(cost_text(*answer.over_costs));
   }
   record.answer =
       answer_json(record, path_json(ends, answer, record.has_path()), Json::object(), findings);

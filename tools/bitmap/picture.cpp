@@ -18,6 +18,7 @@ namespace {
 
 constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
 constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
+constexpr Colour kCosts[] = {{1, 1, 1}, {1, 0.94, 0.74}, {0.99, 0.77, 0.5}, {0.85, 0.5, 0.42}};
 constexpr Colour kFar[] = {
     {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
 
@@ -52,6 +53,43 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
   return {{{low, high}, high > 10 * low, kHeat}, low};
 }
 
+/// Of the weights of free cells.
+ColourScale cost_scale(const LoadedMap& map) {
+  const auto [least, most] = map.costs->field.range(map.as_read());
+  return {{least, most}, most > 10 * least, kCosts};
+}
+
+/// The mean weight of the free cells under a pixel, as a colour.
+Colour cost_ground(const LoadedMap& map, const ColourScale& scale, Span columns, Span rows) {
+  double sum = 0;
+  int free = 0;
+  for (int y = rows.from; y < rows.to; ++y) {
+    for (int x = columns.from; x < columns.to; ++x) {
+      if (map.as_read().blocked({x, y})) continue;
+      sum += map.costs->field.weight({x, y});
+      ++free;
+    }
+  }
+  return free == 0 ? kFree : scale.at(sum / free);
+}
+
+Panel path_panel(const Sheet& sheet, const Answer& answer, std::string caption) {
+  if (!sheet.map.costs)
+    return {std::move(caption), [&](Canvas& canvas, const Box& box) {
+              paint_map(canvas, box, sheet, free_ground);
+              draw_plan(canvas, box, sheet, answer);
+            }};
+  const ColourScale scale = cost_scale(sheet.map);
+  const auto draw = [&, scale](Canvas& canvas, const Box& box) {
+    paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
+      return cost_ground(sheet.map, scale, columns, rows);
+    });
+    draw_bar(canvas, box, scale);
+    draw_plan(canvas, box, sheet, answer);
+  };
+  return {.caption = caption + "; colours: weight of cells", .draw = draw, .below = kBarHeight};
+}
+
 std::string path_caption(const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return no_path_text(result.status);
@@ -65,6 +103,7 @@ std::string path_caption(const Sheet& sheet, const Answer& answer) {
   if (const auto end = short_end(answer))
     text += "; goal asked: " + place(centre(answer.goal.cell)) + ", reached: " + place(*end) +
             ", " + apart(*end, answer.goal.cell) + " from it";
+  if (answer.over_costs) return text + ", " + cost_text(*answer.over_costs);
   if (result.optimal) return text + ", proven shortest";
   const auto compare = [&](double length, const char* name, const std::optional<double>& optimum) {
     if (optimum) text += against(length, *optimum, name, sheet.length(*optimum));
@@ -184,10 +223,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   std::vector<Panel> panels;
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
     panels.push_back(trail_panel(sheet, answer, *recorder));
-  panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
-                      paint_map(canvas, box, sheet, free_ground);
-                      draw_plan(canvas, box, sheet, answer);
-                    }});
+  panels.push_back(path_panel(sheet, answer, path_caption(sheet, answer)));
   if (!answer.result.best.empty())
     panels.push_back({"convergence: best path so far; tours by iteration",
                       [&](Canvas& canvas, const Box& box) { draw_run(canvas, box, sheet, answer); },
