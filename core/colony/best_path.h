@@ -8,6 +8,7 @@
 
 #include "core/base/special_values.h"
 #include "core/colony/polish.h"
+#include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
 #include "core/colony/walkers.h"
 #include "kernels/base/moves.h"
@@ -42,7 +43,7 @@ class BestPath {
   /// Offers every path as the best one, ties to the lower index. Of tours that are not polished, by
   /// choice or for lack of time, the shortest is offered. `paths` may be of more ants than `tours`.
   void offer(std::span<const PolishedPath> paths, std::span<const Tour> tours,
-             const kernels::Moves& moves, Cell start) {
+             const kernels::Moves& moves, Cell start, const TourMeasure& measure) {
     finder_ = -1;
     int left = -1;
     double shortest = length_;
@@ -66,7 +67,7 @@ class BestPath {
     std::vector<Point> path;
     path.reserve(tours[left].moves.size() + 1);
     along_tour(tours[left].moves, moves, start, [&](Cell c) { path.push_back(centre(c)); });
-    const double length = path_length(path);
+    const double length = measure.of(path);
     if (!(length < length_)) return;  // by rounding it was
     finder_ = left;
     length_ = of_point_ = length;

@@ -40,12 +40,12 @@ class BestTour {
     if (best != nullptr) moves_.assign(best->moves.begin(), best->moves.end());
   }
   /// The start moves: what is left of the tour from there, or none where it does not pass.
-  void go_on_from(Cell start, Cell to, const kernels::Moves& moves) {
+  void go_on_from(Cell start, Cell to, const kernels::Moves& moves, const TourMeasure& measure) {
     auto passed = moves_.begin();
     while (passed != moves_.end() && start != to) start = start + moves[*passed++].to;
     moves_.erase(moves_.begin(), passed);
     if (none()) return drop();
-    length_ = length_of(moves_, moves);
+    length_ = measure.of(moves_, to);
   }
   /// Can its moves still be made?
   bool walkable(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start) const {

@@ -6,8 +6,8 @@ namespace lasius {
 
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer, const OwnRules& own,
-                  const disc::DiscSpace* disc) {
-  GridColony colony(grid, params, memory, own, GridColony::After::nothing, disc);
+                  const disc::DiscSpace* disc, const cost::Terrain* terrain) {
+  GridColony colony(grid, params, memory, own, GridColony::After::nothing, disc, terrain);
   colony.begin(request);
   return colony.run(request, params.iterations, observer);
 }

@@ -16,10 +16,11 @@ namespace lasius {
 /// Runs the colony that `params` composes from `request.start` to `request.goal`, which are free,
 /// joined and not equal. `own`, checked, may take the place of some of its rules. For a disc `grid`
 /// has the cells whose centres are clear, and `params` its rule of corners
-/// (core/disc/disc_cells.h).
+/// (core/disc/disc_cells.h). Over a terrain, whose free cells are the grid's, costs take the place
+/// of lengths: in deposits, in what is best, in curves; the result's length stays the length.
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer, const OwnRules& own,
-                  const disc::DiscSpace* disc = nullptr);
+                  const disc::DiscSpace* disc = nullptr, const cost::Terrain* terrain = nullptr);
 
 /// A colony that keeps its trail while its map changes and its start moves. One thread at a time
 /// uses an object; a colony itself walks on Params::threads, which change nothing.

@@ -38,7 +38,8 @@ Field::Field() = default;
 Field::~Field() = default;
 
 void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
-                  double untouched, const StopCondition& stop, std::span<const double> heuristic) {
+                  double untouched, const StopCondition& stop, std::span<const double> heuristic,
+                  const cost::Terrain* terrain) {
   grid_ = &grid;
   stop_ = stop;
   moves_ = moves;
@@ -49,7 +50,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   learned_ = params.heuristic == Heuristic::learned;
   reach_ = 1;
   for (int k = 0; k < moves.count; ++k) reach_ = std::max<int>(reach_, std::abs(moves[k].to.dx));
-  heuristic_.reset(grid, moves, goal, params, stop, heuristic);
+  heuristic_.reset(grid, moves, goal, params, stop, heuristic, terrain);
   weights_ = schedule(params, 0);
   set_scale(untouched);
   untouched_ = 1;

@@ -44,7 +44,8 @@ class Field {
   /// HeuristicRows. What makes rows of all tiles is cut short by `stop`, this function too; then
   /// only another reset makes the field whole again. What changes pheromone never is.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
-             double untouched, const StopCondition& stop, std::span<const double> heuristic = {});
+             double untouched, const StopCondition& stop, std::span<const double> heuristic = {},
+             const cost::Terrain* terrain = nullptr);
 
   /// Cells of `part` were blocked or freed: moves into, past and out of them exist as the grid has
   /// it. Pheromone stays. Works through the whole map with Heuristic::distance_field.

@@ -38,10 +38,10 @@ class GridColony final : public ColonyWorld {
   /// What comes after a run: another one goes on with the trail, or nothing reads it again.
   enum class After { nothing, more_runs };
 
-  /// `own`, checked, may take the place of some rules; with a disc as run_colony(). All outlive the
-  /// object.
+  /// `own`, checked, may take the place of some rules; disc and terrain as of run_colony(). All
+  /// outlive the object.
   GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own,
-             After after, const disc::DiscSpace* disc)
+             After after, const disc::DiscSpace* disc, const cost::Terrain* terrain = nullptr)
       : grid_(grid),
         params_(params),
         own_(own),
@@ -49,7 +49,8 @@ class GridColony final : public ColonyWorld {
         after_(after),
         disc_(disc),
         threads_(thread_count(params.threads)),
-        moves_(moves_of(params.neighbours, disc != nullptr)) {
+        moves_(moves_of(params.neighbours, disc != nullptr)),
+        measure_(moves_, terrain) {
     const auto ants = static_cast<std::size_t>(params.ants);
     if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
     ants_ = std::span(memory_.ants).first(ants);
@@ -63,9 +64,9 @@ class GridColony final : public ColonyWorld {
   /// trail in pieces.
   void begin(const Request& request) {
     request_ = request;
-    tau0_ = initial_pheromone(params_, distance(request.start, request.goal));
+    tau0_ = initial_pheromone(params_, measure_.least(distance(request.start, request.goal)));
     memory_.field.reset(grid_, moves_, request.goal, params_, untouched(), request.stop,
-                        own_.heuristic);
+                        own_.heuristic, measure_.terrain());
     shape_ = walk_shape(params_, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     first_iteration_ = agreed_ = 0;
@@ -116,7 +117,7 @@ class GridColony final : public ColonyWorld {
     learned_ = false;
     // A path that is a little longer for a point may be the shorter one for a disc.
     constexpr double kRoom = 1.002;
-    memory_.polisher.want_below(best_path_.of_point() * kRoom);
+    if (!measure_.terrain()) memory_.polisher.want_below(best_path_.of_point() * kRoom);
     memory_.earlier.clear();
     auto cause = walk(q);
     // Where time ran out as the last ant was measured, its tour may not be cut.
@@ -181,7 +182,7 @@ class GridColony final : public ColonyWorld {
   /// Gets ready for a run. A best tour that passes the new start goes on from there.
   void set_out(const Request& request, const Observer& observer) {
     if (request.start != request_.start) {
-      memory_.best.go_on_from(request_.start, request.start, moves_);
+      memory_.best.go_on_from(request_.start, request.start, moves_, measure_);
       best_path_.drop();
       cut_path_.drop();
     }
@@ -193,7 +194,7 @@ class GridColony final : public ColonyWorld {
                           params_.polish == Polish::straight || params_.polish == Polish::taut ||
                               params_.walk_cut == WalkCut::entered_cells,
                           request_.stop);
-    memory_.polisher.reset(grid_, request_, moves_, params_, threads_, disc_);
+    memory_.polisher.reset(grid_, request_, moves_, params_, threads_, disc_, measure_);
     if (!best_path_.none() || memory_.best.none()) return;
     const Ant& rest = as_ant(memory_.best.moves());
     memory_.polisher.polish({&rest, 1}, request.stop, {});
@@ -269,7 +270,7 @@ class GridColony final : public ColonyWorld {
     if (ant.arrived) {
       MoveCounts count{};
       ant.near = band_.count(tour.moves, count);
-      tour.length = length_of(count, moves_);
+      tour.length = measure_.of(tour.moves, request_.start, count);
     }
     memory_.raw_lengths[number] = tour.length;
     ant.cut_count = -1;
@@ -279,7 +280,7 @@ class GridColony final : public ColonyWorld {
     ant.cut_count = memory_.cutters[thread].cut(grid_, params_.corners, moves_, request_.start,
                                                 tour.moves, more, request_.stop, ant.cut);
     if (ant.cut_count < 0) return tour;
-    return {ant.left(), length_of(ant.left(), moves_)};
+    return {ant.left(), measure_.of(ant.left(), request_.start)};
   }
 
   /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
@@ -350,12 +351,12 @@ class GridColony final : public ColonyWorld {
 
   /// Offers the way of `memory_.answer`, once it is polished.
   void offer_answer(BestPath& to) const {
-    const Tour tour{memory_.answer.tour(), length_of(memory_.answer.tour(), moves_)};
+    const Tour tour{memory_.answer.tour(), measure_.of(memory_.answer.tour(), request_.start)};
     offer(to, {&tour, 1});
   }
   /// Offers tours that are polished.
   void offer(BestPath& to, std::span<const Tour> tours) const {
-    to.offer(memory_.polisher.paths(), tours, moves_, request_.start);
+    to.offer(memory_.polisher.paths(), tours, moves_, request_.start, measure_);
   }
 
   const Grid& grid_;
@@ -369,6 +370,7 @@ class GridColony final : public ColonyWorld {
   const Observer* observer_ = nullptr;
   int threads_;
   kernels::Moves moves_;
+  TourMeasure measure_;
   Band band_;
   double tau0_ = 0;
   kernels::WalkShape shape_;

@@ -26,8 +26,9 @@ constexpr double kLeastOwn = 1 / OwnRules::kMostHeuristic;
 
 void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell goal,
                           const Params& params, const StopCondition& stop,
-                          std::span<const double> own) {
+                          std::span<const double> own, const cost::Terrain* terrain) {
   grid_ = &grid;
+  terrain_ = terrain;
   own_ = own;
   cells_ = std::int64_t{grid.width()} * grid.height();
   moves_ = moves;
@@ -57,8 +58,10 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   for (int k = 0; k < moves_.count; ++k) {
     exists[k] = move_exists(*grid_, params_.corners, c, moves_[k]);
     if (!exists[k]) continue;
-    values[k] = own_.empty() ? std::max(base(c, c + moves_[k].to, farthest), kLeastBase)
-                             : std::max(own(c, k), kLeastOwn);
+    values[k] =
+        own_.empty()
+            ? std::max(base(c, c + moves_[k].to, farthest) * ease(c + moves_[k].to), kLeastBase)
+            : std::max(own(c, k), kLeastOwn);
   }
   raise_(values.data(), moves_.count, rescaled() ? params_.lambda : beta);
   double largest = 0;
@@ -68,6 +71,10 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   for (int k = 0; k < moves_.count; ++k) {
     if (exists[k]) row[k] = static_cast<float>(std::max(values[k] / largest, kSmallest));
   }
+}
+
+double HeuristicRows::ease(Cell to) const noexcept {
+  return terrain_ != nullptr ? terrain_->least() / terrain_->weight(to.x, to.y) : 1;
 }
 
 double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {

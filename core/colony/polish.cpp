@@ -1,15 +1,28 @@
 #include "core/colony/polish.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
+#include "core/cost/polish.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 
 namespace lasius {
+
+namespace {
+
+bool adjacent(std::span<const Cell> way) {
+  for (std::size_t i = 1; i < way.size(); ++i)
+    if (std::abs(way[i].x - way[i - 1].x) > 1 || std::abs(way[i].y - way[i - 1].y) > 1)
+      return false;
+  return true;
+}
+
+}  // namespace
 
 /// The cells of a tour, start first, and those that its moves cross; none when stopped.
 std::span<const Cell> Polisher::swept_cells(std::span<const std::uint8_t> tour,
@@ -33,13 +46,15 @@ std::span<const Cell> Polisher::swept_cells(std::span<const std::uint8_t> tour,
 }
 
 void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
-                     const Params& params, int threads, const disc::DiscSpace* disc) {
+                     const Params& params, int threads, const disc::DiscSpace* disc,
+                     const TourMeasure& measure) {
   grid_ = &grid;
   moves_ = &moves;
   stop_ = &request.stop;
   start_ = request.start;
   params_ = &params;
   disc_ = disc;
+  measure_ = measure;
   limit_ = kInfinity;
   threads_ = threads;
   if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
@@ -90,7 +105,42 @@ void Polisher::make(const Ant& ant, const StopCondition& stop, Scratch& scratch,
   }
   const auto cells = scratch.maker.raster();
   path.raster.assign(cells.begin(), cells.end());
+  if (measure_.terrain() != nullptr) return cheapen(ant, way, stop, path);
   path.length = path.points.empty() ? path.of_point : path_length(path.points);
+}
+
+// What was straightened by length may be dearer than the tour: then this, or the way made cheaper
+// where it crosses edges of cells.
+void Polisher::cheapen(const Ant& ant, std::span<const Cell> way, const StopCondition& stop,
+                       PolishedPath& path) const {
+  path.length = path.points.empty() ? kInfinity : measure_.of(path.points);
+  const auto offer = [&](std::vector<Point>&& points, const auto& cells) {
+    const double cost = measure_.of(points);
+    if (!(cost < path.length) || !keeps_radius(points)) return;
+    path.length = cost;
+    path.points = std::move(points);
+    path.raster.assign(cells.begin(), cells.end());
+  };
+  std::vector<Cell> tour{start_};
+  std::vector<Point> centres{centre(start_)};
+  along_tour(ant.tour(), *moves_, start_, [&](Cell c) {
+    if (c == tour.back()) return;
+    tour.push_back(c);
+    centres.push_back(centre(c));
+  });
+  offer(std::move(centres), tour);
+  Poller poller(stop);
+  cost::Polish polish(*measure_.terrain());
+  if (adjacent(way)) offer(polish.polish(centre(start_), cost::legs_of(way), poller), way);
+  path.of_point = path.length;
+  if (!(path.length < kInfinity)) path.length = kNaN;
+}
+
+bool Polisher::keeps_radius(std::span<const Point> points) const {
+  if (disc_ == nullptr) return true;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!disc_->reaches(points[i - 1], points[i])) return false;
+  return true;
 }
 
 std::int64_t Polisher::bytes() const noexcept {

@@ -8,6 +8,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/large_array.h"
 #include "core/base/special_values.h"
+#include "core/colony/tour_measures.h"
 #include "core/colony/walkers.h"
 #include "core/smooth/path_maker.h"
 #include "kernels/walk/walk.h"
@@ -21,7 +22,7 @@ namespace lasius {
 
 /// One ant's path after polishing. A cache line of its own: threads polish neighbours.
 struct alignas(64) PolishedPath {
-  double length = 0;          // NaN where there is none: never less than any other
+  double length = 0;          // or cost; NaN where there is none: never less than any other
   double of_point = 0;        // length of what it was before it kept a disc's radius
   std::vector<Point> points;  // the polyline; none where a disc's was not wanted
   std::vector<Cell> raster;   // the cells under it
@@ -36,7 +37,8 @@ class Polisher {
   /// Gets ready for a run. All but the number of threads must outlive it. `disc`: whose paths, null
   /// for a point's; as run_colony().
   void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
-             const Params& params, int threads, const disc::DiscSpace* disc = nullptr);
+             const Params& params, int threads, const disc::DiscSpace* disc,
+             const TourMeasure& measure);
 
   /// Of a disc's paths, those are wanted from now on whose `of_point` is less than this.
   void want_below(double limit) noexcept { limit_ = limit; }
@@ -65,6 +67,9 @@ class Polisher {
   };
   std::span<const Cell> swept_cells(std::span<const std::uint8_t> tour, const StopCondition& stop,
                                     GrowingArray<Cell>& cells) const;
+  void cheapen(const Ant& ant, std::span<const Cell> way, const StopCondition& stop,
+               PolishedPath& path) const;
+  bool keeps_radius(std::span<const Point> points) const;
   void make(const Ant& ant, const StopCondition& stop, Scratch& scratch, PolishedPath& path) const;
 
   const Grid* grid_ = nullptr;
@@ -73,6 +78,7 @@ class Polisher {
   Cell start_;
   const Params* params_ = nullptr;
   const disc::DiscSpace* disc_ = nullptr;
+  TourMeasure measure_;
   double limit_ = kInfinity;
   int threads_ = 1;
   std::vector<Scratch> scratch_;

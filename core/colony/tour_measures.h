@@ -5,8 +5,13 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/special_values.h"
+#include "core/cost/path_cost.h"
+#include "core/cost/terrain.h"
+#include "core/grid/move_rule.h"
 #include "kernels/base/moves.h"
 #include "lasius/geometry.h"
+#include "lasius/path.h"
 
 namespace lasius {
 
@@ -33,6 +38,48 @@ inline double length_of(std::span<const std::uint8_t> tour, const kernels::Moves
   for (const int k : tour) ++count[k];
   return length_of(count, moves);
 }
+
+/// What tours and paths are compared by: their length, or over a terrain what they cost.
+class TourMeasure {
+ public:
+  TourMeasure() = default;
+  /// `terrain`: null for lengths; both outlive the object.
+  TourMeasure(const kernels::Moves& moves, const cost::Terrain* terrain)
+      : moves_(&moves), terrain_(terrain) {}
+
+  const cost::Terrain* terrain() const noexcept { return terrain_; }
+  /// What so long a way costs at least.
+  double least(double length) const noexcept {
+    return terrain_ != nullptr ? terrain_->least() * length : length;
+  }
+  /// Of a tour from `start`.
+  double of(std::span<const std::uint8_t> tour, Cell start) const {
+    return terrain_ != nullptr ? cost_of(tour, start) : length_of(tour, *moves_);
+  }
+  /// The same of a tour whose moves are counted.
+  double of(std::span<const std::uint8_t> tour, Cell start, const MoveCounts& count) const {
+    return terrain_ != nullptr ? cost_of(tour, start) : length_of(count, *moves_);
+  }
+  /// Of a polyline; infinite where none may go over the terrain.
+  double of(std::span<const Point> path) const {
+    return terrain_ == nullptr ? path_length(path) : cost::cost_of(*terrain_, path);
+  }
+
+ private:
+  double cost_of(std::span<const std::uint8_t> tour, Cell c) const {
+    const auto weight = [&](int x, int y) { return terrain_->weight(x, y); };
+    cost::PathCost sum(weight);
+    for (const int k : tour) {
+      const Cell next = c + (*moves_)[k].to;
+      if (!sum.add(centre(c), centre(next))) return kInfinity;
+      c = next;
+    }
+    return sum.sum();
+  }
+
+  const kernels::Moves* moves_ = nullptr;
+  const cost::Terrain* terrain_ = nullptr;
+};
 
 /// The band within a tenth of the distance from start to goal of the straight line between them.
 class Band {

@@ -1,6 +1,7 @@
 #include "core/cost/merged.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "core/cost/path_cost.h"
@@ -51,12 +52,9 @@ class Merger {
   bool cheap(std::size_t first, std::size_t last) const {
     for (std::size_t i = first + 1; i < last; ++i)
       if (distance_to_line(i, first, last) > kStraight) return false;
-    const auto weight = [&](int x, int y) { return terrain_.weight(x, y); };
-    PathCost straight(weight), as_is(weight);
-    for (std::size_t i = first + 1; i <= last; ++i)
-      if (!as_is.add(path_[i - 1], path_[i])) return false;
-    return straight.add(path_[first], path_[last]) &&
-           straight.sum() <= as_is.sum() * (1 + kRounding);
+    const std::array straight{path_[first], path_[last]};
+    return cost_of(terrain_, straight) <=
+           cost_of(terrain_, path_.subspan(first, last - first + 1)) * (1 + kRounding);
   }
 
   const Terrain& terrain_;

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
+#include <span>
 
 #include "core/base/special_values.h"
+#include "core/cost/terrain.h"
 #include "lasius/geometry.h"
 
 namespace lasius::cost {
@@ -77,5 +78,14 @@ class PathCost {
   double sum_ = 0;
   int x_ = kNone, y_ = kNone;  // the cell of the piece before
 };
+
+/// Of a polyline over a terrain; infinite where none may go along it.
+inline double cost_of(const Terrain& terrain, std::span<const Point> path) {
+  const auto weight = [&](int x, int y) { return terrain.weight(x, y); };
+  PathCost sum(weight);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (!sum.add(path[i - 1], path[i])) return kInfinity;
+  return sum.sum();
+}
 
 }  // namespace lasius::cost

@@ -28,8 +28,14 @@ struct CostResult : Result {
   std::shared_ptr<const CostProof> proof;
 };
 
-/// Which paths there are.
+/// How to plan, and which paths there are.
 struct CostOptions {
+  /// Of `exact`, or a colony: then costs take the place of lengths in its deposits, its best and
+  /// mean and its polish, the heuristic has the factor least weight / weight of the cell that a
+  /// move leads to, and nothing is certified. Corners::allow is refused, and grid-ga.
+  Params params = {};
+  const OwnRules* own = nullptr;   ///< of a colony, see OwnRules; its lengths are costs
+  Workspace* workspace = nullptr;  ///< of a colony, see Planner::plan
   /// Only walks by eight moves from centre to centre, for comparison with other planners;
   /// `lower_bound` and `optimal` are about these. Not of a disc.
   bool eight_moves = false;
@@ -66,7 +72,8 @@ class LASIUS_EXPORT CostPlanner {
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
   /// Planner::plan's `exact`, unless a proof is asked for. `observer` is called with every cheaper
-  /// path; its best_length is a cost. @throws as Planner::plan.
+  /// path, of a colony once an iteration; its best_length is a cost. @throws as Planner::plan; for
+  /// options that do not go together.
   CostResult plan(const Request& request, const CostOptions& options = {},
                   const Observer& observer = {}) const;
 

@@ -9,6 +9,7 @@
 #include "core/base/special_values.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
+#include "core/cost/path_cost.h"
 #include "core/disc/disc_cells.h"
 #include "core/disc/sweep.h"
 #include "core/exact/anytime.h"
@@ -274,6 +275,19 @@ Corners corners_of_paths(const Params& params, Disc robot) {
   return corners_of(exact ? Corners::forbid : params.corners, robot);
 }
 
+namespace {
+
+/// Why a path is none.
+std::optional<std::string> fault_of(const PlanningMap& map, const Result& result, Corners corners) {
+  if (map.disc != nullptr && map.disc->space)
+    return disc_path_fault(map.disc->map(), map.disc->radius, result.path, result.curve);
+  if (map.terrain == nullptr) return path_fault(map.grid, result.path, corners);
+  if (cost::cost_of(*map.terrain, result.path) < kInfinity) return std::nullopt;
+  return "it enters what is blocked";
+}
+
+}  // namespace
+
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
   validate(given, own);
@@ -318,16 +332,15 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     result = run_grid_ga(grid, request, params, joined, memory.genetic, observer, space);
   } else {
     result = map.colony ? map.colony(request, observer)
-                        : run_colony(grid, request, params, memory.colony, observer, own, space);
+                        : run_colony(grid, request, params, memory.colony, observer, own, space,
+                                     map.terrain);
     result.own_rules = !own.none();
   }
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   // Not to be cut short: a glance at the words along the path.
   if (result.path.size() > 1) {
-    const auto fault = space != nullptr ? disc_path_fault(map.disc->map(), map.disc->radius,
-                                                          result.path, result.curve)
-                                        : path_fault(grid, result.path, corners);
-    if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
+    if (const auto fault = fault_of(map, result, corners))
+      throw std::logic_error("a planned path is not valid: " + *fault);
   }
   if (places.way_out) lead_out(result, centre(asked.start), *places.way_out, curved);
   return result;

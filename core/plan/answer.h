@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/cost/terrain.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
 #include "core/exact/corner_graph.h"
@@ -35,6 +36,7 @@ struct PlanningMap {
   std::function<Result(const Request&, const Observer&)> colony = {};
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
+  const cost::Terrain* terrain = nullptr;       ///< of a colony over costs, see run_colony()
   /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
   /// goal's tolerance leads to the centre of a cell.
   bool walked = false;

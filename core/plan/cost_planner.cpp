@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/colony/own_update.h"
 #include "core/cost/cost_search.h"
 #include "core/cost/merged.h"
 #include "core/cost/path_cost.h"
@@ -21,15 +22,6 @@ namespace {
 
 using cost::CostAnswer;
 using cost::Terrain;
-
-/// NaN where the path is not allowed.
-double cost_over(const Terrain& terrain, const std::vector<Point>& path) {
-  const auto weight = [&](int x, int y) { return terrain.weight(x, y); };
-  cost::PathCost sum(weight);
-  for (std::size_t i = 1; i < path.size(); ++i)
-    if (!sum.add(path[i - 1], path[i])) return kNaN;
-  return sum.sum();
-}
 
 /// The terrain where a grid is free as well.
 Terrain narrowed(const Terrain& terrain, const Grid& grid) {
@@ -88,7 +80,7 @@ class Kept {
   bool offer(std::vector<Point> path, double cost, double bound) {
     if (!(cost < cost_) || !can_go(path)) return true;
     std::vector<Point> fewer = cost::merged(terrain_, path);
-    const double less = cost_over(terrain_, fewer);
+    const double less = cost::cost_of(terrain_, fewer);
     if (less <= cost * (1 + 1e-12) && can_go(fewer)) {
       path = std::move(fewer);
       cost = less;
@@ -142,6 +134,8 @@ struct CostPlanner::Impl {
   };
   CostAnswer search(const Terrain& over, Run& run) const;
   CostAnswer search_for_disc(Run& run) const;
+  CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
+                    const Observer& observer) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
 
   Planner planner;
@@ -175,7 +169,7 @@ CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
 CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
   constexpr double kMuch = 1e-3;  // of the cost
   const auto offer = [&](const std::vector<Point>& path, double bound) {
-    if (!path.empty()) run.kept.offer(path, cost_over(terrain, path), bound);
+    if (!path.empty()) run.kept.offer(path, cost::cost_of(terrain, path), bound);
   };
   const StopCondition& stop = run.request.stop;
   offer(planner.plan({.start = run.request.start, .goal = run.goal, .stop = stop}).path, 0);
@@ -192,6 +186,30 @@ CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
   offer(repaired(*space, wide.path, stop), answer.lower_bound);
   wide.lower_bound = answer.lower_bound;
   return wide;
+}
+
+// Polylines of a colony over costs may be a whole disc's, led out first.
+CostResult CostPlanner::Impl::colony(const Planner::Impl& map, const Request& request,
+                                     const CostOptions& options, const Observer& observer) const {
+  const Params& params = options.params;
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+  };
+  if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
+    refuse(std::string(params.algorithm()) + " plans by length alone",
+           "take exact or a colony over costs");
+  if (corners_of(params.corners, planner.robot()) == Corners::allow)
+    refuse("corners is allow, and paths over costs squeeze nowhere", "use forbid or one-side");
+  if (options.proof || options.eight_moves)
+    refuse("a proof or eight moves are asked for of a colony", "take exact");
+  PlanningMap planning = map.planning_map(request.stop);
+  planning.terrain = &terrain;
+  CostResult result;
+  static_cast<Result&>(result) = answer(planning, request, params, options.workspace, observer,
+                                        options.own != nullptr ? *options.own : no_own_rules());
+  if (!result.path.empty())
+    result.cost = cost::cost_of(space != nullptr ? *whole : terrain, result.path);
+  return result;
 }
 
 std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound) const {
@@ -227,6 +245,8 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
                              const Observer& observer) const {
   const Terrain& terrain = impl_->terrain;
   const bool disc = impl_->space != nullptr;
+  if (find_algorithm(options.params.algorithm()).kind != Algorithm::Kind::exact)
+    return impl_->colony(*impl_->planner.impl_, request, options, observer);
   const Params params;  // of exact
   CostResult result;
   Result& plain = result;
@@ -261,7 +281,7 @@ CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
     plain.curve.clear();
     if (result.path.empty()) return result;
     result.length = path_length(result.path);
-    result.cost = cost_over(*impl_->whole, result.path);
+    result.cost = cost::cost_of(*impl_->whole, result.path);
     return result;
   }
   Kept kept(terrain, impl_->space, observer);

@@ -124,15 +124,7 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
 
 Result Planner::plan(const Request& request, const Params& params, const OwnRules& own,
                      Workspace* workspace, const Observer& observer) const {
-  const auto connected = [&](Cell a, Cell b, Corners corners) {
-    return impl_->connected(a, b, corners, request.stop);
-  };
-  return answer({.grid = impl_->grid,
-                 .graph = impl_->graph.get(),
-                 .connected = connected,
-                 .disc = impl_->disc.get(),
-                 .disc_graph = impl_->disc_graph.get()},
-                request, params, workspace, observer, own);
+  return answer(impl_->planning_map(request.stop), request, params, workspace, observer, own);
 }
 
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }

@@ -66,6 +66,16 @@ class Planner::Impl {
                                            std::vector<Cell>&& shut,
                                            const StopCondition& stop) const;
 
+  /// As answer() looks at it; this object outlives it, and so does the stop condition.
+  PlanningMap planning_map(const StopCondition& stop) const {
+    return {.grid = grid,
+            .graph = graph.get(),
+            .connected = [this, &stop](Cell a, Cell b,
+                                       Corners corners) { return connected(a, b, corners, stop); },
+            .disc = disc.get(),
+            .disc_graph = disc_graph.get()};
+  }
+
   /// The rule of corners, of a disc its own.
   Corners rule(Corners asked) const noexcept { return corners_of(asked, robot()); }
 

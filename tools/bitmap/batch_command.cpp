@@ -79,8 +79,10 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
 void plan_over_costs(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
                      const BatchOptions& how, const BatchReceiverOf<CostResult>& receive) {
   run_batch<CostResult>(queries, run.params.seed, how, receive, [&] {
-    return [&](const Request& request, std::uint64_t) {
-      return map.costs->planner->plan(request, cost_options(run));
+    return [&, options = cost_options(run)](const Request& request, std::uint64_t seed) mutable {
+      options.params.seed = seed;
+      options.params.threads = 1;
+      return map.costs->planner->plan(request, options);
     };
   });
 }

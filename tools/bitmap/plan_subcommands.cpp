@@ -69,9 +69,15 @@ void finish_costs(RunOptions& run, bool batch) {
     if (proof) throw UsageError("-o of a .proof.json is for plans over --cost or --inflation");
     return;
   }
-  if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
-    throw UsageError(option + " is for exact; " + run.params.algorithm() +
-                     " plans by length alone; leave --algorithm out");
+  const Algorithm::Kind kind = find_algorithm(run.params.algorithm()).kind;
+  if (kind == Algorithm::Kind::genetic)
+    throw UsageError(option + " is for exact and colonies; " +
+                     std::string(run.params.algorithm()) + " plans by length alone");
+  if (kind == Algorithm::Kind::colony && (proof || costs.eight_moves))
+    throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
+                     " is for exact; leave --algorithm out");
+  if (kind == Algorithm::Kind::colony && run.params.corners == Corners::allow)
+    throw UsageError("--corners allow: paths over costs squeeze nowhere; use forbid or one-side");
   if (run.map.radius > 0 && (proof || costs.eight_moves))
     throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
                      " is for a point; leave --radius out");
