@@ -12,13 +12,6 @@ struct DiscAnswer : ExactAnswer {
   Curve curve;  ///< start to goal; empty without one
 };
 
-/// What a search did, for benchmarks and tests.
-struct Counters {
-  std::int64_t expansions = 0;
-  std::int64_t words = 0;   ///< rows of gaps
-  std::int64_t labels = 0;  ///< ways to arcs that were kept
-};
-
 /// Says what a search came to: as exact::conclude, for a curve.
 inline void conclude(double lower, double upper, StopCondition::Cause cause, double target_gap,
                      Curve curve, const DiscSpace& space, DiscAnswer& answer) {

@@ -62,10 +62,7 @@ struct DiscSearch::Sink {
   bool beyond(Point p) const noexcept {
     return from.length + distance(search.leaves_, p) + distance(p, search.goal_) >= search.horizon_;
   }
-  bool go_on(std::int64_t words) {
-    search.counters_.words += words;
-    return !search.poller_->stop_after(words);
-  }
+  bool go_on(std::int64_t words) { return !search.poller_->stop_after(words); }
 };
 
 // The arcs that the goal sees: turned around the other way, they are left for it.
@@ -81,10 +78,7 @@ struct DiscSearch::GoalSink {
     return limits_around<S>(view_of(search.space_->map()), search.goal_, search.start_,
                             search.goal_horizon_, down, line0);
   }
-  bool go_on(std::int64_t words) {
-    search.counters_.words += words;
-    return !search.poller_->stop_after(words);
-  }
+  bool go_on(std::int64_t words) { return !search.poller_->stop_after(words); }
 };
 
 void DiscSearch::look_from_goal() {
@@ -135,10 +129,11 @@ bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
   const Label& label = labels_[number];
   const Tangent line = tangent(root.heading.right * (goal_.x - root.x),
                                root.heading.down * (goal_.y - root.y), root.offset);
-  const Normal n = line.normal;
+  // A goal at a wall's distance is met along an axis, up to rounding.
+  if (line.length < 0 || std::min(line.normal.a, line.normal.b) < -kSlack) return false;
+  const Normal n{std::max(0.0, line.normal.a), std::max(0.0, line.normal.b)};
   const double sign = label.rising ? 1 : -1;
-  if (line.length < 0 || n.a < 0 || n.b < 0 ||
-      sign * (root.from.a * n.b - root.from.b * n.a) < -kSlack ||
+  if (sign * (root.from.a * n.b - root.from.b * n.a) < -kSlack ||
       sign * (n.a * root.to.b - n.b * root.to.a) < -kSlack)
     return false;
   const double turned = std::max(0.0, sign * (n.angle() - label.angle));
@@ -226,7 +221,7 @@ double DiscSearch::ahead(int scans) const noexcept {
 // As in the search for a point: a view that was cut off waits in the frontier with the horizon as
 // its key, and looks four times as far ahead then.
 void DiscSearch::expand(std::uint32_t number) {
-  ++counters_.expansions;
+  ++expansions_;
   Label& label = labels_[number];
   label.expanded = true;
   horizon_ = upper_;
@@ -332,13 +327,13 @@ StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller
   bool go_on = tell_improvement(&poller);
   while (go_on && !poller.stopped() && next_label(number, poller)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
-    if (goal_looks_ == 0 && counters_.expansions > kFirstFew) look_from_goal();
+    if (goal_looks_ == 0 && expansions_ > kFirstFew) look_from_goal();
     expand(number);
     poller.stop_after(kWordsPerExpansion);
     go_on = tell_improvement(&poller);
-    if (!weighted_on_ || counters_.expansions < next_weighted) continue;
-    search_weighted(counters_.expansions / kWeightedShare, poller);
-    next_weighted = counters_.expansions * 2;
+    if (!weighted_on_ || expansions_ < next_weighted) continue;
+    search_weighted(expansions_ / kWeightedShare, poller);
+    next_weighted = expansions_ * 2;
   }
   return go_on ? poller.cause() : StopCondition::Cause::token;
 }
@@ -353,7 +348,7 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   goal_looks_ = 0;
   start_ = start;
   goal_ = goal;
-  counters_ = {};
+  expansions_ = 0;
   labels_.reset(space);
   straight_ = lower_ = distance(start, goal);
   labels_[Labels::kStart].to_goal = straight_;
@@ -371,7 +366,6 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   poller_ = nullptr;
   graph_ = nullptr;
   tell_improvement(nullptr);  // the last one; nothing is left to stop
-  counters_.labels = labels_.size() - 1;
   Curve curve;
   if (upper_ < kInfinity) curve = trace(space, labels_, last_, last_normal_, start, goal);
   conclude(lower_, upper_, cause, options.target_gap, std::move(curve), space, answer);

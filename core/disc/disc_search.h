@@ -24,8 +24,9 @@ namespace lasius::disc {
 /// path (upper bound); where they meet, it is proven shortest. docs/exact.md proves that none is
 /// missed.
 ///
-/// With a graph views are taken from start and goal alone: the first labels are asked whether they
-/// see the goal, then the goal tells which arcs see it. Both look as far as a horizon; when the
+/// The first labels are asked whether they see the goal, then the goal tells which arcs see it.
+/// With a graph views are taken from start and goal alone; without, a weighted search over the same
+/// labels has a path sooner. Start and goal look as far as a horizon; when the
 /// bound has risen to it, farther.
 class DiscSearch {
  public:
@@ -34,7 +35,6 @@ class DiscSearch {
   void search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
               const ExactOptions& options, const StopCondition& stop, DiscAnswer& answer);
 
-  const Counters& counters() const noexcept { return counters_; }
   std::int64_t bytes() const noexcept;
 
  private:
@@ -88,7 +88,7 @@ class DiscSearch {
   Labels labels_;
   BucketQueue frontier_, weighted_frontier_;
   ViewMemory view_;
-  Counters counters_;
+  std::int64_t expansions_ = 0;
 };
 
 }  // namespace lasius::disc

@@ -144,8 +144,11 @@ std::optional<Point> DiscSpace::way_out(Point p, Poller& poller, const std::opti
                                         const std::function<bool(Point)>& taken) const {
   Nearest nearest{*this, p, {}, taken};
   if (other && blocked_.free(cell_at(*other))) nearest.other = cell_at(*other);
+  const auto words = static_cast<std::int64_t>(8 * radius_) + 32;  // looked at for a cell
   for_rings(map_, cell_at(p), nearest.distance, poller, [&](Cell c) {
-    if (nearest.leads_on(c)) nearest_in(c, nearest);
+    if (poller.stopped() || !nearest.leads_on(c)) return;
+    nearest_in(c, nearest);
+    poller.stop_after(words);
   });
   const double own = clearance(p, radius_);
   if (nearest.refused && own > 0) {
@@ -154,7 +157,8 @@ std::optional<Point> DiscSpace::way_out(Point p, Poller& poller, const std::opti
       int blocked = 0;
       for (const Cell beside : {c, Cell{c.x - 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x - 1, c.y - 1}})
         blocked += map_.blocked(beside) ? 1 : 0;
-      if (blocked == 1) nearest_past({1.0 * c.x, 1.0 * c.y}, own, nearest);
+      if (blocked != 1 || poller.stop_after(words)) return;
+      nearest_past({1.0 * c.x, 1.0 * c.y}, own, nearest);
       reach = nearest.distance + own;
     });
   }

@@ -59,7 +59,7 @@ Preparation Navigator::preparation() const noexcept {
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
   return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + preparation().bytes +
-         (i.robot_disc ? i.space()->bytes() : 0) + i.workspace.bytes() + i.doubts.bytes() +
+         (i.space() != nullptr ? i.space()->bytes() : 0) + i.workspace.bytes() + i.doubts.bytes() +
          i.string.bytes() + held_bytes(i.way.path, i.way.walk, i.way.curve, i.edited);
 }
 

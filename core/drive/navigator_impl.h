@@ -67,10 +67,12 @@ class Navigator::Impl {
   void send_colony(Cell to) {
     Params params = options.params;
     params.corners = corners_of(params.corners, {options.radius});
+    if (robot_disc && space() == nullptr)  // a step was stopped
+      robot_disc->space = disc::DiscSpace::make(map.map(), options.radius);
     colony.emplace(map.passable(), to, params, space());
   }
   const disc::DiscSpace* space() const noexcept {
-    return robot_disc ? &*robot_disc->space : nullptr;
+    return robot_disc && robot_disc->space ? &*robot_disc->space : nullptr;
   }
   /// Tells a disc's free space of the edits since the last call, and looks whether the way holds.
   /// False when stopped: then there is no space until the next call.
@@ -94,7 +96,15 @@ class Navigator::Impl {
       holds = keeps(way.path[i - 1], way.path[i]);
     for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
       holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
+    leave_curve(way);  // its arcs lie inside of the path that was looked at
     return true;
+  }
+  /// What is planned becomes the polyline, which keeps the radius as well.
+  static void leave_curve(Result& result) {
+    if (result.curve.empty()) return;
+    result.curve.clear();
+    result.length = path_length(result.path);
+    result.optimal = false;
   }
   /// Between points that may not be clear any more.
   bool keeps(Point a, Point b) const noexcept {
@@ -252,6 +262,7 @@ class Navigator::Impl {
       holds = rest.status != Status::limit && rest.status != Status::interrupted;
       return;
     }
+    leave_curve(rest);
     rest.length += length_of(out);
     rest.lower_bound.reset();
     rest.optimal = false;

@@ -210,6 +210,8 @@ std::optional<Result> refused(const Ends& ends, const Request& request, Places& 
     const auto to = goal_serves ? std::optional(places.to) : std::nullopt;
     Poller poller(request.stop);
     places.way_out = ends.way_out(start, to, poller);
+    if (!places.way_out && to && request.goal_tolerance > 0)
+      places.way_out = ends.way_out(start, {}, poller);
     if (poller.stopped()) return stopped(poller.cause());
     if (!places.way_out) return invalid(ends, true, request, to);
     places.from = *places.way_out;

@@ -73,11 +73,13 @@ std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& 
                                   const std::optional<Point>& other) {
   const Grid& blocked = space.blocked_cells();
   std::vector<std::uint64_t> row(static_cast<std::size_t>(blocked.words()));
+  const auto words = static_cast<std::int64_t>(2 * space.radius()) + 2;  // looked at for a cell
   const auto clear_row = [&](int y) {
     for (int i = 0; i < blocked.words(); ++i) {
       row[i] = blocked.row(y)[i];
       for (std::uint64_t left = space.band_cells().row(y)[i] & ~row[i]; left != 0;
            left &= left - 1) {
+        if (poller.stop_after(words)) return row.data();
         if (!space.clear(centre({64 * i + std::countr_zero(left), y}))) row[i] |= left & (0 - left);
       }
     }

@@ -71,8 +71,8 @@ void finish_costs(RunOptions& run, bool batch) {
   }
   const Algorithm::Kind kind = find_algorithm(run.params.algorithm()).kind;
   if (kind == Algorithm::Kind::genetic)
-    throw UsageError(option + " is for exact and colonies; " +
-                     std::string(run.params.algorithm()) + " plans by length alone");
+    throw UsageError(option + " is for exact and colonies; " + std::string(run.params.algorithm()) +
+                     " plans by length alone");
   if (kind == Algorithm::Kind::colony && (proof || costs.eight_moves))
     throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
                      " is for exact; leave --algorithm out");

@@ -87,8 +87,7 @@ std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstructio
   if (why.by == "radius")
     return " is " + std::string(why.in_part ? "in part " : "") + "too near to " +
            std::string(why.nearest) + ", " + length_text(map, frame, why.clearance, 3, true) +
-           " away: the radius is " + length_text(map, frame, map.radius, 6) +
-           (why.in_part ? "; its centre is not, from which exact plans" : "");
+           " away: the radius is " + length_text(map, frame, map.radius, 6);
   return map.unknown || map.radius > 0 ? " is blocked by an obstacle" : " is blocked";
 }
 

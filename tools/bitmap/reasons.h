@@ -50,7 +50,7 @@ std::string metres_hint(const LoadedMap& map, Frame frame, const Place& place);
 
 /// What would join a start and a goal that lie in different regions.
 struct Remedy {
-  /// Maps of more cells are not searched for the widest radius, which takes 16 bytes a cell.
+  /// Maps of more cells are not searched for the widest radius: a colony's takes 24 bytes a cell.
   static constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 
   bool searched = false;                  ///< for the widest radius

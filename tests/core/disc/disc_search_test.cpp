@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -66,6 +67,36 @@ void expect_curve(const DiscAnswer& answer, const DiscSpace& space, Point start,
   EXPECT_LE(length, answer.length * 1.001);
 }
 
+/// As a goal's tolerance has it: the clear point nearest to any, mostly at a wall or an arc.
+std::optional<Point> random_border(const DiscSpace& space, std::mt19937& random) {
+  const Grid& map = space.map();
+  const auto below = [&](int cells) { return static_cast<double>(random() % (2u * cells)) / 2; };
+  const StopCondition never;
+  Poller poller(never);
+  return space.way_out({below(map.width()), below(map.height())}, poller);
+}
+
+TEST(DiscSearch, MeetsGoalsAtWalls) {
+  Grid grid(34, 24);
+  grid.set_blocked({16, 17});
+  DiscSearch search;
+  for (const double radius : {0.7, 0.9, 1.0, 1.2024523065002852, 1.3, 2.0, 2.5, 4.4}) {
+    const auto space = DiscSpace::make(grid, radius);
+    const auto graph = graph_of(*space);
+    oracle::DiscPaths paths(grid, radius);
+    const StopCondition never;
+    Poller poller(never);
+    const auto goal = space->way_out({17.5, 17.5}, poller);
+    ASSERT_TRUE(goal);
+    for (const Point start : {Point{4.5, 4.5}, Point{2.5, 17.5}, Point{16.5, 6.5}}) {
+      const auto expected = paths.shortest(start, *goal);
+      ASSERT_TRUE(expected);
+      for (const DiscGraph* with : std::array<const DiscGraph*, 2>{nullptr, graph.get()})
+        EXPECT_NEAR(solve(search, *space, with, start, *goal).length, *expected, 1e-9) << radius;
+    }
+  }
+}
+
 TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
   std::mt19937 random(1);
   DiscSearch search;
@@ -77,7 +108,8 @@ TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
     const auto graph = graph_of(*space);
     oracle::DiscPaths paths(grid, radius);
     for (int i = 0; i < 6; ++i) {
-      const auto start = random_clear(*space, random), goal = random_clear(*space, random);
+      const auto start = random_clear(*space, random);
+      const auto goal = i % 2 == 0 ? random_clear(*space, random) : random_border(*space, random);
       if (!start || !goal) continue;
       ASSERT_TRUE(paths.clear(*start));
       const auto expected = paths.shortest(*start, *goal);

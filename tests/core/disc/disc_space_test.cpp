@@ -122,7 +122,11 @@ TEST(DiscSpace, WayOutIsTheNearestClearPoint) {
       ASSERT_LE(std::hypot(out->x - p.x, out->y - p.y), nearest + 1e-9);
       moved += !(*out == p);
       behind += by_leg != out;
-      if (!by_leg || own == 0) continue;
+      if (own == 0) continue;
+      if (!by_leg) {
+        EXPECT_EQ(nearest_led, 1e9) << round << ' ' << i;
+        continue;
+      }
       ++led;
       ASSERT_TRUE(space->clear(*by_leg) && leads_to(*by_leg));
       EXPECT_LE(std::hypot(by_leg->x - p.x, by_leg->y - p.y), nearest_led + 1e-9)

@@ -84,7 +84,7 @@ TEST(DiscDrives, KeepTheRadius) {
   const std::vector<NamedMap> worlds = maps();
   const int drives = all ? wanted_drives() : 15;
   for (const double radius : kRadii) {
-    int driven = 0, arrived = 0, replans = 0;
+    int driven = 0, arrived = 0, replans = 0, judged = 0;
     double track = std::numeric_limits<double>::infinity(), paths = track;
     std::vector<Planner> planners;
     for (const NamedMap& world : worlds) planners.emplace_back(world.grid, Disc{radius});
@@ -111,6 +111,7 @@ TEST(DiscDrives, KeepTheRadius) {
                 [&](const DriveTick& tick) {
                   if (!tick.replanned || tick.way == nullptr || ++replans % 4 != 0) return;
                   if (tick.way->way_out) return;
+                  ++judged;
                   paths = std::min(
                       paths, least_clearance(tick.robot_knows->map(), tick.way->path, radius + 1) -
                                  radius);
@@ -128,6 +129,7 @@ TEST(DiscDrives, KeepTheRadius) {
                 radius, driven, arrived, track, paths);
     EXPECT_GE(track, -kRoom) << radius;
     EXPECT_GE(paths, -kRoom) << radius;
+    EXPECT_GT(judged, 0) << radius;
     EXPECT_GE(arrived, driven * 9 / 10) << radius;
     EXPECT_GT(driven, 1);
   }
