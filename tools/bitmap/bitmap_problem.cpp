@@ -247,9 +247,9 @@ void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
 }
 
 Forms BitmapProblem::show(const Record& run) const {
+  const bool proven = answer_.over_costs && answer_.over_costs->proof;
   const auto write_proof = [&](std::ostream& out) {
-    const auto& proof = answer_.over_costs->proof;
-    out << (proof ? proof_to_json(*proof, dumped(weights_json(run))) : "null\n");
+    out << proof_to_json(*answer_.over_costs->proof, dumped(weights_json(run)));
   };
   return {.picture =
               [&](const std::string& file) {
@@ -262,7 +262,7 @@ Forms BitmapProblem::show(const Record& run) const {
                                     {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
                                     frames_ ? &*frames_ : nullptr);
               },
-          .proof = answer_.over_costs ? Forms::Write(write_proof) : Forms::Write()};
+          .proof = proven ? Forms::Write(write_proof) : Forms::Write()};
 }
 
 }  // namespace lasius::tool

@@ -70,8 +70,7 @@ class Answers {
       answer.erase("part");
       Json run = part;
       run.erase("number");
-      run["keys"] = Json::array();
-      for (const auto& [key, value] : answer.items()) run["keys"].push_back(key);
+      run["gap"] = answer.contains("optimum");
       for (const char* key : {"format", "version", "map", "algorithm", "parameters"})
         run[key] = answer.at(key);
       if (run_.is_null()) run_ = run;

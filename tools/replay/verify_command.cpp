@@ -84,6 +84,8 @@ void keep_known(Json& replay, const Json& recorded) {
 
 /// Leaves out where an input was found.
 void forget_places(Json& input) {
+  if (input.is_array())
+    for (Json& each : input) forget_places(each);
   if (!input.is_object()) return;
   for (const char* key : {"file", "srdf", "joint_limits", "packages"}) input.erase(key);
   if (!input.contains("files")) return;
@@ -113,7 +115,7 @@ std::string difference(Json recorded, Json replay, std::string& missing_optimum)
   recorded.erase("part");
   forget_effort(recorded);
   forget_effort(replay);
-  for (const char* input : {"map", "world", "changes", "robot", "scene"}) {
+  for (const char* input : {"map", "layers", "world", "changes", "robot", "scene"}) {
     for (Json* of : {&recorded, &replay})
       if (of->contains(input)) forget_places((*of)[input]);
   }
