@@ -63,9 +63,8 @@ class CellChords {
   int places_;
   double share_;  // of an edge, one interval
   std::vector<Point> at_;
-  std::vector<double> foot_;  // of the places after an edge: along it
+  std::vector<double> foot_;  // of the places after an edge: along it; a multiple of 4
   std::vector<double> off_;   // from its line
-  std::vector<float> apart_;  // between intervals, rounded down; infinite where they touch
 };
 
 }  // namespace lasius::cost
