@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/special_values.h"
 #include "core/cost/terrain.h"
@@ -126,18 +127,19 @@ CellChords::Exit CellChords::cheapest(Point from, const double* values,
   return best;
 }
 
-// found(place, by, other, apart): the value at `place`, and that at `other` unless it is -1, are
-// too great by `by` for a chord that is at least `apart` long. It may lower values.
+// found(place, by, apart): the value at `place` is too great by `by` for a chord that is at least
+// `apart` long. found.between(interval, share, by, apart): so is that at a share of an interval.
+// They may lower values.
 template <class Found>
 void CellChords::each_violation(double* values, double weight, double tolerance,
-                                const Found& found) const {
+                                Found& found) const {
   const double step = weight * share_;
   const auto next = [this](int place) { return place + 1 < places_ ? place + 1 : 0; };
   for (int p = 0; p < places_; ++p) {
     const int q = next(p);
     const double rise = values[q] - values[p];
-    if (rise > step + tolerance) found(q, rise - step, -1, share_);
-    if (-rise > step + tolerance) found(p, -rise - step, -1, share_);
+    if (rise > step + tolerance) found(q, rise - step, share_);
+    if (-rise > step + tolerance) found(p, -rise - step, share_);
   }
   for (int corner = 0; corner < places_; corner += k_) {
     const int before = corner > 0 ? corner - 1 : places_ - 1, after = corner + 1;
@@ -148,7 +150,7 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     const double by = second - std::sqrt(std::max(0.0, step * step - first * first));
     // The steepest chord between the two intervals decides by how much the weight is too small.
     const double over = std::sqrt(first * first + second * second) / step - 1;
-    if (by > tolerance) found(high, by, -1, over > 0 ? by / (weight * over) : share_);
+    if (by > tolerance) found(high, by, over > 0 ? by / (weight * over) : share_);
   }
   // Of a chord between two intervals that do not touch, one end is a place.
   std::array<double, std::size_t{8} * kMostIntervals + 4> twice{};
@@ -191,13 +193,13 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
       const double beside = foot - std::clamp(foot, begin, end);
       const double apart = std::sqrt(off * off + beside * beside);
       if (over > 0)
-        found(place, by, -1, apart);
+        found(place, by, apart);
       else if (t == begin)
-        found(e, by, -1, apart);
+        found(e, by, apart);
       else if (t == end)
-        found(e1, by, -1, apart);
+        found(e1, by, apart);
       else
-        found(e, by, e1, apart);
+        found.between(e, (t - begin) * k_, by, apart);
       for (const int changed : {place, e, e1}) take(changed);
       wave = wave_of(e);
     }
@@ -236,33 +238,61 @@ double CellChords::excess_from_centre(const double* values, double weight) const
   return most;
 }
 
+namespace {
+
+/// Lowers what is too great.
+struct Lowering {
+  double* values;
+  std::uint8_t* lowered;
+  int places;
+  bool any = false;
+
+  void operator()(int place, double by, double) {
+    any = true;
+    values[place] -= by;
+    lowered[place] = 1;
+  }
+  // With many intervals each end by its part in the value between them, which lowers least in all;
+  // with few, both alike: then less is lowered after it (measured).
+  void between(int interval, double share, double by, double apart) {
+    const int end = interval + 1 < places ? interval + 1 : 0;
+    const double norm = (1 - share) * (1 - share) + share * share;
+    const bool alike = places < 32;
+    (*this)(interval, alike ? by : by * (1 - share) / norm, apart);
+    (*this)(end, alike ? by : by * share / norm, apart);
+  }
+};
+
+/// The greatest factor that a weight is too small by.
+struct Excess {
+  double weight;
+  double most = 1;
+
+  void operator()(int, double by, double apart) {
+    most = std::max(most, 1 + by / (weight * apart));
+  }
+  void between(int place, double, double by, double apart) { (*this)(place, by, apart); }
+};
+
+}  // namespace
+
 bool CellChords::lower(double* values, double weight, double tolerance,
                        std::uint8_t* lowered) const {
-  bool any = false;
+  Lowering lowering{values, lowered, places_};
   for (int round = 0; round < 8; ++round) {
-    bool again = false;
-    each_violation(values, weight, tolerance, [&](int place, double by, int other, double) {
-      again = true;
-      values[place] -= by;
-      lowered[place] = 1;
-      if (other < 0) return;
-      values[other] -= by;
-      lowered[other] = 1;
-    });
-    if (!again) return any;
-    any = true;
+    const bool before = std::exchange(lowering.any, false);
+    each_violation(values, weight, tolerance, lowering);
+    if (!lowering.any) return before;
   }
-  return any;
+  return true;
 }
 
 double CellChords::excess(const double* values, double weight) const {
-  double most = 1;
+  Excess excess{weight};
   double kept[4 * kMostIntervals];
   std::copy(values, values + places_, kept);
-  each_violation(kept, weight, 0, [&](int, double by, int, double apart) {
-    most = std::max(most, 1 + by / (weight * apart));
-  });
-  return most;
+  each_violation(kept, weight, 0, excess);
+  return excess.most;
 }
 
 }  // namespace lasius::cost

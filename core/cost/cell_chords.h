@@ -57,7 +57,7 @@ class CellChords {
   template <class Found>
   void each_violation_from_centre(double* values, double weight, const Found& found) const;
   template <class Found>
-  void each_violation(double* values, double weight, double tolerance, const Found& found) const;
+  void each_violation(double* values, double weight, double tolerance, Found& found) const;
 
   int k_;
   int places_;

@@ -144,7 +144,8 @@ double EdgeField::left(std::uint32_t node) noexcept {
     } else {
       const std::uint32_t at = lattice_[node / per_block_];
       const int columns = terrain_.width() + 1;
-      least = rest_->at({static_cast<double>(at % columns), static_cast<double>(at / columns)}, cell);
+      least =
+          rest_->at({static_cast<double>(at % columns), static_cast<double>(at / columns)}, cell);
     }
   };
   if (before_ == nullptr) {
@@ -376,8 +377,8 @@ double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nod
 }
 
 std::int64_t EdgeField::bytes() const noexcept {
-  return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() + left_.bytes() +
-         marched_.bytes() + spread_.bytes() + queue_.bytes();
+  return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
+         left_.bytes() + marched_.bytes() + spread_.bytes() + queue_.bytes();
 }
 
 }  // namespace lasius::cost
