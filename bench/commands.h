@@ -16,6 +16,7 @@ namespace lasius::bench {
 void add_queries_command(CLI::App& app);
 void add_anytime_command(CLI::App& app);
 void add_exact_command(CLI::App& app);
+void add_costs_command(CLI::App& app);
 void add_disc_command(CLI::App& app);
 void add_edits_command(CLI::App& app);
 void add_colony_command(CLI::App& app);

@@ -25,6 +25,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_queries_command(app);
   add_anytime_command(app);
   add_exact_command(app);
+  add_costs_command(app);
   add_disc_command(app);
   add_edits_command(app);
   add_colony_command(app);

@@ -41,6 +41,12 @@ class GrowingList {
     place = value;
     return place;
   }
+  void append(std::size_t count, T value) {
+    const std::size_t size = size_ + count;
+    if (size > values_.size()) values_.grow(std::max({kSmallest, 2 * size_, size}));
+    std::fill_n(values_.data() + size_, count, value);
+    size_ = size;
+  }
   void clear() noexcept { size_ = 0; }
 
   std::size_t size() const noexcept { return size_; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/special_values.h"
 #include "core/cost/terrain.h"
@@ -26,13 +27,6 @@ namespace {
 
 constexpr double kSteep = 1e30;
 
-double to_segment(Point p, Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-  const double on = std::clamp(t, 0.0, 1.0);
-  return distance(p, {a.x + on * dx, a.y + on * dy});
-}
-
 /// How far from the foot, for each unit of distance from the line, the cheapest way leaves a line
 /// along which values rise with `slope`.
 double lean(double slope, double weight) noexcept {
@@ -54,19 +48,33 @@ LASIUS_WIDE void reach_all(const double* foot, const double* off, int count, dou
   }
 }
 
-/// Says of each interval whether one of the others may be too high for its lowest value.
-LASIUS_WIDE void find_low(const double* low, const double* high, const float* apart, int count,
-                          double weight, double tolerance, std::uint8_t* found) noexcept {
-  for (int e = 0; e < count; ++e, apart += count) {
-    double most[4] = {-1e300, -1e300, -1e300, -1e300};
-    for (int i = 0; i < count; i += 4) {
-      for (int j = 0; j < 4; ++j) {
-        const double value = high[i + j] - weight * static_cast<double>(apart[i + j]);
-        most[j] = value > most[j] ? value : most[j];
+/// An interval's values as a plane wave that goes on beyond it: at a place they are
+/// base + slope * foot on its line and rise by `rise` with the distance from it. No way from the
+/// interval costs less than the wave rises, or falls.
+struct Wave {
+  double base, slope, rise;
+};
+
+/// Says of each interval whether the value at some place is farther from what its wave is on its
+/// line than the wave rises on the way. `values` holds the places twice over; `count`, of places
+/// off an edge, is a multiple of 4.
+LASIUS_WIDE void find_beyond(const double* values, const Wave* waves, const double* foot,
+                             const double* off, int k, int count, double tolerance,
+                             std::uint8_t* found) noexcept {
+  for (int edge = 0; edge < 4; ++edge) {
+    const double* after = values + static_cast<std::ptrdiff_t>(edge + 1) * k + 1;
+    for (int e = edge * k; e < (edge + 1) * k; ++e) {
+      const Wave wave = waves[e];
+      double most[4] = {-1e300, -1e300, -1e300, -1e300};
+      for (int i = 0; i < count; i += 4) {
+        for (int j = 0; j < 4; ++j) {
+          const double apart = std::abs(after[i + j] - (wave.base + wave.slope * foot[i + j])) -
+                               wave.rise * off[i + j];
+          most[j] = apart > most[j] ? apart : most[j];
+        }
       }
+      found[e] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) > tolerance;
     }
-    found[e] =
-        std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) > low[e] + tolerance;
   }
 }
 
@@ -83,16 +91,10 @@ CellChords::CellChords(int intervals)
     foot_.push_back(at_[after].x);
     off_.push_back(at_[after].y);
   }
-  apart_.resize(static_cast<std::size_t>(places_) * places_);
-  for (int e = 0; e < places_; ++e) {
-    for (int f = 0; f < places_; ++f) {
-      const Point a = at_[e], b = at_[(e + 1) % places_], c = at_[f], d = at_[(f + 1) % places_];
-      const double apart = std::min(
-          {to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
-      const bool skip = e / k_ == f / k_ || apart < share_ / 2;
-      apart_[static_cast<std::size_t>(e) * places_ + f] =
-          skip ? 1e30F : static_cast<float>(apart * (1 - 1e-6));
-    }
+  // Places that nothing is too far from.
+  while (foot_.size() % 4 != 0) {
+    foot_.push_back(0);
+    off_.push_back(kSteep);
   }
 }
 
@@ -125,18 +127,19 @@ CellChords::Exit CellChords::cheapest(Point from, const double* values,
   return best;
 }
 
-// found(place, by, other, apart): the value at `place`, and that at `other` unless it is -1, are
-// too great by `by` for a chord that is at least `apart` long. It may lower values.
+// found(place, by, apart): the value at `place` is too great by `by` for a chord that is at least
+// `apart` long. found.between(interval, share, by, apart): so is that at a share of an interval.
+// They may lower values.
 template <class Found>
 void CellChords::each_violation(double* values, double weight, double tolerance,
-                                const Found& found) const {
+                                Found& found) const {
   const double step = weight * share_;
   const auto next = [this](int place) { return place + 1 < places_ ? place + 1 : 0; };
   for (int p = 0; p < places_; ++p) {
     const int q = next(p);
     const double rise = values[q] - values[p];
-    if (rise > step + tolerance) found(q, rise - step, -1, share_);
-    if (-rise > step + tolerance) found(p, -rise - step, -1, share_);
+    if (rise > step + tolerance) found(q, rise - step, share_);
+    if (-rise > step + tolerance) found(p, -rise - step, share_);
   }
   for (int corner = 0; corner < places_; corner += k_) {
     const int before = corner > 0 ? corner - 1 : places_ - 1, after = corner + 1;
@@ -147,56 +150,58 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     const double by = second - std::sqrt(std::max(0.0, step * step - first * first));
     // The steepest chord between the two intervals decides by how much the weight is too small.
     const double over = std::sqrt(first * first + second * second) / step - 1;
-    if (by > tolerance) found(high, by, -1, over > 0 ? by / (weight * over) : share_);
+    if (by > tolerance) found(high, by, over > 0 ? by / (weight * over) : share_);
   }
-  std::array<double, std::size_t{4} * kMostIntervals> high, lows;
-  std::array<std::uint8_t, std::size_t{4} * kMostIntervals> violated;
-  const int places = std::max(places_, 8);  // of two intervals an edge or more
-  for (int p = 0; p < places; ++p) {
-    high[p] = std::max(values[p], values[next(p)]);
-    lows[p] = std::min(values[p], values[next(p)]);
+  // Of a chord between two intervals that do not touch, one end is a place.
+  std::array<double, std::size_t{8} * kMostIntervals + 4> twice{};
+  std::array<Wave, std::size_t{4} * kMostIntervals> waves{};
+  std::array<std::uint8_t, std::size_t{4} * kMostIntervals> beyond;
+  const auto wave_of = [&](int interval) {
+    const double low = values[interval], slope = (values[next(interval)] - low) * k_;
+    const double left = weight * weight - slope * slope;
+    return Wave{low - slope * (interval % k_ * share_), slope,
+                left >= 0 ? std::sqrt(left) : -kSteep};
+  };
+  const auto take = [&](int place) { twice[place] = twice[place + places_] = values[place]; };
+  double most = 0;
+  for (int p = 0; p < places_; ++p) {
+    take(p);
+    waves[p] = wave_of(p);
+    most = std::max(most, values[p]);
   }
-  find_low(lows.data(), high.data(), apart_.data(), places, weight, tolerance, violated.data());
+  const int off_edge = 3 * k_ - 1;
+  // So that rounding hides nothing from what follows.
+  const double least = tolerance - 1e-15 * most;
+  find_beyond(twice.data(), waves.data(), foot_.data(), off_.data(), k_,
+              static_cast<int>(foot_.size()), least, beyond.data());
   for (int e = 0; e < places_; ++e) {
-    if (violated[e] == 0) continue;
-    const int e1 = next(e);
-    const double low = std::min(values[e], values[e1]);
-    const float* apart = apart_.data() + static_cast<std::size_t>(e) * places_;
-    for (int f = 0; f < places_; ++f) {
-      const int f1 = next(f);
-      const double length = apart[f];
-      if (high[f] <= low + weight * length + tolerance) continue;
-      // From anywhere on e to the ends of f.
-      const double slope_e = (values[e1] - values[e]) * k_, lean_e = lean(slope_e, weight);
-      const double begin_e = e % k_ * share_;
-      for (const int b : {f, f1}) {
-        const int after = (b + places_ - e / k_ * k_) % places_;
-        if (after <= k_) continue;  // on the line of e
-        const double foot = foot_[after - k_ - 1], off = off_[after - k_ - 1];
-        const double t = std::clamp(foot - lean_e * off, begin_e, begin_e + share_);
-        const double most = values[e] + slope_e * (t - begin_e) +
-                            weight * std::sqrt(off * off + (t - foot) * (t - foot));
-        if (values[b] > most + tolerance) found(b, values[b] - most, -1, length);
-      }
-      // From the ends of e to anywhere on f.
-      const double begin_f = f % k_ * share_;
-      for (const int a : {e, e1}) {
-        const int after = (a + places_ - f / k_ * k_) % places_;
-        if (after <= k_) continue;
-        const double slope = (values[f1] - values[f]) * k_;
-        const double foot = foot_[after - k_ - 1], off = off_[after - k_ - 1];
-        const double t = std::clamp(foot + lean(slope, weight) * off, begin_f, begin_f + share_);
-        const double by = values[f] + slope * (t - begin_f) -
-                          weight * std::sqrt(off * off + (t - foot) * (t - foot)) - values[a];
-        if (!(by > tolerance)) continue;
-        if (t == begin_f)
-          found(f, by, -1, length);
-        else if (t == begin_f + share_)
-          found(f1, by, -1, length);
-        else
-          found(f, by, f1, length);
-      }
-      high[f] = std::max(values[f], values[f1]);
+    if (beyond[e] == 0) continue;
+    const int e1 = next(e), first = (e / k_ + 1) * k_ + 1;
+    const double begin = e % k_ * share_, end = begin + share_;
+    Wave wave = wave_of(e);
+    for (int i = 0; i < off_edge; ++i) {
+      const double foot = foot_[i], off = off_[i];
+      const double over = twice[first + i] - (wave.base + wave.slope * foot);
+      if (std::abs(over) - wave.rise * off <= least) continue;
+      const int place = first + i < places_ ? first + i : first + i - places_;
+      const double leaning = (over > 0 ? -off : off) * lean(wave.slope, weight);
+      const double t = std::clamp(foot + leaning, begin, end);
+      const double way = weight * std::sqrt(off * off + (t - foot) * (t - foot));
+      const double there = values[e] + wave.slope * (t - begin);
+      const double by = (over > 0 ? values[place] - there : there - values[place]) - way;
+      if (!(by > tolerance)) continue;
+      const double beside = foot - std::clamp(foot, begin, end);
+      const double apart = std::sqrt(off * off + beside * beside);
+      if (over > 0)
+        found(place, by, apart);
+      else if (t == begin)
+        found(e, by, apart);
+      else if (t == end)
+        found(e1, by, apart);
+      else
+        found.between(e, (t - begin) * k_, by, apart);
+      for (const int changed : {place, e, e1}) take(changed);
+      wave = wave_of(e);
     }
   }
 }
@@ -233,33 +238,61 @@ double CellChords::excess_from_centre(const double* values, double weight) const
   return most;
 }
 
+namespace {
+
+/// Lowers what is too great.
+struct Lowering {
+  double* values;
+  std::uint8_t* lowered;
+  int places;
+  bool any = false;
+
+  void operator()(int place, double by, double) {
+    any = true;
+    values[place] -= by;
+    lowered[place] = 1;
+  }
+  // With many intervals each end by its part in the value between them, which lowers least in all;
+  // with few, both alike: then less is lowered after it (measured).
+  void between(int interval, double share, double by, double apart) {
+    const int end = interval + 1 < places ? interval + 1 : 0;
+    const double norm = (1 - share) * (1 - share) + share * share;
+    const bool alike = places < 32;
+    (*this)(interval, alike ? by : by * (1 - share) / norm, apart);
+    (*this)(end, alike ? by : by * share / norm, apart);
+  }
+};
+
+/// The greatest factor that a weight is too small by.
+struct Excess {
+  double weight;
+  double most = 1;
+
+  void operator()(int, double by, double apart) {
+    most = std::max(most, 1 + by / (weight * apart));
+  }
+  void between(int place, double, double by, double apart) { (*this)(place, by, apart); }
+};
+
+}  // namespace
+
 bool CellChords::lower(double* values, double weight, double tolerance,
                        std::uint8_t* lowered) const {
-  bool any = false;
+  Lowering lowering{values, lowered, places_};
   for (int round = 0; round < 8; ++round) {
-    bool again = false;
-    each_violation(values, weight, tolerance, [&](int place, double by, int other, double) {
-      again = true;
-      values[place] -= by;
-      lowered[place] = 1;
-      if (other < 0) return;
-      values[other] -= by;
-      lowered[other] = 1;
-    });
-    if (!again) return any;
-    any = true;
+    const bool before = std::exchange(lowering.any, false);
+    each_violation(values, weight, tolerance, lowering);
+    if (!lowering.any) return before;
   }
-  return any;
+  return true;
 }
 
 double CellChords::excess(const double* values, double weight) const {
-  double most = 1;
+  Excess excess{weight};
   double kept[4 * kMostIntervals];
   std::copy(values, values + places_, kept);
-  each_violation(kept, weight, 0, [&](int, double by, int, double apart) {
-    most = std::max(most, 1 + by / (weight * apart));
-  });
-  return most;
+  each_violation(kept, weight, 0, excess);
+  return excess.most;
 }
 
 }  // namespace lasius::cost

@@ -57,15 +57,14 @@ class CellChords {
   template <class Found>
   void each_violation_from_centre(double* values, double weight, const Found& found) const;
   template <class Found>
-  void each_violation(double* values, double weight, double tolerance, const Found& found) const;
+  void each_violation(double* values, double weight, double tolerance, Found& found) const;
 
   int k_;
   int places_;
   double share_;  // of an edge, one interval
   std::vector<Point> at_;
-  std::vector<double> foot_;  // of the places after an edge: along it
+  std::vector<double> foot_;  // of the places after an edge: along it; a multiple of 4
   std::vector<double> off_;   // from its line
-  std::vector<float> apart_;  // between intervals, rounded down; infinite where they touch
 };
 
 }  // namespace lasius::cost

@@ -12,11 +12,16 @@
 #include "core/cost/coarse_bound.h"
 #include "core/cost/path_cost.h"
 #include "core/cost/proof_level.h"
+#include "core/cost/tube.h"
 
 namespace lasius::cost {
 namespace {
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Cells on either side of the walk by eight moves where the first path of any angle may be: a path
+/// is seldom farther from it but on another way around something.
+constexpr int kTubeReach = 8;
 
 /// What marching of a level divides weights by, less 1: what is lost by straight lines between
 /// places falls with the square of their distance.
@@ -38,7 +43,7 @@ double margin_of(int intervals) {
     case 2:
       return 0.004;
     case 4:
-      return 0.002;
+      return 0.003;
     case 8:
       return 0.0012;
     default:
@@ -101,9 +106,16 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   double lower = StraightBound(terrain, centre(start)).proven(goal);
   bool go_on = true;
   const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller);
+  const CellChords two(2);
+  auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   if (!walk.empty()) {
-    go_on = best.offer(centres_of(walk), lower) &&
-            best.offer(centre(start), legs_of(walk), lower, poller);
+    go_on = best.offer(centres_of(walk), lower);
+    const Tube tube(terrain, walk, kTubeReach);
+    now->begin(two, start, 0, nullptr);
+    if (go_on && now->march(tube, best.cost(), poller)) {
+      const auto legs = now->trace(goal);
+      go_on = best.offer(centre(start), legs ? *legs : legs_of(walk), lower, poller);
+    }
   }
   levels_.push_back({1, 0, 0, lower, best.cost(), 1, processor_seconds() - began});
   const auto reached = [&] {
@@ -112,7 +124,6 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   // A path that leaves the cells of some level costs this at least.
   double leaving = kInfinity;
   // The first level comes back from the goal, towards what the start's bound leaves.
-  const CellChords two(2);
   std::optional<Terrain> coarse;
   std::optional<CoarseBound> rest;
   if (go_on && !poller.stopped()) {
@@ -125,7 +136,6 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   std::size_t base = 0;
   if (proof != nullptr && rest && !poller.stopped())
     done.push_back(proof_level(*coarse, rest->field(), true, Blocks::kSide));
-  auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   std::unique_ptr<const CellChords> chords_before, chords;
   for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
     if (k > (options.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals)) break;

@@ -28,6 +28,7 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack,
   reached_.assign(static_cast<std::size_t>(terrain_.stride()) * (terrain_.height() + 2), 0);
   lattice_.clear();
   split_.clear();
+  left_.clear();
   value_.clear();
   spread_.clear();
   cells_.clear();
@@ -48,10 +49,9 @@ std::int32_t EdgeField::block(int x, int y) {
     block = static_cast<std::int32_t>(lattice_.size());
     lattice_.push_back(static_cast<std::uint32_t>(y) * (terrain_.width() + 1) + x);
     split_.push_back(terrain_.squeeze(x, y));
-    for (int i = 0; i < per_block_; ++i) {
-      value_.push_back(kInfinity);
-      spread_.push_back(0);
-    }
+    left_.push_back(-1);
+    value_.append(static_cast<std::size_t>(per_block_), kInfinity);
+    spread_.append(static_cast<std::size_t>(per_block_), 0);
   }
   return block;
 }
@@ -133,17 +133,30 @@ double EdgeField::value_before(Cell cell, int place) const noexcept {
   return share == 0 ? value : value + share * (before_->value_[nodes[high]] - value);
 }
 
-double EdgeField::left(std::uint32_t node) const noexcept {
+// Where `rest` tells what is left it is asked at lattice points alone: it is dear, and marching may
+// stop a little sooner or later.
+double EdgeField::left(std::uint32_t node) noexcept {
   double least = kInfinity;
-  each_cell_at(node, [&](Cell cell, int place) {
+  const auto of_cell = [&](Cell cell, int place) {
     if (least < kInfinity) return;
     if (before_ != nullptr) {
       least = value_before(cell, place);
-      return;
+    } else {
+      const std::uint32_t at = lattice_[node / per_block_];
+      const int columns = terrain_.width() + 1;
+      least =
+          rest_->at({static_cast<double>(at % columns), static_cast<double>(at / columns)}, cell);
     }
-    const Point at = chords_->at(place);
-    least = rest_->at({cell.x + at.x, cell.y + at.y}, cell);
-  });
+  };
+  if (before_ == nullptr) {
+    double& known = left_[node / per_block_];
+    if (known < 0) {
+      each_cell_at(node, of_cell);
+      known = least;
+    }
+    return known;
+  }
+  each_cell_at(node, of_cell);
   return least;
 }
 
@@ -365,7 +378,7 @@ double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nod
 
 std::int64_t EdgeField::bytes() const noexcept {
   return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
-         marched_.bytes() + spread_.bytes() + queue_.bytes();
+         left_.bytes() + marched_.bytes() + spread_.bytes() + queue_.bytes();
 }
 
 }  // namespace lasius::cost

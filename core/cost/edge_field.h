@@ -80,7 +80,7 @@ class EdgeField {
   }
   template <class Visit>
   void each_cell_at(std::uint32_t node, const Visit& visit) const;
-  double left(std::uint32_t node) const noexcept;
+  double left(std::uint32_t node) noexcept;
   void spread(std::uint32_t node);
   void spread_into(Cell cell, int place, std::uint32_t node);
   void offer(std::uint32_t node, double value);
@@ -103,6 +103,7 @@ class EdgeField {
   std::vector<std::int32_t> blocks_;    // by lattice point
   std::vector<std::uint32_t> lattice_;  // by block
   std::vector<std::uint8_t> split_;     // by block: has the point twice
+  GrowingList<double> left_;            // by block: to the other end, by `rest`; below 0: not known
   GrowingList<double> value_;
   GrowingList<double> marched_;        // as before certify, from where marching goes on
   GrowingList<std::uint8_t> spread_;   // by node: has been spread from
