@@ -22,13 +22,13 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack,
   source_ = source;
   scale_ = 1 / (1 + slack);
   per_block_ = 2 * chords.intervals();
-  least_gain_ = kImprovement * terrain_.least() / chords.intervals();
   blocks_.assign(static_cast<std::size_t>(terrain_.width() + 1) * (terrain_.height() + 1),
                  kNoBlock);
   reached_.assign(static_cast<std::size_t>(terrain_.stride()) * (terrain_.height() + 2), 0);
   lattice_.clear();
   split_.clear();
   left_.clear();
+  least_gain_.clear();
   value_.clear();
   spread_.clear();
   cells_.clear();
@@ -50,6 +50,9 @@ std::int32_t EdgeField::block(int x, int y) {
     lattice_.push_back(static_cast<std::uint32_t>(y) * (terrain_.width() + 1) + x);
     split_.push_back(terrain_.squeeze(x, y));
     left_.push_back(-1);
+    const double cheapest = std::min({terrain_.weight(x - 1, y - 1), terrain_.weight(x, y - 1),
+                                      terrain_.weight(x - 1, y), terrain_.weight(x, y)});
+    least_gain_.push_back(static_cast<float>(kImprovement * cheapest / chords_->intervals()));
     value_.append(static_cast<std::size_t>(per_block_), kInfinity);
     spread_.append(static_cast<std::size_t>(per_block_), 0);
   }
@@ -229,7 +232,7 @@ void EdgeField::offer(std::uint32_t node, double value) {
   const double gain = value_[node] - value;
   if (!(gain > 0)) return;
   value_[node] = value;
-  if (spread_[node] != 0 && gain < least_gain_) return;
+  if (spread_[node] != 0 && gain < static_cast<double>(least_gain_[node / per_block_])) return;
   spread_[node] = 0;
   queue_.push(node, value);
 }

@@ -95,7 +95,6 @@ class EdgeField {
   Cell source_;
   const Bound* rest_ = nullptr;
   double scale_ = 1;  // of weights while marching
-  double least_gain_ = 0;
   double excess_ = 1;
   int per_block_ = 0;
   // A block is 2 k nodes: a lattice point, k - 1 on the edge to its right, the point once more for
@@ -103,6 +102,7 @@ class EdgeField {
   std::vector<std::int32_t> blocks_;    // by lattice point
   std::vector<std::uint32_t> lattice_;  // by block
   std::vector<std::uint8_t> split_;     // by block: has the point twice
+  GrowingList<float> least_gain_;       // by block: improvements below it are not spread
   GrowingList<double> left_;            // by block: to the other end, by `rest`; below 0: not known
   GrowingList<double> value_;
   GrowingList<double> marched_;        // as before certify, from where marching goes on
