@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optiona
 import numpy as np
 import numpy.typing as npt
 
+from . import _lasius
 from ._lasius import Grid, status_names
+from .arguments import explained
 from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
 from .errors import finish
 from .parameters import ParameterSet
@@ -133,6 +135,21 @@ class Result(SearchResult):
 
     def __post_init__(self) -> None:
         self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
+
+    @explained
+    def poses(self, spacing: float, *, map: Optional[Map] = None) -> FloatArray:
+        """Places along the path with their headings, as robots take them; of a disc's curve on its arcs.
+
+        Args:
+            spacing: how far apart they are at most; the path's vertices are among them.
+            map: as read_map gave it: where it has a frame, spacing and poses are in metres, y up.
+        Returns:
+            (n, 3), x, y and yaw in radians, from +x towards +y; (0, 3) without a path.
+        """
+        frame = None if map is None else map.frame
+        height = 0 if map is None else map.grid.height
+        apart = spacing if frame is None else spacing / frame.resolution
+        return _lasius.poses(self.path, self.curve, apart, frame, height)
 
     def plot(self, axes: Any = None, *, map: Optional[Map] = None) -> Any:
         """Draws map, path, what the robot's disc sweeps on it and, of a colony, its curves. Needs matplotlib.

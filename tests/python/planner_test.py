@@ -55,6 +55,9 @@ def test_a_disc():
             lasius.Planner(grid, radius=radius)
     with pytest.raises(lasius.InvalidParameter, match="between 0.05 and 54"):
         lasius.Planner(grid, radius=60).plan((3, 3), (26, 3))
+    poses = result.poses(0.1)
+    on_it = np.abs(np.hypot(*(poses[:, :2] - (15, 17)).T) - 1.5) < 1e-9
+    assert on_it.sum() > 12 and np.abs(np.diff(poses[on_it, 2])).max() < 0.08
 
 
 @pytest.mark.parametrize("cells", [([14, 14], (380, 179)), (np.array([14, 14]), np.array([380, 179], np.uint16))])
@@ -69,6 +72,26 @@ def test_cells_of_any_kind(planner, cells):
 def test_what_is_no_cell(planner, cell, error):
     with pytest.raises(error, match="cell"):
         planner.plan(cell, GOAL)
+
+
+def test_poses(planner):
+    result = planner.plan(START, GOAL)
+    poses = result.poses(1.5)
+    assert np.array_equal(poses[[0, -1], :2], result.path[[0, -1]])
+    steps = np.diff(poses[:, :2], axis=0)
+    assert np.hypot(*steps.T).max() <= 1.5 + 1e-12 and np.hypot(*steps.T).sum() == pytest.approx(result.length)
+    assert np.abs(np.arctan2(steps[:, 1], steps[:, 0]) - poses[:-1, 2]).max() < 1e-9
+    assert set(map(tuple, result.path)) <= set(map(tuple, poses[:, :2]))
+    room = lasius.Map(planner.grid, lasius.WorldFrame(0.5, -3, 4, 0.3), "")
+    metres = result.poses(0.75, map=room)
+    assert np.allclose(metres[:, :2], room.frame.to_world(poses[:, :2], room.grid.height))
+    assert np.allclose(np.exp(1j * metres[:, 2]), np.exp(1j * (0.3 - poses[:, 2])))
+    assert planner.plan(START, START).poses(1).tolist() == [[14.5, 14.5, 0]]
+    assert planner.plan((-1, 0), GOAL).poses(1).shape == (0, 3)
+    with pytest.raises(lasius.InvalidParameter, match="spacing of poses is 0; give a length above 0"):
+        result.poses(0)
+    with pytest.raises(TypeError, match="spacing"):
+        result.poses("1")
 
 
 def test_ends_that_are_bad_are_answers(planner):

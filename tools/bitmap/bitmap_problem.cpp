@@ -5,6 +5,7 @@
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/picture.h"
+#include "tools/bitmap/poses_file.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -65,7 +66,12 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
       if (frame == nullptr || ends.in_metres())
         json[frame == nullptr ? "curve" : "curve_world"] =
             has_path ? curve_json(result, frame) : Json(nullptr);
+  const auto add_poses = [&](const char* key, bool metres) {
+    if (ends.run.spacing) json[key] = poses_json(poses_of(ends.map, ends.run, result, metres));
+  };
+  add_poses("poses", false);
   if (!ends.in_metres()) return json;
+  add_poses("poses_world", true);
   json["start_world"] = point(answer.start.asked);
   json["goal_world"] = point(answer.goal.asked);
   json["length_m"] = number(ends.map.metres(result.length));
@@ -202,11 +208,22 @@ void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
 }
 
 Forms BitmapProblem::show(const Record& run) const {
-  return {.picture =
+  const auto poses = [this](bool metres) {
+    return poses_of(*map_, command_.run, answer_.result, metres);
+  };
+  Forms::Write table;  // empty: as of all kinds
+  if (command_.run.spacing && !run.most_iterations)
+    table = [poses, metres = command_.run.frame == Frame::world](std::ostream& out) {
+      write_pose_table(out, poses(metres), metres);
+    };
+  return {.csv = table,
+          .picture =
               [&](const std::string& file) {
                 write_plan_picture(file, *map_, command_.run, answer_,
                                    recorder_ ? &*recorder_ : nullptr);
               },
+          .yaml = [this, poses](
+                      std::ostream& out) { write_ros_path(out, poses(map_->frame.has_value())); },
           .page =
               [&](std::ostream& out) {
                 write_bitmap_report(out, run, *map_, command_.run,

@@ -4,6 +4,7 @@
 
 #include "core/base/nearest_text.h"
 #include "tools/bitmap/answer.h"
+#include "tools/bitmap/poses_file.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -141,6 +142,7 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   if (ends.map.prepare) json["prepare"] = true;
   json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
+  if (run.spacing) json["spacing"] = number(spacing_of(ends.map, run));
   if (run.json || !record.has_path()) return record;
   if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
     record.remarks.push_back(radius_hint(ends));
@@ -189,6 +191,8 @@ RunOptions recorded_run(const Recorded& from) {
   run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (result["parameters"].contains("spacing"))
+    run.spacing = recorded_real(result, "parameters/spacing", 0, kNoLimit);
   if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
   return run;
 }

@@ -1,4 +1,5 @@
 // lasius plan, lasius batch.
+#include <algorithm>
 #include <memory>
 
 #include "tools/bitmap/bitmap_problem.h"
@@ -6,21 +7,26 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/options/commands.h"
+#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png", ".html"};
+constexpr std::array<std::string_view, 7> kPlanEndings{".json", ".csv",  ".svg", ".png",
+                                                       ".html", ".yaml", ".yml"};
 constexpr std::span<const std::string_view> kBatchEndings = std::span(kPlanEndings).first(4);
 
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
     ".csv  iteration,best,mean,arrived by iteration; x,y of the path for algorithms without "
-    "iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
+    "iterations, with --spacing x,y,yaw of its poses; for batch a line a query; with --frame world "
+    "in metres: best_m, x_m, ...\n"
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon "
     "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
-    ".html  one page that plays the run, opens from disk and needs no network; not for batch";
+    ".html  one page that plays the run, opens from disk and needs no network; not for batch\n"
+    ".yaml, .yml  the poses along the path as ROS nav_msgs/Path, in metres of a ROS map's frame, "
+    "else in cells, y down; not for batch";
 
 constexpr SearchHelp kRunHelp = {
     .seed =
@@ -43,6 +49,16 @@ void add_tracks(OptionTable& table, RunOptions& to) {
             [&to](const auto& text) { to.track_iterations = list_value("--tracks", text); });
 }
 
+/// Of `plan` and `batch`, not of drives.
+void add_spacing(OptionTable& table, RunOptions& to) {
+  constexpr double kLeast = 1e-4;
+  table.real("--spacing", to.spacing, kLeast, kNoLimit,
+             "Add poses to the JSON: x, y and yaw of places along the path that are at most S "
+             "apart, its vertices among them; in cells, metres with --frame world (a file of poses "
+             "takes half a cell without)",
+             "S");
+}
+
 /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
 struct PlanText {
   RunOptions run;
@@ -63,7 +79,10 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--frame world: " + command.world.file +
                      " gives no frame, a polygon world is in its own coordinates; leave it out");
   refuse_radius(table);
-  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks"})
+  if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
+      file != command.outputs.end())
+    throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
+  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
                               (option == std::string_view("--unknown-free")
@@ -98,6 +117,7 @@ Subcommand add_plan(CLI::App& app) {
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
   add_tracks(table, text->run);
+  add_spacing(table, text->run);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -129,6 +149,7 @@ Subcommand add_batch(CLI::App& app) {
   help.endings = kBatchEndings;
   add_run_options(table, text->run, help);
   add_tracks(table, text->run);
+  add_spacing(table, text->run);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,

@@ -101,6 +101,9 @@ void finish_search(SearchOptions& options) {
   const auto page = std::ranges::find_if(options.outputs, is_page);
   if (options.ranged && page != options.outputs.end())
     throw UsageError("-o " + *page + ": a report plays one run; give it one seed");
+  const auto poses = std::ranges::find_if(options.outputs, is_yaml);
+  if (options.ranged && poses != options.outputs.end())
+    throw UsageError("-o " + *poses + ": it holds the poses of one run; give it one seed");
   if (options.messages.quiet && options.messages.verbose)
     throw UsageError("-q and -v exclude each other");
 }

@@ -70,6 +70,9 @@ std::string finite_text(double value);
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
 
+/// A number that every YAML reader takes for a real one: with a point, also before an exponent.
+std::string yaml_real(double value);
+
 /// The shortest text of a number rounded to so many decimals, downwards where `down`.
 std::string rounded_text(double value, int decimals, bool down = false);
 

@@ -87,6 +87,7 @@ struct RunOptions : SearchOptions {
   Params params;
   Frame frame = Frame::cell;
   std::vector<int> track_iterations;  ///< of the pictures, rising, from 1; empty: the usual
+  std::optional<double> spacing;      ///< of poses; as MapOptions::radius
 };
 
 /// `plan` and `batch`.
