@@ -72,14 +72,12 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
     return result;
   }
   ExactAnswer& answer = memory.exact_answer;
-  exact::Anytime anytime(memory.bounding, map.grid, request.start, request.goal, options,
-                         request.stop);
+  exact::Anytime anytime(memory.bounding, map.grid, places.from, places.to, options, request.stop);
   if (map.graph != nullptr) {
-    memory.prepared.search(map.grid, *map.graph, request.start, request.goal, anytime.options(),
+    memory.prepared.search(map.grid, *map.graph, places.from, places.to, anytime.options(),
                            request.stop, answer);
   } else {
-    memory.exact.search(map.grid, request.start, request.goal, anytime.options(), request.stop,
-                        answer);
+    memory.exact.search(map.grid, places.from, places.to, anytime.options(), request.stop, answer);
   }
   anytime.merge(answer);
   return result_of(answer);
