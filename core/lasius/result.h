@@ -12,7 +12,10 @@ namespace lasius {
 
 /// One answer; lengths in cells.
 struct Result : SearchResult {
-  /// Start and goal at cell centres; one point where they are the same, none without a path.
+  /// From start to goal, cells' centres or the points asked for; one point where they are the same,
+  /// none without a path. Of walks over cells that begin or end at points, what ants, observers and
+  /// the other curves are about is the walk between centres of cells there; `path`, `length` and
+  /// `best` are with the ends.
   /// Of a disc's curve a polyline that keeps the radius as well and is at most a thousandth longer.
   std::vector<Point> path;
   /// Of `exact` for a disc: the path itself, whose length `length` is; else empty.
