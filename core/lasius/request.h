@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
@@ -24,6 +25,9 @@ struct Request {
   /// points of the map, on a free cell or its border. A centre is the same as its cell.
   std::optional<Point> start_point = {};
   std::optional<Point> goal_point = {};  ///< likewise
+  /// Points that the path goes through on its way, in this order: it is planned from each to the
+  /// next, and joined. A goal tolerance is of the goal alone, a target gap of every leg.
+  std::vector<Point> via = {};
 };
 
 }  // namespace lasius

@@ -33,6 +33,10 @@ struct Result : SearchResult {
   /// The same among the cells that are joined to the other end, where that is free; with a goal
   /// tolerance also of a goal in another region.
   std::optional<Cell> nearest_reachable;
+  /// With Request::via: which of them, from 0, is blocked, outside, or cannot be reached from the
+  /// point before it. Of a whole path `best` begins with the last leg, NaN in iterations before;
+  /// all other curves are of the legs, one after another.
+  std::optional<int> bad_via;
   /// Rules of the caller's own took part, see OwnRules: parameters and seed alone do not give this
   /// answer again.
   bool own_rules = false;

@@ -17,6 +17,7 @@
 #include "core/params/parameter_table.h"
 #include "core/plan/disc_path.h"
 #include "core/plan/exact_view.h"
+#include "core/plan/legs.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/path_ends.h"
@@ -140,6 +141,12 @@ Corners corners_of_paths(const Params& params, Disc robot) {
 
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
+  if (!asked.via.empty()) {
+    const auto plan = [&](const Request& leg) {
+      return answer(map, leg, given, workspace, observer, own);
+    };
+    return plan_legs(asked, plan);
+  }
   validate(given, own);
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_certifies(algorithm, asked.target_gap);

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid, status_names
 from .arguments import explained
-from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
+from .arrays import BoolArray, Cell, End, FloatArray, IntArray, LongArray, same
 from .errors import finish
 from .parameters import ParameterSet
 
@@ -127,8 +127,8 @@ class Result(SearchResult):
     #: of `exact` for a disc: the path as it is, of which `path` is a polyline that keeps the radius, too,
     #: and is at most a thousandth longer than `length`; else empty
     curve: Tuple[CurvePiece, ...]
-    start: Cell  #: as asked
-    goal: Cell  #: as asked
+    start: End  #: as asked
+    goal: End  #: as asked
     params: ParameterSet  #: as asked
     radius: float  #: of the robot, a disc, in cells; 0: a point
     grid: Grid  #: the map; None where it was left out by dataclasses.replace

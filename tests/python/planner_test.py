@@ -66,12 +66,39 @@ def test_cells_of_any_kind(planner, cells):
 
 
 @pytest.mark.parametrize("cell, error", [
-    ((14.5, 14), TypeError), ((14,), TypeError), ("ab", TypeError), (None, TypeError), (14, TypeError),
-    (np.array([14.0, 14.0]), TypeError), ((2**40, 0), ValueError),
+    ((14,), TypeError), ("ab", TypeError), (None, TypeError), (14, TypeError), ((14, "b"), TypeError),
+    ((2**40, 0), ValueError),
 ])
 def test_what_is_no_cell(planner, cell, error):
     with pytest.raises(error, match="cell"):
         planner.plan(cell, GOAL)
+
+
+def test_points(planner):
+    cells = planner.plan(START, GOAL)
+    for start in ((14.5, 14.5), np.array([14.5, 14.5]), (np.float32(14.5), 14.5)):
+        centres = planner.plan(start, (380.5, 179.5))
+        assert np.array_equal(centres.path, cells.path) and centres.lower_bound == cells.lower_bound
+    for algorithm in ("exact", "as"):
+        result = planner.plan((14.25, 14.875), (380, 179.0625), algorithm, **({} if algorithm == "exact" else {"iterations": 3}))
+        assert result.path[0].tolist() == [14.25, 14.875] and result.path[-1].tolist() == [380, 179.0625]
+        assert result.length == pytest.approx(lasius.path_length(result.path))
+        assert lasius.path_fault(planner.grid, result.path) is None
+        assert (result.start, result.goal) == ((14.25, 14.875), (380, 179.0625))
+        assert pickle.loads(pickle.dumps(result)) == result
+        result.plot()
+    assert planner.plan((-0.5, 3.25), GOAL).error.startswith("start (-0.5, 3.25) is outside the map; the nearest free cell")
+
+
+def test_via(planner):
+    middle = planner.nearest_free((200, 100))
+    whole = planner.plan(START, GOAL, via=[middle, (14.25, 14.5)])
+    legs = [planner.plan(START, middle), planner.plan(middle, (14.25, 14.5)), planner.plan((14.25, 14.5), GOAL)]
+    assert whole.length == sum(leg.length for leg in legs) and whole.optimal
+    assert np.array_equal(whole.path, np.concatenate([leg.path[i > 0:] for i, leg in enumerate(legs)]))
+    assert planner.plan(START, GOAL, via=[middle, (-3, 1)]).error.startswith("via point 2 (-3, 1) is outside the map")
+    with pytest.raises(TypeError, match="cell"):
+        planner.plan(START, GOAL, via=["ab"])
 
 
 def test_poses(planner):

@@ -64,7 +64,13 @@ struct PlanText {
   RunOptions run;
   WorldOptions world;
   std::string start, goal, queries;
+  std::vector<std::string> via;
 };
+
+void add_via(OptionTable& table, PlanText& to) {
+  table.repeatable("--via", to.via,
+                   "Go through this cell or point on the way (repeatable, in order)", "X,Y");
+}
 
 /// `plan` among polygons.
 PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
@@ -82,7 +88,8 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
   if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
       file != command.outputs.end())
     throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
-  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing"})
+  for (const char* option :
+       {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing", "--via"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
                               (option == std::string_view("--unknown-free")
@@ -96,6 +103,9 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   asked.called = call.line;
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
+  asked.via.clear();
+  for (const std::string& via : text.via)
+    asked.via.push_back(point_value("--via", via, asked.frame));
   if (!text.queries.empty()) {
     finish_run(asked);
     asked.inputs.push_back(text.queries);
@@ -112,12 +122,16 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
 Subcommand add_plan(CLI::App& app) {
   auto text = std::make_shared<PlanText>();
   OptionTable table(app, "plan", "Plan one path");
-  table.text("--start", text->start, "Where the path starts; a polygon world may say", "X,Y");
+  table.text("--start", text->start,
+             "Where the path starts: a cell, whole numbers, at its centre; with a decimal point a "
+             "point; a polygon world may say",
+             "X,Y");
   table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
   add_tracks(table, text->run);
   add_spacing(table, text->run);
+  add_via(table, *text);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -150,6 +164,7 @@ Subcommand add_batch(CLI::App& app) {
   add_run_options(table, text->run, help);
   add_tracks(table, text->run);
   add_spacing(table, text->run);
+  add_via(table, *text);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,

@@ -12,11 +12,14 @@ double spacing_of(const LoadedMap& map, const RunOptions& run) {
   return run.spacing ? map.cells_of(run.map.radius_metres, *run.spacing) : kUsual;
 }
 
-std::vector<Pose> poses_of(const LoadedMap& map, const RunOptions& run, const Result& result,
+std::vector<Pose> poses_of(const LoadedMap& map, const RunOptions& run, const Answer& answer,
                            bool metres) {
-  std::vector<Pose> along = poses(result, spacing_of(map, run));
+  std::vector<Pose> along = poses(answer.result, spacing_of(map, run));
   if (metres)
-    for (Pose& pose : along) pose = to_world(*map.frame, pose, map.height);
+    for (Pose& pose : along) {
+      const auto [x, y] = in_metres(map, run, answer, {pose.x, pose.y});
+      pose = {x, y, to_world(*map.frame, pose, map.height).yaw};
+    }
   return along;
 }
 

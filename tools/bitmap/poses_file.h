@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lasius/poses.h"
-#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/answer.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
@@ -14,7 +14,7 @@ namespace lasius::tool {
 double spacing_of(const LoadedMap& map, const RunOptions& run);
 
 /// Poses along an answer, in cells, or in metres of the map's frame where `metres`.
-std::vector<Pose> poses_of(const LoadedMap& map, const RunOptions& run, const Result& result,
+std::vector<Pose> poses_of(const LoadedMap& map, const RunOptions& run, const Answer& answer,
                            bool metres);
 
 /// [[x, y, yaw], ...]; null without a path.

@@ -151,6 +151,16 @@ std::vector<std::string> texts(std::span<const std::string_view> words) {
   return {words.begin(), words.end()};
 }
 
+End point_value(std::string_view option, const std::string& text, Frame frame) {
+  const bool point = frame == Frame::world || is_point(text);
+  try {
+    return {pair_value(option, text, !point), point};
+  } catch (const UsageError& error) {
+    if (point) throw;
+    throw UsageError(std::string(error.what()) + " or a point, as in 12.5,3.25");
+  }
+}
+
 Point end_value(std::string_view option, const std::string& text, Frame frame,
                 const std::string& map) {
   if (frame == Frame::world) return pair_value(option, text, false);

@@ -51,6 +51,11 @@ std::size_t choice_value(std::string_view option, std::string_view text,
 /// "X,Y": whole numbers where `whole`, else finite ones. @throws UsageError.
 Point pair_value(std::string_view option, std::string_view text, bool whole);
 
+/// Has a coordinate a decimal point or an exponent, which makes it one of a point and not a cell?
+inline bool is_point(std::string_view coordinates) {
+  return coordinates.find_first_of(".eE") != std::string_view::npos;
+}
+
 /// "WxH". @throws UsageError.
 Cell size_value(std::string_view option, std::string_view text);
 

@@ -160,6 +160,74 @@ TEST(PointEndsOfPlans, OfADiscKeepItsRadius) {
   }
 }
 
+TEST(Via, JoinsTheLegs) {
+  const FarApart far;
+  const Grid& grid = far.planner.grid();
+  const Cell middle =
+      *far.planner.nearest_reachable({grid.width() / 2, grid.height() / 2}, far.request.start);
+  for (const char* algorithm : {"exact", "as"}) {
+    const Params params = quick(algorithm);
+    Request request = far.request;
+    request.via = {centre(middle), {middle.x + 0.25, middle.y + 0.75}, centre(request.start)};
+    const Result whole = far.planner.plan(request, params);
+    ASSERT_EQ(whole.status, Status::solved) << whole.error;
+    double length = 0, bound = 0;
+    int iterations = 0;
+    std::vector<Point> path;
+    for (std::size_t i = 0; i <= request.via.size(); ++i) {
+      Request leg = far.request;
+      if (i > 0) leg.start_point = request.via[i - 1];
+      if (i < request.via.size()) leg.goal_point = request.via[i];
+      const Result one = far.planner.plan(leg, params);
+      length += one.length;
+      bound += one.lower_bound.value_or(0);
+      iterations += one.iterations;
+      path.insert(path.end(), one.path.begin() + (i > 0), one.path.end());
+    }
+    EXPECT_EQ(whole.path, path);
+    EXPECT_EQ(whole.length, length);
+    EXPECT_NEAR(path_length(path), length, 1e-9);
+    EXPECT_EQ(whole.optimal, params.algorithm() == "exact");
+    EXPECT_EQ(whole.lower_bound.value_or(0), bound);
+    EXPECT_EQ(whole.iterations, iterations);
+    ASSERT_EQ(whole.mean.size(), static_cast<std::size_t>(iterations));
+    if (iterations == 0) continue;
+    EXPECT_TRUE(std::isnan(whole.best.front()));
+    EXPECT_EQ(whole.best.back(), length);
+  }
+}
+
+TEST(Via, TellsWhichCannotBeReached) {
+  const Grid grid = drawn({"..#.", "..#.", "###.", "...."});
+  struct Case {
+    std::vector<Point> via;
+    Status status;
+    std::optional<int> bad;
+    std::string error;
+  };
+  const std::vector<Case> cases{
+      {{{1.5, 1.5}, {0.25, 1}}, Status::solved, {}, ""},
+      {{{1.5, 1.5}, {2.5, 0.5}}, Status::invalid, 1, "via point 2 (2, 0) is blocked; the nearest"},
+      {{{9, 1.5}}, Status::invalid, 0, "via point 1 (9, 1.5) is outside the map; "},
+      {{{1.5, 1.5}, {3.25, 0.5}},
+       Status::unreachable,
+       1,
+       "via point 1 (1, 1) and via point 2 (3.25, 0.5) lie in different regions"}};
+  for (const auto& [via, status, bad, error] : cases) {
+    Request request{.start = {0, 0}, .goal = {1, 0}};
+    request.via = via;
+    const Result result = Planner(grid).plan(request);
+    EXPECT_EQ(result.status, status);
+    EXPECT_EQ(result.bad_via, bad);
+    EXPECT_EQ(result.error.substr(0, error.size()), error);
+  }
+  Request request{.start = {0, 0}, .goal = {3, 0}};
+  request.via = {{1.5, 1.5}};
+  const Result last = Planner(grid).plan(request);
+  EXPECT_EQ(last.bad_via, std::nullopt);
+  EXPECT_TRUE(last.error.starts_with("via point 1 (1, 1) and goal (3, 0) lie in")) << last.error;
+}
+
 TEST(PointEndsOfPlans, WithAGoalToleranceEndAtACellsCentre) {
   const Grid grid = drawn({"..#.", "..#.", "..#.", "..#."});
   Request request{
