@@ -81,8 +81,7 @@ class EndView {
       for (int x = box.x0; x <= box.x1; ++x) corner(x, y);
     view_from_box(map_, box, *this);
     std::ranges::sort(maybe_);
-    const auto twice = std::ranges::unique(maybe_);
-    maybe_.erase(twice.begin(), twice.end());
+    maybe_.erase(std::unique(maybe_.begin(), maybe_.end()), maybe_.end());
     for (const auto& [y, x] : maybe_) {
       SeenCorner seen{.x = x, .y = y, .block_x = 0, .block_y = 0, .side = kColumn};
       if (poller_.stop_after(1)) return;
