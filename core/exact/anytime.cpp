@@ -25,7 +25,7 @@ constexpr double kSmallGap = 0.01;
 
 }  // namespace
 
-Anytime::Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal,
+Anytime::Anytime(Memory& memory, const Grid& grid, Point start, Point goal,
                  const ExactOptions& options, const StopCondition& stop)
     : memory_(memory),
       bounding_(memory.search),

@@ -29,7 +29,7 @@ class Anytime final : public InterleavedWork {
 
   /// Keeps references to `memory`, the map and the condition, and `options.improved`, which is told
   /// of each shorter path of either search.
-  Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+  Anytime(Memory& memory, const Grid& grid, Point start, Point goal, const ExactOptions& options,
           const StopCondition& stop);
   Anytime(const Anytime&) = delete;
   Anytime& operator=(const Anytime&) = delete;
@@ -47,7 +47,7 @@ class Anytime final : public InterleavedWork {
   Memory& memory_;
   ExactSearch& bounding_;
   const Grid& grid_;
-  Cell start_, goal_;
+  Point start_, goal_;
   const StopCondition& stop_;
   const OnImproved* told_;
   OnImproved tell_;

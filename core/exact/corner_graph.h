@@ -12,6 +12,7 @@
 #include "core/base/special_values.h"
 #include "core/exact/corner_landmarks.h"
 #include "core/exact/quadrant.h"
+#include "kernels/sight/sight.h"
 #include "lasius/grid.h"
 #include "lasius/preparation.h"
 
@@ -40,6 +41,11 @@ class GraphCorner {
   /// the opposite one.
   Side side_from(int x, int y) const noexcept {
     return block_y() * (y - 2 * this->y()) > block_x() * (x - 2 * this->x()) ? kLine : kColumn;
+  }
+  /// The same of any point.
+  Side side_from(kernels::FinePoint p) const noexcept {
+    const kernels::FinePoint at = kernels::fine({2 * x(), 2 * y()});
+    return block_y() * (p.y - at.y) > block_x() * (p.x - at.x) ? kLine : kColumn;
   }
   /// The sign that the cross product of a path's directions before and behind the corner has when
   /// it bends around the block into that side.

@@ -167,29 +167,31 @@ bool ExactSearch::tell_improvement() {
   });
 }
 
-void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
+void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   map_ = view_of(grid);
-  goal_x_ = 2 * goal.x + 1;
-  goal_y_ = 2 * goal.y + 1;
+  start_ = exact::QueryEnd(start);
+  goal_ = exact::QueryEnd(goal);
   counters_ = {};
   cause_ = StopCondition::Cause::none;
-  const int x = 2 * start.x + 1;
-  const int y = 2 * start.y + 1;
-  lower_ = distance(x, y, goal_x_, goal_y_);
+  lower_ = distance(start_.x, start_.y, goal_.x, goal_.y);
   upper_ = kInfinity;
   straight_ = lower_;
   last_ = CornerTable::kStart;
   touched_ = nullptr;
   improving_ = false;
-  corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
+  const kernels::HalfPoint near = start_.near();
+  corners_.reset(grid.width(),
+                 {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
 }
 
-bool ExactSearch::goal_in_sight() const noexcept {
-  const Corner& start = corners_[CornerTable::kStart];
-  return kernels::sees(map_, {start.x, start.y}, {goal_x_, goal_y_});
+bool ExactSearch::goal_in_sight() const noexcept { return start_.sees(map_, goal_); }
+
+kernels::FinePoint ExactSearch::place(std::uint32_t index) const noexcept {
+  if (index == CornerTable::kStart) return start_.fine();
+  return kernels::fine({corners_[index].x, corners_[index].y});
 }
 
-void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+void ExactSearch::search(const Grid& grid, Point start, Point goal, const ExactOptions& options,
                          const StopCondition& stop, ExactAnswer& answer) {
   begin(grid, start, goal);
   improvements_.begin(options);
@@ -207,7 +209,7 @@ void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOpt
 void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double length,
                            const CellSet& cells, std::int64_t work, const StopCondition& stop,
                            std::vector<Point>& path) {
-  begin(grid, start, goal);
+  begin(grid, centre(start), centre(goal));
   path.clear();
   if (lower_ >= length) return;
   if (goal_in_sight()) return trace(path);
@@ -226,13 +228,10 @@ void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double lengt
 }
 
 void ExactSearch::trace(std::vector<Point>& path) const {
-  exact::BackwardPath back({goal_x_, goal_y_}, path);
-  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent) {
-    const Corner& parent = corners_[corners_[i].parent];
-    back.corner({corners_[i].x, corners_[i].y}, {parent.x, parent.y});
-  }
-  const Corner& start = corners_[CornerTable::kStart];
-  back.start({start.x, start.y});
+  exact::BackwardPath back(goal_, path);
+  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent)
+    back.corner({corners_[i].x, corners_[i].y}, place(corners_[i].parent));
+  back.start(start_);
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {

@@ -58,12 +58,24 @@ struct Counters {
 /// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
 /// pulled shorter than the optimum. Lengths are compared as computed, so the answer is the optimum
 /// up to exact::kRounding.
+///
+/// Start and goal may be any points. A corner's cone is scanned from the corner, a lattice point;
+/// of what it came from only the cone's one edge tells, a slope. Where that is no lattice direction
+/// the scan may take a corner less than kernels::kSlack outside of the cone for one in it, which
+/// does no harm, and misses none: in a sliver so thin there is no lattice point beside a ray
+/// through another one. The goal is asked for by exact sight; what a start sees that is no centre,
+/// too.
 class ExactSearch {
  public:
-  /// Plans from the centre of one free cell to that of another, both inside `grid`.
-  /// Deterministic, except for when it is stopped.
-  void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+  /// Plans from one point to another, both inside `grid` and each of a free cell, its border
+  /// included. Deterministic, except for when it is stopped.
+  void search(const Grid& grid, Point start, Point goal, const ExactOptions& options,
               const StopCondition& stop, ExactAnswer& answer);
+  /// The same between the centres of two free cells.
+  void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+              const StopCondition& stop, ExactAnswer& answer) {
+    search(grid, centre(start), centre(goal), options, stop, answer);
+  }
 
   /// A taut path between the centres of two free cells that is shorter than `length`, which is
   /// finite, and bends only at corners that one of `cells` touches; empty where none was found. A
@@ -75,8 +87,8 @@ class ExactSearch {
                 std::int64_t work, const StopCondition& stop, std::vector<Point>& path);
 
   /// Begins a search for some path soon and shorter ones after it, for improve(): anytime repairing
-  /// A* (ARA*; Likhachev, Gordon & Thrun 2003). Neither cell sees the other.
-  void begin_improving(const Grid& grid, Cell start, Cell goal);
+  /// A* (ARA*; Likhachev, Gordon & Thrun 2003). Neither end sees the other.
+  void begin_improving(const Grid& grid, Point start, Point goal);
   /// Goes on for about so much `work`, as in shortcut(), or until stopped. False when nothing is
   /// left to do: the path is within a hundredth of the optimum, or there is none, or it was
   /// stopped.
@@ -100,7 +112,8 @@ class ExactSearch {
     double length;
   };
 
-  void begin(const Grid& grid, Cell start, Cell goal);
+  void begin(const Grid& grid, Point start, Point goal);
+  kernels::FinePoint place(std::uint32_t index) const noexcept;
   bool goal_in_sight() const noexcept;
   void search_weighted(std::int64_t steps, Poller& poller);
   void restore_default_weight();
@@ -110,25 +123,27 @@ class ExactSearch {
   /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
   bool scan_cone(std::uint32_t index);
   bool scan_around_start();
+  void look_around_start();
   template <int S>
   bool scan_around_start(int down);
   template <int S>
   bool scan_cone(std::uint32_t index);
   template <int S>
-  bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
+  bool goal_in_cone(const exact::Corner& corner) const noexcept;
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
+  double reach(std::uint32_t parent, int x, int y, exact::Heading heading, double length);
   std::int64_t work_done() const noexcept;
   bool lower_weight();
   bool tell_improvement();
 
   kernels::BitmapView map_{};
-  int goal_x_ = 0, goal_y_ = 0;  // half cells
-  Root root_{};                  // of the cone in hand
-  double horizon_ = 0;           // paths over the root that are longer do not matter yet
-  double upper_ = 0;             // length of the best path
-  std::uint32_t last_ = 0;       // its last corner
+  exact::QueryEnd start_, goal_;
+  Root root_{};             // of the cone in hand
+  double horizon_ = 0;      // paths over the root that are longer do not matter yet
+  double upper_ = 0;        // length of the best path
+  std::uint32_t last_ = 0;  // its last corner
   double lower_ = 0;
   double straight_ = 0;               // distance from start to goal
   const CellSet* touched_ = nullptr;  // where paths may bend; null: everywhere

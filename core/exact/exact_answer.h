@@ -10,6 +10,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
+#include "core/exact/query_end.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/path.h"
@@ -62,38 +63,34 @@ constexpr double rounding(double length) noexcept { return std::max(kRounding, l
 /// rounding() of the longest path that there can be, of 2^30 cells.
 constexpr double kWorstRounding = 0x1p-22;
 
-/// In cells, between places in half cells: exact but for the square root.
-inline double distance(int x0, int y0, int x1, int y1) noexcept {
+/// In cells, between places in half cells: exact but for the square root where they are whole.
+inline double distance(double x0, double y0, double x1, double y1) noexcept {
   const double dx = x1 - x0;
   const double dy = y1 - y0;
   return 0.5 * std::sqrt(dx * dx + dy * dy);
 }
 
-/// A path made from its goal back to its start, in half cells; corners at which it is straight left
-/// out.
+/// A path made from its goal back to its start; corners at which it is straight left out.
 class BackwardPath {
  public:
-  BackwardPath(kernels::HalfPoint goal, std::vector<Point>& path) : path_(path), last_(goal) {
-    path_.assign(1, point(goal));
+  BackwardPath(const QueryEnd& goal, std::vector<Point>& path) : path_(path), last_(goal.fine()) {
+    path_.assign(1, goal.point());
   }
-  /// The next corner, and where the path comes from.
-  void corner(kernels::HalfPoint at, kernels::HalfPoint parent) {
-    const std::int64_t bend = static_cast<std::int64_t>(last_.x - at.x) * (at.y - parent.y) -
-                              static_cast<std::int64_t>(last_.y - at.y) * (at.x - parent.x);
-    if (bend == 0) return;
-    path_.push_back(point(at));
-    last_ = at;
+  /// The next corner, in half cells, and where the path comes from.
+  void corner(kernels::HalfPoint at, kernels::FinePoint parent) {
+    const kernels::FinePoint here = kernels::fine(at);
+    if (kernels::turn_sign(parent, here, last_) == 0) return;
+    path_.push_back({0.5 * at.x, 0.5 * at.y});
+    last_ = here;
   }
-  void start(kernels::HalfPoint at) {
-    path_.push_back(point(at));
+  void start(const QueryEnd& at) {
+    path_.push_back(at.point());
     std::reverse(path_.begin(), path_.end());
   }
 
  private:
-  static Point point(kernels::HalfPoint at) noexcept { return {0.5 * at.x, 0.5 * at.y}; }
-
   std::vector<Point>& path_;
-  kernels::HalfPoint last_;
+  kernels::FinePoint last_;
 };
 
 /// A certified bound that leaves room for the rounding of what it was computed from.

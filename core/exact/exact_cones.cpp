@@ -62,7 +62,10 @@ struct ExactSearch::Visitor {
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
 // length of a shorter way there, or a negative number.
 double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
-  const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
+  return reach(parent, x, y, heading, root_.length + distance(root_.x, root_.y, 2 * x, 2 * y));
+}
+
+double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, double length) {
   std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
@@ -72,7 +75,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
     to_goal = known.to_goal;
   } else {
     if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
-    to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
+    to_goal = distance(2 * x, 2 * y, goal_.x, goal_.y);
     if (length + to_goal >= upper_) return -1;
     index = corners_.add(slot, x, y);
   }
@@ -94,43 +97,39 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
 // Where a path over the root in hand can be shorter than the horizon.
 template <int S>
 ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
-  const exact::Ellipse ellipse{{root_.x, root_.y}, {goal_x_, goal_y_}, horizon_ - root_.length};
+  const exact::Ellipse ellipse{
+      {root_.x, root_.y}, goal_.near(), horizon_ - root_.length + goal_.off()};
   return exact::limits_around<S>(map_, ellipse, down, line0);
 }
 
 // Is the goal where a taut path over this corner may go straight to it?
 template <int S>
-bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const noexcept {
+bool ExactSearch::goal_in_cone(const Corner& corner) const noexcept {
   const Heading heading = corner.heading;
-  const std::int64_t right = S;
-  const std::int64_t down = heading.down();
-  const std::int64_t goal_u = right * (goal_x_ - corner.x);
-  const std::int64_t goal_depth = down * (goal_y_ - corner.y);
-  const std::int64_t u = right * (corner.x - parent.x);
-  const std::int64_t depth = down * (corner.y - parent.y);
-  if (goal_u < 0 || goal_depth <= 0) return false;
-  const std::int64_t side = goal_u * depth - u * goal_depth;
-  return heading.towards_column() ? side <= 0 : side >= 0;
+  const kernels::FinePoint goal = goal_.fine();
+  const kernels::FinePoint here = kernels::fine({corner.x, corner.y});
+  if (S * (goal.x - here.x) < 0 || heading.down() * (goal.y - here.y) < 0) return false;
+  const int turn = S * heading.down() * kernels::turn_sign(place(corner.parent), here, goal);
+  return heading.towards_column() ? turn >= 0 : turn <= 0;
 }
 
 // Returns whether rays were cut off at the horizon.
 template <int S>
 bool ExactSearch::scan_cone(std::uint32_t index) {
   const Corner& corner = corners_[index];
-  const Corner& parent = corners_[corner.parent];
   const Heading heading = corner.heading;
-  if (goal_in_cone<S>(corner, parent) &&
-      kernels::sees(map_, {corner.x, corner.y}, {goal_x_, goal_y_})) {
+  if (goal_in_cone<S>(corner) && goal_.sees(map_, kernels::HalfPoint{corner.x, corner.y})) {
     upper_ = corner.length + corner.to_goal;
     last_ = index;
     return false;  // every other way on from here is longer
   }
-  const int u = S * (corner.x - parent.x);
-  const int depth = heading.down() * (corner.y - parent.y);
+  const kernels::FinePoint here = place(index), parent = place(corner.parent);
+  const auto u = static_cast<double>(S * (here.x - parent.x));
+  const auto depth = static_cast<double>(heading.down() * (here.y - parent.y));
+  constexpr double kOne = static_cast<double>(kernels::kOne);
+  constexpr double kLevel = static_cast<double>(kernels::kLevelSlope) / kOne;
   const Fixed slope =
-      depth == 0
-          ? kernels::kLevelSlope
-          : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
+      u >= kLevel * depth ? kernels::kLevelSlope : static_cast<Fixed>(u * kOne / depth);
   root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
   const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, heading.down());
   Visitor<S> visitor{*this, heading.down(), cone.line0};
@@ -157,7 +156,25 @@ bool ExactSearch::scan_around_start(int down) {
   return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
 }
 
+// As far as the map goes: nothing is left behind a horizon.
+void ExactSearch::look_around_start() {
+  const auto way = [this](int x, int y) { return distance(start_.x, start_.y, 2 * x, 2 * y); };
+  const auto worth = [&](int x, int y) {
+    return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < upper_;
+  };
+  exact::EndView(map_, start_, *poller_).run(worth, [&](const exact::SeenCorner& seen) {
+    const bool column = seen.side == exact::kColumn;
+    const Heading heading(column ? -seen.block_x : seen.block_x,
+                          column ? seen.block_y : -seen.block_y, column);
+    reach(CornerTable::kStart, seen.x, seen.y, heading, way(seen.x, seen.y));
+  });
+}
+
 bool ExactSearch::scan_around_start() {
+  if (!start_.is_centre()) {
+    look_around_start();
+    return false;
+  }
   const Corner& start = corners_[CornerTable::kStart];
   root_ = {CornerTable::kStart, start.x, start.y, 0};
   bool cut_off = false;

@@ -22,7 +22,7 @@ constexpr double kLeastWeight = 1.01;
 
 }  // namespace
 
-void ExactSearch::begin_improving(const Grid& grid, Cell start, Cell goal) {
+void ExactSearch::begin_improving(const Grid& grid, Point start, Point goal) {
   begin(grid, start, goal);
   improving_ = bounding_ = weighted_on_ = true;
   cut_ = false;

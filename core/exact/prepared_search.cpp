@@ -26,9 +26,7 @@ constexpr double kMostDetour = 1.01;
 constexpr double kNearby = 2;  // cells; short queries leave the line by more
 constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 3;
 
-kernels::HalfPoint half(Cell c) noexcept { return {2 * c.x + 1, 2 * c.y + 1}; }
-
-double distance(kernels::HalfPoint a, int x, int y) noexcept {
+double distance(const QueryEnd& a, int x, int y) noexcept {
   return exact::distance(a.x, a.y, 2 * x, 2 * y);
 }
 
@@ -43,11 +41,12 @@ struct PreparedSearch::Sink {
   bool go_on(std::int64_t words) { return !poller.stop_after(words); }
 };
 
-void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller) {
+void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Point start,
+                           Poller& poller) {
   map_ = view_of(grid);
   graph_ = &graph;
   poller_ = &poller;
-  start_ = half(start);
+  start_ = QueryEnd(start);
   mode_ = Mode::first_few;
   told_to_stop_ = false;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
@@ -55,6 +54,20 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
     nodes_ = ZeroArray<Node>(nodes_size_);
     stamp_ = 0;
   }
+}
+
+// Calls found(x, y) for the corners that an end sees, up to the horizon.
+template <class Found>
+void PreparedSearch::scan_view(const QueryEnd& end, const QueryEnd& other, const Found& found) {
+  if (end.is_centre()) {
+    Sink<Found> sink{found, *poller_};
+    const Ellipse ellipse{end.near(), other.near(), horizon_ + other.off()};
+    return view_from_centre(map_, ellipse, stack_, sink);
+  }
+  const auto worth = [&](int x, int y) {
+    return distance(end, x, y) + distance(other, x, y) <= horizon_;
+  };
+  EndView(map_, end, *poller_).run(worth, [&](const SeenCorner& seen) { found(seen.x, seen.y); });
 }
 
 // The corners that the goal sees get their true distance as an estimate: going on from them in any
@@ -68,15 +81,13 @@ void PreparedSearch::scan_goal_view() {
     nodes_[index] = {kInfinity, to_goal, kStart, stamp_, kColumn, true, false};
     goal_corners_.push_back(index);
   };
-  Sink<decltype(found)> sink{found, *poller_};
-  view_from_centre(map_, {goal_, start_, horizon_}, stack_, sink);
+  scan_view(goal_, start_, found);
 }
 
 void PreparedSearch::scan_start_view() {
   start_corners_.clear();
   const auto found = [this](int x, int y) { start_corners_.push_back(graph_->index(x, y)); };
-  Sink<decltype(found)> sink{found, *poller_};
-  view_from_centre(map_, {start_, goal_, horizon_}, stack_, sink);
+  scan_view(start_, goal_, found);
 }
 
 // Forgets all corners that were reached, and the path.
@@ -93,7 +104,7 @@ void PreparedSearch::reach_start_corners() {
     double length = distance(start_, x, y);
     if (mode_ == Mode::flood) length = Landmarks::whole_grains(length, grain_);
     if (too_long(length, x, y)) continue;
-    reach(kStart, length, index, x, y, corner.side_from(start_.x, start_.y));
+    reach(kStart, length, index, x, y, corner.side_from(start_.fine()));
   }
 }
 
@@ -168,8 +179,10 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
   node.expanded = true;
   const GraphCorner& corner = graph_->corner(index);
   const Root root{corner.x(), corner.y(), node.length};
-  const kernels::HalfPoint parent = place(node.parent);
-  const std::int64_t onward_x = 2 * root.x - parent.x, onward_y = 2 * root.y - parent.y;
+  const bool first = node.parent == kStart;
+  const kernels::FinePoint from = start_.fine();
+  const GraphCorner& parent = graph_->corner(first ? index : node.parent);
+  const std::int64_t onward_x = root.x - parent.x(), onward_y = root.y - parent.y();
   const int bend = corner.bend(node.side);
   const auto edges = graph_->edges(index, node.side);
   // What is followed is known before the nodes are: their loads go side by side. Near the straight
@@ -178,7 +191,9 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
   std::size_t taut = 0;
   for (; taut < edges.size(); ++taut) {
     const GraphEdge& edge = edges[taut];
-    const std::int64_t turn = onward_x * (edge.y - root.y) - onward_y * (edge.x - root.x);
+    const std::int64_t turn =
+        first ? kernels::turn_sign(from, place(index), kernels::fine({2 * edge.x, 2 * edge.y}))
+              : onward_x * (edge.y - root.y) - onward_y * (edge.x - root.x);
     if (turn * bend < 0) break;
     if (!fetch) continue;
     __builtin_prefetch(nodes_.at(edge.to()));
@@ -230,7 +245,8 @@ bool PreparedSearch::run(double target_gap, std::int64_t budget) {
 
 // Takes the straight way from a corner to the goal; false if it does not see it.
 bool PreparedSearch::reach_goal_from(std::uint32_t index) {
-  if (!kernels::sees(map_, place(index), goal_)) return false;
+  const GraphCorner& corner = graph_->corner(index);
+  if (!goal_.sees(map_, kernels::HalfPoint{2 * corner.x(), 2 * corner.y()})) return false;
   const Node& node = nodes_[index];
   upper_ = node.length + node.to_goal;
   last_ = index;
@@ -269,16 +285,16 @@ bool PreparedSearch::search_whole_map(double target_gap) {
   return run(target_gap, kNoBudget);
 }
 
-void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
                             const ExactOptions& options, const StopCondition& stop,
                             ExactAnswer& answer) {
   Poller poller(stop, kWordsPerPoll, options.beside);
   begin(grid, graph, start, poller);
-  goal_ = half(goal);
+  goal_ = QueryEnd(goal);
   straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
   lower_ = straight_;
   improvements_.begin(options);
-  if (kernels::sees(map_, start_, goal_)) {
+  if (start_.sees(map_, goal_)) {
     upper_ = lower_;
     last_ = kStart;
   } else {
@@ -298,7 +314,7 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
                            const StopCondition& stop, std::vector<double>& lengths) {
   Poller poller(stop);
   grain_ = grain;
-  begin(grid, graph, start, poller);
+  begin(grid, graph, centre(start), poller);
   mode_ = Mode::flood;
   horizon_ = kInfinity;
   straight_ = 0;
@@ -329,16 +345,17 @@ std::int64_t PreparedSearch::bytes() const noexcept {
          held_bytes(start_corners_, goal_corners_, stack_);
 }
 
-kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {
-  if (index == kStart) return start_;
+kernels::FinePoint PreparedSearch::place(std::uint32_t index) const noexcept {
+  if (index == kStart) return start_.fine();
   const GraphCorner& corner = graph_->corner(index);
-  return {2 * corner.x(), 2 * corner.y()};
+  return kernels::fine({2 * corner.x(), 2 * corner.y()});
 }
 
 void PreparedSearch::trace(std::vector<Point>& path) const {
   BackwardPath back(goal_, path);
   for (std::uint32_t i = last_; i != kStart; i = nodes_[i].parent) {
-    back.corner(place(i), place(nodes_[i].parent));
+    const GraphCorner& corner = graph_->corner(i);
+    back.corner({2 * corner.x(), 2 * corner.y()}, place(nodes_[i].parent));
   }
   back.start(start_);
 }

@@ -36,10 +36,15 @@ namespace lasius::exact {
 /// view is scanned. Where that does not end it, the search sets out again.
 class PreparedSearch {
  public:
-  /// Plans from the centre of one free cell to that of another, both inside `grid`, whose graph
-  /// this is. Deterministic, except for when it is stopped.
-  void search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+  /// Plans from one point to another, both inside `grid`, whose graph this is, and each of a free
+  /// cell, its border included. Deterministic, except for when it is stopped.
+  void search(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
               const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer);
+  /// The same between the centres of two free cells.
+  void search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+              const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer) {
+    search(grid, graph, centre(start), centre(goal), options, stop, answer);
+  }
 
   /// The lengths of the shortest ways over edges of the graph, taut or not, from the centre of a
   /// free cell to all corners, each edge rounded down to grains; infinite where there is none.
@@ -76,7 +81,7 @@ class PreparedSearch {
 
   template <class Found>
   struct Sink;
-  void begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller);
+  void begin(const Grid& grid, const CornerGraph& graph, Point start, Poller& poller);
   bool search_near(double target_gap);
   bool search_few(double target_gap);
   bool search_whole_map(double target_gap);
@@ -94,7 +99,9 @@ class PreparedSearch {
   bool next_corner(std::uint32_t& index);
   double estimate(std::uint32_t index, int x, int y) const noexcept;
   void reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y, Side side);
-  kernels::HalfPoint place(std::uint32_t index) const noexcept;
+  template <class Found>
+  void scan_view(const QueryEnd& end, const QueryEnd& other, const Found& found);
+  kernels::FinePoint place(std::uint32_t index) const noexcept;
   void trace(std::vector<Point>& path) const;
   bool tell_improvement();
 
@@ -103,7 +110,7 @@ class PreparedSearch {
   Poller* poller_ = nullptr;  // of the call in hand
   Improvements improvements_;
   bool told_to_stop_ = false;  // by who looks on
-  kernels::HalfPoint start_{}, goal_{};
+  QueryEnd start_, goal_;
   Mode mode_ = Mode::first_few;
   double straight_ = 0;  // distance from start to goal
   double horizon_ = 0;   // paths that are longer do not matter yet

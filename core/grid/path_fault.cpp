@@ -15,7 +15,6 @@ namespace {
 using kernels::BitmapView;
 using kernels::HalfPoint;
 
-std::string text(HalfPoint p) { return pair_text(p.x / 2.0, p.y / 2.0); }
 std::string text(Cell c) { return pair_text(c.x, c.y); }
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
@@ -106,6 +105,21 @@ bool half_integer(double v) noexcept { return 2 * v == static_cast<int>(2 * v); 
 HalfPoint half_point(Point p) noexcept {
   return {static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
 }
+bool is_half(Point p) noexcept { return half_integer(p.x) && half_integer(p.y); }
+
+std::string text(Point p) { return pair_text(p.x, p.y); }
+
+// The same of a segment that begins or ends anywhere.
+std::string fine_fault(const BitmapView& map, Point a, Point b) {
+  if (kernels::sees_fine(map, kernels::fine(a.x, a.y), kernels::fine(b.x, b.y))) return {};
+  return "meets a blocked cell or runs or squeezes between two";
+}
+
+// A half point in the direction of another point, as seen from a lattice point v.
+HalfPoint towards(HalfPoint v, Point p) noexcept {
+  const auto step = [](int from, double to) { return from + (2 * to > from) - (2 * to < from); };
+  return {step(v.x, p.x), step(v.y, p.y)};
+}
 
 }  // namespace
 
@@ -116,30 +130,33 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
   if (path.empty()) return "the path is empty";
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Point p = path[i];
-    const auto vertex = [&] {
-      return "vertex " + std::to_string(i) + ' ' + pair_text(p.x, p.y) + " is ";
-    };
+    const auto vertex = [&] { return "vertex " + std::to_string(i) + ' ' + text(p) + " is "; };
     if (!(p.x >= 0 && p.x <= grid.width() && p.y >= 0 && p.y <= grid.height())) {
       return vertex() + "outside the map";
     }
-    if (!half_integer(p.x) || !half_integer(p.y)) return vertex() + "not at multiples of 0.5";
+    if (i > 0 && i + 1 < path.size() && !is_half(p)) return vertex() + "not at multiples of 0.5";
   }
-  HalfPoint a = half_point(path[0]);
-  std::optional<HalfPoint> before;  // the vertex before a; repeated ones count once
-  for (const Point p : path) {
-    const HalfPoint b = half_point(p);
+  Point a = path[0];
+  std::optional<Point> before;  // the vertex before a; repeated ones count once
+  for (const Point b : path) {
     if (b == a) continue;
-    if (!kernels::sees(map, a, b)) {
-      const std::string fault = segment_fault(map, a, b, squeezes);
+    const bool half = is_half(a) && is_half(b);
+    if (!half || !kernels::sees(map, half_point(a), half_point(b))) {
+      const std::string fault =
+          half ? segment_fault(map, half_point(a), half_point(b), squeezes) : fine_fault(map, a, b);
       if (!fault.empty()) return "segment " + text(a) + " - " + text(b) + ' ' + fault;
     }
-    if (squeezes && before && a.x % 2 == 0 && a.y % 2 == 0 &&
-        kernels::squeezes(map, *before, a, b)) {
-      return "the path squeezes between blocked cells at " + text(a);
+    if (squeezes && before && is_half(a)) {
+      const HalfPoint v = half_point(a);
+      if (v.x % 2 == 0 && v.y % 2 == 0 &&
+          kernels::squeezes(map, towards(v, *before), v, towards(v, b))) {
+        return "the path squeezes between blocked cells at " + text(a);
+      }
     }
     before = std::exchange(a, b);
   }
-  if (!before && !kernels::sees(map, a, a)) {
+  const kernels::FinePoint at = kernels::fine(a.x, a.y);
+  if (!before && !kernels::sees_fine(map, at, at)) {
     return "the only vertex " + text(a) + " touches no free cell";
   }
   return std::nullopt;

@@ -72,13 +72,17 @@ class LASIUS_EXPORT CostPlanner {
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
   /// Planner::plan's `exact`, unless a proof is asked for. `observer` is called with every cheaper
-  /// path, of a colony once an iteration; its best_length is a cost. @throws as Planner::plan; for
-  /// options that do not go together.
+  /// path, of a colony once an iteration; its best_length is a cost. Between points of cells the
+  /// plan is the one between their centres, its first and last piece put in place: then there is
+  /// no proof, what an observer sees begins at centres, and Request::via is refused. @throws as
+  /// Planner::plan; for options that do not go together.
   CostResult plan(const Request& request, const CostOptions& options = {},
                   const Observer& observer = {}) const;
 
  private:
   struct Impl;
+  CostResult plan_cells(const Request& request, const CostOptions& options,
+                        const Observer& observer) const;
   std::shared_ptr<const Impl> impl_;
 };
 

@@ -19,6 +19,7 @@
 #include "lasius/params.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
+#include "lasius/poses.h"
 #include "lasius/preparation.h"
 #include "lasius/progress.h"
 #include "lasius/request.h"

@@ -27,7 +27,8 @@ LASIUS_EXPORT bool visible(const Grid& grid, Cell a, Cell b) noexcept;
 
 /// Why a polyline breaks the rule of the plane (segment and cell named), or nothing if it obeys.
 /// Exact. Vertices must be multiples of 0.5 (cell centres, lattice points) inside the map: any
-/// other one is a fault.
+/// other one is a fault, but for the first and the last, which may be any points of the map (taken
+/// to the nearest 2^-44 of a cell).
 /// With Corners::allow squeezes between diagonal blocks are no fault; the other two rules agree.
 LASIUS_EXPORT std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> path,
                                                     Corners corners = Corners::forbid);

@@ -1,6 +1,9 @@
 // What a planner on a bitmap is asked.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
 
@@ -8,8 +11,8 @@ namespace lasius {
 
 /// What is asked of a planner.
 struct Request {
-  Cell start;               ///< the path begins at its centre
-  Cell goal;                ///< and ends at the centre of this one
+  Cell start = {};          ///< the path begins at its centre
+  Cell goal = {};           ///< and ends at the centre of this one
   StopCondition stop = {};  ///< when to end with the best path so far
   /// Stop at this certified gap, as a fraction, 0 or more; above 0 only for algorithms that certify
   /// one (Algorithm::Kind::exact).
@@ -18,6 +21,13 @@ struct Request {
   /// to centre at most so far from it, in cells, ties to the smaller row, then column. For a disc,
   /// by `exact`, at the nearest point. 0 or more.
   double goal_tolerance = 0;
+  /// Where the path begins and ends, in place of a cell's centre, which is not looked at then: any
+  /// points of the map, on a free cell or its border. A centre is the same as its cell.
+  std::optional<Point> start_point = {};
+  std::optional<Point> goal_point = {};  ///< likewise
+  /// Points that the path goes through on its way, in this order: it is planned from each to the
+  /// next, and joined. A goal tolerance is of the goal alone, a target gap of every leg.
+  std::vector<Point> via = {};
 };
 
 }  // namespace lasius

@@ -47,9 +47,10 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
               Workspace* workspace, const Observer& observer, const OwnRules& own = {});
 
 /// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked, or
-/// what else makes it useless, or outside the map.
+/// what else makes it useless, or outside the map. `name`: of what is told of, if not the cell's.
 std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell,
-                                           const std::string& what = "blocked");
+                                           const std::string& what = "blocked",
+                                           const std::string& name = {});
 
 /// Looks for the free cell nearest to a start or goal that is invalid, and for the nearest of those
 /// that are joined to the other end; `joined` is empty where that is bad too. False when stopped.

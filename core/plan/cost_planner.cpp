@@ -13,6 +13,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/plan/exact_view.h"
+#include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
@@ -68,6 +69,25 @@ std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Poin
     made.insert(made.end(), way.path.begin() + 1, way.path.end());
   }
   return made;
+}
+
+/// Lets a path begin at another point of its first vertex's cell: straight to where it leaves that.
+void move_end(std::vector<Point>& path, Point to) {
+  if (path.size() > 1) {
+    const Point from = path[0], next = path[1];
+    const Cell cell = cell_at(from);
+    const auto share = [](double at, double step, int low) {
+      return step == 0 ? kInfinity : ((step > 0 ? low + 1 : low) - at) / step;
+    };
+    const double t =
+        std::min(share(from.x, next.x - from.x, cell.x), share(from.y, next.y - from.y, cell.y));
+    if (t < 1)
+      path.insert(path.begin() + 1,
+                  {from.x + t * (next.x - from.x), from.y + t * (next.y - from.y)});
+    path[0] = to;
+  } else if (!path.empty() && path[0] != to) {
+    path.insert(path.begin(), to);
+  }
 }
 
 /// The cheapest path so far that a robot can go, and who is told of it.
@@ -134,6 +154,7 @@ struct CostPlanner::Impl {
   };
   CostAnswer search(const Terrain& over, Run& run) const;
   CostAnswer search_for_disc(Run& run) const;
+  Cell cell_of(const Asked& end) const;
   CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
                     const Observer& observer) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
@@ -222,6 +243,18 @@ std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound
                                                      .levels = std::move(run.levels)});
 }
 
+// A point on the border of cells is taken for one of a free cell that it touches.
+Cell CostPlanner::Impl::cell_of(const Asked& end) const {
+  if (!end.is_point || planner.passable().free(end.cell)) return end.cell;
+  const Cell last = end.cell;
+  for (const Cell c :
+       {Cell{last.x - 1, last.y}, Cell{last.x, last.y - 1}, {last.x - 1, last.y - 1}}) {
+    const bool touches = end.at.x <= c.x + 1 && end.at.y <= c.y + 1;
+    if (touches && planner.passable().free(c)) return c;
+  }
+  return last;
+}
+
 std::optional<double> CostResult::gap() const {
   if (cost == 0) return 0;
   if (path.empty() || !lower_bound || !(*lower_bound > 0)) return std::nullopt;
@@ -241,8 +274,48 @@ CostPlanner& CostPlanner::operator=(CostPlanner&&) noexcept = default;
 
 const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
 
-CostResult CostPlanner::plan(const Request& request, const CostOptions& options,
+// Between points of cells: the plan between the cells' centres, its ends put in their place. A way
+// from a point is one from the centre, but for a straight piece in the cell that both lie in: so
+// that piece's cost is taken off the bound.
+CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
                              const Observer& observer) const {
+  if (!asked.via.empty())
+    throw Error(ErrorCode::invalid_parameter, "points on the way are asked for over costs",
+                "plan from one to the next");
+  Request request = asked;
+  request.start_point = request.goal_point = std::nullopt;
+  const Grid& grid = planner().grid();
+  const Asked start(grid, asked.start, asked.start_point);
+  const Asked goal(grid, asked.goal, asked.goal_point);
+  request.start = impl_->cell_of(start);
+  request.goal = impl_->cell_of(goal);
+  CostResult result = plan_cells(request, options, observer);
+  if (result.path.empty() || (!start.is_point && !goal.is_point)) return result;
+  const Terrain& terrain = impl_->space != nullptr ? *impl_->whole : impl_->terrain;
+  std::vector<Point>& path = result.path;
+  const double before = result.cost;
+  double less = 0;
+  if (start.is_point && !result.way_out) {
+    less += cost::cost_of(terrain, std::array{start.at, path.front()});
+    move_end(path, start.at);
+  }
+  if (goal.is_point && path.back() == centre(request.goal)) {
+    less += cost::cost_of(terrain, std::array{goal.at, path.back()});
+    std::ranges::reverse(path);
+    move_end(path, goal.at);
+    std::ranges::reverse(path);
+  }
+  path = cost::merged(terrain, path);
+  result.cost = cost::cost_of(terrain, path);
+  result.length = path_length(path);
+  if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
+  result.optimal = result.optimal && result.cost == before;
+  result.proof.reset();
+  return result;
+}
+
+CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options,
+                                   const Observer& observer) const {
   const Terrain& terrain = impl_->terrain;
   const bool disc = impl_->space != nullptr;
   if (find_algorithm(options.params.algorithm()).kind != Algorithm::Kind::exact)

@@ -37,7 +37,7 @@ void TautString::add(HalfPoint p) {
 // either side of it knows nothing of squeezes.
 void TautString::fix_squeezes(const Grid& grid) {
   const kernels::BitmapView map = view_of(grid);
-  done_.assign(1, input_[0]);
+  half_.done.assign(1, input_[0]);
   for (std::size_t i = 1; i < input_.size(); ++i) {
     const HalfPoint a = input_[i - 1].at;
     const HalfPoint b = input_[i].at;
@@ -48,44 +48,69 @@ void TautString::fix_squeezes(const Grid& grid) {
       if (!inner && i + 1 == input_.size()) break;
       const bool squeeze =
           ((p.x | p.y) & 1) == 0 && kernels::squeezes(map, a, p, inner ? b : input_[i + 1].at);
-      if (squeeze || !inner) done_.push_back({p, squeeze});
+      if (squeeze || !inner) half_.done.push_back({p, squeeze});
     }
   }
-  if (input_.size() > 1) done_.push_back(input_.back());
-  input_.swap(done_);
+  if (input_.size() > 1) half_.done.push_back(input_.back());
+  input_.swap(half_.done);
+}
+
+// Both ends of `todo` are kept.
+template <class P>
+void TautString::pull(const Grid& grid, Work<P>& work, const StopCondition& stop) {
+  auto& [done, todo, chain, corners] = work;
+  const kernels::BitmapView map = view_of(grid);
+  Poller poller(stop);
+  done.clear();
+  for (; !todo.empty(); poller.stop_after(4)) {
+    const VertexAt<P> c = todo.back();
+    if (!done.empty() && done.back().at == c.at) {
+      done.back().fixed = done.back().fixed != c.fixed;  // there and back again
+      todo.pop_back();
+      continue;
+    }
+    const bool open = done.size() > 1 && !done.back().fixed && !poller.stopped();
+    if (!open || bends_round_block(map, done.rbegin()[1].at, done.back().at, c.at)) {
+      done.push_back(c);
+      todo.pop_back();
+      continue;
+    }
+    // The chain takes the place of b and is looked at vertex by vertex, from a on.
+    const P b = done.back().at;
+    const P a = done.rbegin()[1].at;
+    chain.clear();
+    if (turn(a, b, c.at) != 0 && !chain_in_triangle(map, a, b, c.at, poller, corners, chain)) {
+      continue;  // stopped: b stays
+    }
+    done.pop_back();
+    for (auto p = chain.rbegin(); p != chain.rend(); ++p) todo.push_back({*p, false});
+  }
 }
 
 void TautString::pull(const Grid& grid, Corners corners, const StopCondition& stop) {
   if (corners == Corners::allow) fix_squeezes(grid);
-  const kernels::BitmapView map = view_of(grid);
-  Poller poller(stop);
-  todo_.assign(input_.rbegin(), input_.rend());
-  done_.clear();
-  for (; !todo_.empty(); poller.stop_after(4)) {
-    const Vertex c = todo_.back();
-    if (!done_.empty() && done_.back().at == c.at) {
-      done_.back().fixed = done_.back().fixed != c.fixed;  // there and back again
-      todo_.pop_back();
-      continue;
-    }
-    const bool open = done_.size() > 1 && !done_.back().fixed && !poller.stopped();
-    if (!open || bends_round_block(map, done_.rbegin()[1].at, done_.back().at, c.at)) {
-      done_.push_back(c);
-      todo_.pop_back();
-      continue;
-    }
-    // The chain takes the place of b and is looked at vertex by vertex, from a on.
-    const HalfPoint b = done_.back().at;
-    const HalfPoint a = done_.rbegin()[1].at;
-    chain_.clear();
-    if (turn(a, b, c.at) != 0 && !chain_in_triangle(map, a, b, c.at, poller, corners_, chain_)) {
-      continue;  // stopped: b stays
-    }
-    done_.pop_back();
-    for (auto p = chain_.rbegin(); p != chain_.rend(); ++p) todo_.push_back({*p, false});
-  }
+  half_.todo.assign(input_.rbegin(), input_.rend());
+  pull(grid, half_, stop);
   points_.clear();
-  for (const Vertex& v : done_) points_.push_back({v.at.x / 2.0, v.at.y / 2.0});
+  for (const Vertex& v : half_.done) points_.push_back({v.at.x / 2.0, v.at.y / 2.0});
+}
+
+void TautString::run(const Grid& grid, Point from, std::span<const HalfPoint> path, Point to,
+                     Corners corners, const StopCondition& stop) {
+  input_.clear();
+  for (const HalfPoint p : path) add(p);
+  if (corners == Corners::allow) fix_squeezes(grid);
+  fine_.todo.assign(1, {kernels::fine(to.x, to.y), false});
+  for (auto v = input_.rbegin(); v != input_.rend(); ++v)
+    fine_.todo.push_back({kernels::fine(v->at), v->fixed});
+  fine_.todo.push_back({kernels::fine(from.x, from.y), false});
+  pull(grid, fine_, stop);
+  constexpr double kUnit = 1.0 / static_cast<double>(kernels::kFineCell);
+  points_.clear();
+  for (const auto& v : fine_.done)
+    points_.push_back({kUnit * static_cast<double>(v.at.x), kUnit * static_cast<double>(v.at.y)});
+  points_.front() = from;
+  if (points_.size() > 1 || from == to) points_.back() = to;
 }
 
 std::vector<Point> pull_taut(const Grid& grid, std::span<const Point> path, Corners corners,

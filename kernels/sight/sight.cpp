@@ -1,6 +1,7 @@
 #include "kernels/sight/sight.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lasius::kernels {
@@ -48,16 +49,21 @@ bool sees_along_column_line(const BitmapView& map, int x, int lo, int hi) noexce
   return true;
 }
 
-bool sees_up_and_down(const BitmapView& map, int x, int y0, int y1) noexcept {
-  const int lo = y0 >> 1;
-  const int hi = ((y1 + 1) >> 1) - 1;
-  if ((x & 1) == 0) return sees_along_column_line(map, x >> 1, lo, hi);
-  const std::uint64_t bit = std::uint64_t{1} << ((x >> 1) & 63);
-  const std::uint64_t* word = map.row(lo) + (x >> 7);
+// In the interior of a column, over the rows [lo, hi].
+bool column_free(const BitmapView& map, int x, int lo, int hi) noexcept {
+  const std::uint64_t bit = std::uint64_t{1} << (x & 63);
+  const std::uint64_t* word = map.row(lo) + (x >> 6);
   for (int y = lo; y <= hi; ++y, word += map.stride) {
     if ((*word & bit) != 0) return false;
   }
   return true;
+}
+
+bool sees_up_and_down(const BitmapView& map, int x, int y0, int y1) noexcept {
+  const int lo = y0 >> 1;
+  const int hi = ((y1 + 1) >> 1) - 1;
+  return (x & 1) == 0 ? sees_along_column_line(map, x >> 1, lo, hi)
+                      : column_free(map, x >> 1, lo, hi);
 }
 
 bool sees_left_and_right(const BitmapView& map, int x0, int x1, int y) noexcept {
@@ -119,6 +125,62 @@ bool sees_downwards(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept {
   return row_seen(row, top, {b.x >> 1, b.x & 1});
 }
 
+__extension__ using Wide = __int128;
+
+constexpr int kFineBits = 44;
+static_assert(kFineCell == std::int64_t{1} << kFineBits);
+constexpr std::int64_t kFinePart = kFineCell - 1;
+
+int floor_cell(std::int64_t v) noexcept { return static_cast<int>(v >> kFineBits); }
+/// The last cell that an open interval that ends at v meets.
+int last_cell(std::int64_t v) noexcept { return floor_cell(v + kFinePart) - 1; }
+
+// A steep or flat segment from a down to b, its crossings with horizontal lines.
+class FineSegment {
+ public:
+  FineSegment(FinePoint a, FinePoint b) noexcept : a_(a), dx_(b.x - a.x), dy_(b.y - a.y) {}
+
+  // Column and whether it is met at its left edge; of a line between the ends. In floating point
+  // unless that is near an edge: there it is off by less than 2^-30.
+  std::pair<int, bool> at(int line) const noexcept {
+    constexpr double kUnit = 1.0 / static_cast<double>(kFineCell);
+    const std::int64_t down = line * kFineCell - a_.y;
+    const double x =
+        kUnit * static_cast<double>(a_.x) +
+        kUnit * static_cast<double>(dx_) * (static_cast<double>(down) / static_cast<double>(dy_));
+    const double edge = std::nearbyint(x);
+    if (std::abs(x - edge) > 0x1p-30) return {static_cast<int>(std::floor(x)), false};
+    const int column = static_cast<int>(edge);
+    const Wide side = Wide{a_.x - column * kFineCell} * dy_ + Wide{dx_} * down;
+    return {side < 0 ? column - 1 : column, side == 0};
+  }
+
+ private:
+  FinePoint a_;
+  std::int64_t dx_, dy_;
+};
+
+bool sees_fine_downwards(const BitmapView& map, FinePoint a, FinePoint b) noexcept {
+  const bool right = b.x > a.x;
+  const FineSegment segment(a, b);
+  const int last = last_cell(b.y);
+  std::pair<int, bool> top{floor_cell(a.x), (a.x & kFinePart) == 0};
+  for (int y = floor_cell(a.y);; ++y) {
+    const std::pair<int, bool> bottom =
+        y < last ? segment.at(y + 1) : std::pair{floor_cell(b.x), (b.x & kFinePart) == 0};
+    const bool free = right ? row_free(map.row(y), top.first, bottom.first - bottom.second)
+                            : row_free(map.row(y), bottom.first, top.first - top.second);
+    if (!free) return false;
+    if (y == last) return true;
+    const int x = bottom.first;
+    if (bottom.second && map.blocked(right ? x : x - 1, y) &&
+        map.blocked(right ? x - 1 : x, y + 1)) {
+      return false;
+    }
+    top = bottom;
+  }
+}
+
 // The quadrants around a lattice point, clockwise from the top left, that a direction lies in.
 unsigned quadrants_towards(HalfPoint from, HalfPoint to) noexcept {
   const bool left = to.x <= from.x;
@@ -157,6 +219,39 @@ bool sees(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept {
   if (a.y == b.y) return sees_left_and_right(map, std::min(a.x, b.x), std::max(a.x, b.x), a.y);
   if (a.x == b.x) return sees_up_and_down(map, a.x, a.y, b.y);
   return a.x < b.x ? sees_downwards<true>(map, a, b) : sees_downwards<false>(map, a, b);
+}
+
+FinePoint fine(double x, double y) noexcept {
+  return {std::llround(x * static_cast<double>(kFineCell)),
+          std::llround(y * static_cast<double>(kFineCell))};
+}
+
+int turn_sign(FinePoint a, FinePoint b, FinePoint c) noexcept {
+  const Wide turn = Wide{b.x - a.x} * (c.y - b.y) - Wide{b.y - a.y} * (c.x - b.x);
+  return (turn > 0) - (turn < 0);
+}
+
+bool sees_fine(const BitmapView& map, FinePoint a, FinePoint b) noexcept {
+  if (a == b) {
+    const int x0 = floor_cell(a.x - 1), x1 = floor_cell(a.x);
+    const int y0 = floor_cell(a.y - 1), y1 = floor_cell(a.y);
+    return !(map.blocked(x0, y0) && map.blocked(x1, y0) && map.blocked(x0, y1) &&
+             map.blocked(x1, y1));
+  }
+  if (a.y > b.y) std::swap(a, b);
+  if (a.y == b.y) {
+    const int lo = floor_cell(std::min(a.x, b.x)), hi = last_cell(std::max(a.x, b.x));
+    const int y = floor_cell(a.y);
+    return (a.y & kFinePart) != 0 ? row_free(map.row(y), lo, hi)
+                                  : sees_along_row_line(map.row(y - 1), map.row(y), lo, hi);
+  }
+  if (a.x == b.x) {
+    const int lo = floor_cell(a.y), hi = last_cell(b.y);
+    const int x = floor_cell(a.x);
+    return (a.x & kFinePart) != 0 ? column_free(map, x, lo, hi)
+                                  : sees_along_column_line(map, x, lo, hi);
+  }
+  return sees_fine_downwards(map, a, b);
 }
 
 }  // namespace lasius::kernels

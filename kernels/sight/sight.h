@@ -40,6 +40,28 @@ inline bool row_free(const std::uint64_t* row, int lo, int hi) noexcept {
 /// words the segment spans.
 bool sees(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept;
 
+/// Any point of a map: coordinates as multiples of 2^-44 of a cell.
+struct FinePoint {
+  std::int64_t x;
+  std::int64_t y;
+  friend bool operator==(const FinePoint&, const FinePoint&) = default;
+};
+constexpr std::int64_t kFineCell = std::int64_t{1} << 44;
+
+constexpr FinePoint fine(HalfPoint p) noexcept {
+  return {p.x * (kFineCell / 2), p.y * (kFineCell / 2)};
+}
+/// The nearest one to a point in cells, of [0, 32768] each: the point itself where its coordinates
+/// are of few enough bits, as all from 256 on are, else off by at most 2^-45.
+FinePoint fine(double x, double y) noexcept;
+
+/// The sign of the turn at b of a path from a to c: 1 from the x axis to the y axis, -1 back, 0 for
+/// none. Exact.
+int turn_sign(FinePoint a, FinePoint b, FinePoint c) noexcept;
+
+/// `sees` for any two points of the map, as exact.
+bool sees_fine(const BitmapView& map, FinePoint a, FinePoint b) noexcept;
+
 /// True when a path from a over the lattice point v to b passes between two diagonal blocks there:
 /// on both ways round v blocked cells lie between the two segments.
 bool squeezes(const BitmapView& map, HalfPoint a, HalfPoint v, HalfPoint b) noexcept;

@@ -63,19 +63,48 @@ py::tuple widest_disc(const Planner& planner, Cell a, Cell b) {
   return py::make_tuple(call.error(), widest);
 }
 
-py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
-               double target_gap, double goal_tolerance, std::optional<double> time_limit,
-               SharedWorkspace* workspace, const py::object& callback, const OwnTable& heuristic,
-               const py::object& update, const py::object& schedule) {
+/// A start or goal: two integers are a cell, else two numbers a point.
+struct End {
+  Cell cell;
+  std::optional<Point> point;
+
+  explicit End(const py::object& source) {
+    const auto is_real = [](const py::handle part) {
+      return PyNumber_Check(part.ptr()) != 0 && PyIndex_Check(part.ptr()) == 0;
+    };
+    const bool pair = PySequence_Check(source.ptr()) != 0 && PySequence_Size(source.ptr()) == 2;
+    PyErr_Clear();
+    if (pair && (is_real(source[py::int_(0)]) || is_real(source[py::int_(1)])))
+      point = point_from(source);
+    else
+      cell = cell_from(source);
+  }
+};
+
+py::tuple plan(const Planner& planner, const py::object& start, const py::object& goal,
+               const Params& params, double target_gap, double goal_tolerance,
+               std::optional<double> time_limit, SharedWorkspace* workspace,
+               const py::object& callback, const OwnTable& heuristic, const py::object& update,
+               const py::object& schedule, const py::tuple& via) {
   Call call(time_limit);
   const SharedWorkspace::Use use(workspace);
   const Observer observe = observer<GridProgress>(call, callback);
   const Given given{heuristic, update, schedule};
   const OwnRules own = own_rules(given, params, call);
-  const Result result = call.run([&] {
-    return planner.plan({start, goal, call.condition(), target_gap, goal_tolerance}, params, own,
-                        use.get(), observe);
-  });
+  const End from(start), to(goal);
+  Request request{.start = from.cell,
+                  .goal = to.cell,
+                  .stop = call.condition(),
+                  .target_gap = target_gap,
+                  .goal_tolerance = goal_tolerance,
+                  .start_point = from.point,
+                  .goal_point = to.point};
+  for (const py::handle place : via) {
+    const End on_the_way(py::reinterpret_borrow<py::object>(place));
+    request.via.push_back(on_the_way.point.value_or(centre(on_the_way.cell)));
+  }
+  const Result result =
+      call.run([&] { return planner.plan(request, params, own, use.get(), observe); });
   return py::make_tuple(call.error(), fields(result));
 }
 

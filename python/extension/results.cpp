@@ -1,6 +1,10 @@
 #include "python/extension/results.h"
 
+#include <type_traits>
+
+#include "lasius/poses.h"
 #include "lasius/status.h"
+#include "python/extension/modules.h"
 
 namespace lasius::python {
 
@@ -27,5 +31,37 @@ py::tuple fields(const Result& r) {
   return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.way_out, r.goal_reached,
                         r.nearest_free, r.nearest_reachable, r.own_rules, py::tuple(curve));
 }
+
+namespace {
+
+/// A piece of a curve as fields() gives it.
+CurvePiece piece_from(const py::tuple& fields) {
+  CurvePiece piece{.from = fields[0].cast<Point>(),
+                   .to = fields[1].cast<Point>(),
+                   .turn = fields[2].cast<int>(),
+                   .angle = fields[5].cast<double>(),
+                   .radius = fields[4].cast<double>()};
+  if (piece.turn != 0) piece.centre = fields[3].cast<Point>();
+  return piece;
+}
+
+/// Rows x, y, yaw; in metres of a map of so many rows where it has a frame.
+py::array_t<double> poses_of(const Rows& path, const py::tuple& curve, double spacing,
+                             const std::optional<WorldFrame>& frame, int height) {
+  Result result;
+  result.path = points_from(path, "path");
+  for (const py::handle piece : curve)
+    result.curve.push_back(piece_from(py::reinterpret_borrow<py::tuple>(piece)));
+  std::vector<Pose> found = poses(result, spacing);
+  if (frame)
+    for (Pose& pose : found) pose = to_world(*frame, pose, height);
+  static_assert(std::is_standard_layout_v<Pose> && sizeof(Pose) == 3 * sizeof(double));
+  return py::array_t<double>({static_cast<py::ssize_t>(found.size()), py::ssize_t{3}},
+                             reinterpret_cast<const double*>(found.data()));
+}
+
+}  // namespace
+
+void bind_results(py::module_& module) { module.def("poses", &poses_of); }
 
 }  // namespace lasius::python

@@ -1,6 +1,6 @@
 """The extension module. What is not of the package's public names may change at any time."""
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -180,8 +180,8 @@ class Planner:
     def prepared(self, threads: int, max_bytes: int) -> Tuple[_Error, Optional[Planner]]: ...
     def plan(
         self,
-        start: _Cell,
-        goal: _Cell,
+        start: Union[_Cell, Tuple[float, float]],
+        goal: Union[_Cell, Tuple[float, float]],
         params: Params,
         target_gap: float,
         goal_tolerance: float,
@@ -191,6 +191,7 @@ class Planner:
         heuristic: Optional[npt.NDArray[np.float64]],
         update: Optional[Callable[[Pheromone, IterationTours], Any]],
         schedule: Optional[Callable[[int], Dict[str, float]]],
+        via: Tuple[Any, ...],
     ) -> Tuple[_Error, Tuple[Any, ...]]: ...
     def edited(
         self, cells: npt.NDArray[np.int32], blocked: npt.NDArray[np.bool_]
@@ -330,6 +331,9 @@ def shortest_walk(
     grid: Grid, start: _Cell, goal: _Cell, neighbours: str, corners: str
 ) -> Tuple[_Error, Optional[float]]: ...
 def path_length(path: npt.ArrayLike) -> float: ...
+def poses(
+    path: npt.ArrayLike, curve: Tuple[Any, ...], spacing: float, frame: Optional[WorldFrame], height: int
+) -> npt.NDArray[np.float64]: ...
 def path_fault(grid: Grid, path: npt.ArrayLike, corners: str) -> Optional[str]: ...
 def visible(grid: Grid, a: _Cell, b: _Cell) -> bool: ...
 def pull_taut(

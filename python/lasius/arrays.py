@@ -16,6 +16,7 @@ LongArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
 
 Cell = Tuple[int, int]
+End = Union[Tuple[int, int], Tuple[float, float]]  #: a cell, or where a number is no integer a point
 Point = Tuple[float, float]
 Path = Union[str, "os.PathLike[str]"]
 

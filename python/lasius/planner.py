@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
 from .arguments import explained
-from .arrays import Cell, IntArray, flags_of, int_rows
+from .arrays import Cell, End, IntArray, flags_of, int_rows
 from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole
@@ -103,13 +103,14 @@ class Planner:
 
     def plan(
         self,
-        start: Cell,
-        goal: Cell,
+        start: End,
+        goal: End,
         params: OptionalParams = None,
         *,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
         goal_tolerance: float = 0.0,
+        via: Sequence[End] = (),
         observer: Optional[Observer] = None,
         progress: Shown = None,
         workspace: Optional[Workspace] = None,
@@ -130,13 +131,16 @@ class Planner:
         'goal (9999, 0) is outside the map; the nearest free cell that can be reached from the start is (399, 9); (399, 0) is nearer, but cannot be reached'
 
         Args:
-            start: cell (x, y), column and row from the top left; the path begins at its centre.
-            goal: the cell at whose centre it ends.
+            start: cell (x, y), two integers, column and row from the top left: the path begins at its centre. Where
+                one of the numbers is no integer, a point in continuous cell coordinates: it begins there.
+            goal: likewise, where it ends.
             params: an algorithm's name or Params; None: `exact`.
             time_limit: seconds; then the answer is the best so far, with the status "limit".
             target_gap: `exact` stops at this certified gap, a fraction.
             goal_tolerance: where the goal cannot be reached, the path ends at the cell nearest to it that
                 can be, at most so many cells away: `goal_reached`.
+            via: cells or points that the path goes through on its way, in this order; the error of one that
+                cannot be reached names it.
             observer: called with a Progress once an iteration, of `exact` with every shorter path;
                 `progress.stop()` ends the search.
             progress: True shows a bar in a terminal or notebook; or called with (done, all, text).
@@ -155,7 +159,7 @@ class Planner:
         used, own = self._asked(params, settings, heuristic, update, schedule)
         with watched(observer, progress, used) as watch:
             error, (search, *found) = self._raw.plan(
-                start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own
+                start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own, tuple(via)
             )
         result = answer(Result, search, *found, start, goal, used, self.radius, self._grid)
         return result if error is None else finish(error, result)
@@ -351,7 +355,7 @@ def directions_of(rows: npt.ArrayLike) -> IntArray:
 
 @explained
 def plan(
-    grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, *, radius: float = 0.0, **options: Any
+    grid: Grid, start: End, goal: End, params: OptionalParams = None, *, radius: float = 0.0, **options: Any
 ) -> Result:
     """Answers one question on a map. For more than one make a Planner, whose `plan` this is.
 

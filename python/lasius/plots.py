@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 import numpy as np
 
 from ._lasius import Grid, WorldFrame
-from .arrays import BoolArray
+from .arrays import BoolArray, End
 
 if TYPE_CHECKING:
     from .maps import Map
@@ -136,13 +136,19 @@ def title(result: Any, frame: Optional[WorldFrame] = None) -> str:
     return f"{result.params.algorithm}: {result.status}{length}"
 
 
+def centre_of(end: End) -> Any:
+    """Where a start or goal is: a cell's centre, or the point."""
+    is_cell = all(hasattr(part, "__index__") for part in end)
+    return np.add(end, 0.5 if is_cell else 0.0)
+
+
 def draw_result(result: Result, upper: Any, lower: Any, map: Optional[Map] = None) -> None:
     frame = map.frame if map is not None else None
 
     def placed(points: Any) -> Any:
         return frame.to_world(points, map.grid.height) if frame is not None and map is not None else np.asarray(points)
 
-    path, goal = points_of(result), np.add(result.goal, 0.5)
+    path, goal = points_of(result), centre_of(result.goal)
     short = len(path) > 0 and not np.array_equal(path[-1], goal)
     draw_map(result.grid, upper, map)
     if len(path) > 0:

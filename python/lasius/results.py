@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optiona
 import numpy as np
 import numpy.typing as npt
 
+from . import _lasius
 from ._lasius import Grid, status_names
-from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
+from .arguments import explained
+from .arrays import BoolArray, Cell, End, FloatArray, IntArray, LongArray, same
 from .errors import finish
 from .parameters import ParameterSet
 
@@ -125,14 +127,29 @@ class Result(SearchResult):
     #: of `exact` for a disc: the path as it is, of which `path` is a polyline that keeps the radius, too,
     #: and is at most a thousandth longer than `length`; else empty
     curve: Tuple[CurvePiece, ...]
-    start: Cell  #: as asked
-    goal: Cell  #: as asked
+    start: End  #: as asked
+    goal: End  #: as asked
     params: ParameterSet  #: as asked
     radius: float  #: of the robot, a disc, in cells; 0: a point
     grid: Grid  #: the map; None where it was left out by dataclasses.replace
 
     def __post_init__(self) -> None:
         self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
+
+    @explained
+    def poses(self, spacing: float, *, map: Optional[Map] = None) -> FloatArray:
+        """Places along the path with their headings, as robots take them; of a disc's curve on its arcs.
+
+        Args:
+            spacing: how far apart they are at most; the path's vertices are among them.
+            map: as read_map gave it: where it has a frame, spacing and poses are in metres, y up.
+        Returns:
+            (n, 3), x, y and yaw in radians, from +x towards +y; (0, 3) without a path.
+        """
+        frame = None if map is None else map.frame
+        height = 0 if map is None else map.grid.height
+        apart = spacing if frame is None else spacing / frame.resolution
+        return _lasius.poses(self.path, self.curve, apart, frame, height)
 
     def plot(self, axes: Any = None, *, map: Optional[Map] = None) -> Any:
         """Draws map, path, what the robot's disc sweeps on it and, of a colony, its curves. Needs matplotlib.

@@ -24,7 +24,7 @@ VisibilityGraph::VisibilityGraph(const Grid& grid) : width_(grid.width()), heigh
   }
   for (int y = 0; y <= height_; ++y) {
     for (int x = 0; x <= width_; ++x) {
-      Node corner{2 * x, 2 * y, 0, 0};
+      Node corner{std::int64_t{kUnit} * x, std::int64_t{kUnit} * y, 0, 0};
       int count = 0;
       for (const int by : {-1, 1}) {
         for (const int bx : {-1, 1}) {
@@ -39,17 +39,18 @@ VisibilityGraph::VisibilityGraph(const Grid& grid) : width_(grid.width()), heigh
   }
 }
 
-// Along a line, which is the middle of a row or column (odd) or between two of them (even).
-bool VisibilityGraph::sees_along(int line, int from, int to, bool level) const {
+// Along a line, which is inside a row or column or between two of them.
+bool VisibilityGraph::sees_along(std::int64_t line, std::int64_t from, std::int64_t to,
+                                 bool level) const {
   const auto at = [&](int along, int across) {
     return level ? blocked(along, across) : blocked(across, along);
   };
-  const int last = (to + 1) / 2 - 1;
-  const int one = line / 2, other = line % 2 != 0 ? one : one - 1;
-  for (int i = from / 2; i <= last; ++i) {
+  const int last = static_cast<int>((to + kUnit - 1) / kUnit) - 1;
+  const int one = static_cast<int>(line / kUnit), other = line % kUnit != 0 ? one : one - 1;
+  for (int i = static_cast<int>(from / kUnit); i <= last; ++i) {
     if (at(i, one) && at(i, other)) return false;
     if (i == last) break;
-    // Two diagonal blocks close the line; in the middle this is the test above.
+    // Two diagonal blocks close the line; inside of a row this is the test above.
     if (at(i, one) && at(i + 1, other)) return false;
     if (at(i, other) && at(i + 1, one)) return false;
   }
@@ -64,20 +65,20 @@ bool VisibilityGraph::sees(const Node& a, const Node& b) const {
   const int flip_y = a.y < b.y ? 1 : -1;
   const std::int64_t dx = std::abs(b.x - a.x);
   const std::int64_t dy = std::abs(b.y - a.y);
-  const auto hits = [&](std::int64_t u, std::int64_t v) {  // cell [2u, 2u + 2] x [2v, 2v + 2]
+  const auto hits = [&](std::int64_t u, std::int64_t v) {  // a cell, mirrored
     const std::int64_t x = flip_x > 0 ? u : -u - 1;
     const std::int64_t y = flip_y > 0 ? v : -v - 1;
     return blocked(static_cast<int>(x), static_cast<int>(y));
   };
   const std::int64_t u0 = flip_x * a.x;
   const std::int64_t v0 = flip_y * a.y;
-  const auto floor_half = [](std::int64_t n) { return n >> 1; };
+  const auto cell_of = [](std::int64_t n) { return (n - (n % kUnit + kUnit) % kUnit) / kUnit; };
   // From cell to cell: the next line to be crossed, upright (u) or level (v), is the nearer one.
-  std::int64_t u = floor_half(u0);
-  std::int64_t v = floor_half(v0);
+  std::int64_t u = cell_of(u0);
+  std::int64_t v = cell_of(v0);
   while (!hits(u, v)) {
-    const std::int64_t to_u = (2 * u + 2 - u0) * dy;  // times 1 / (dx dy) along the segment
-    const std::int64_t to_v = (2 * v + 2 - v0) * dx;
+    const std::int64_t to_u = ((u + 1) * kUnit - u0) * dy;  // times 1 / (dx dy) along the segment
+    const std::int64_t to_v = ((v + 1) * kUnit - v0) * dx;
     if (std::min(to_u, to_v) >= dx * dy) return true;
     if (to_u == to_v) {
       if (hits(u + 1, v) && hits(u, v + 1)) return false;
@@ -117,25 +118,39 @@ double VisibilityGraph::octile(Cell start, Cell goal) const {
   return kInfinity;
 }
 
-std::optional<Shortest> VisibilityGraph::shortest(Cell start, Cell goal) const {
-  // No path leaves the ellipse of a known one, so neither do edges worth a look.
-  const double bound = 2 * octile(start, goal) * (1 + 1e-9);
+std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const {
+  const auto units = [](double v) { return static_cast<std::int64_t>(std::llround(v * kUnit)); };
+  const Node from{units(start.x), units(start.y), 0, 0}, to{units(goal.x), units(goal.y), 0, 0};
+  // No path leaves the ellipse of a known one, so neither do edges worth a look: one of king's
+  // moves between cells that the ends touch, and ways to their centres.
+  const auto touched = [](const Node& at) {
+    std::vector<Cell> cells;
+    for (const std::int64_t y : {(at.y + kUnit - 1) / kUnit - 1, at.y / kUnit})
+      for (const std::int64_t x : {(at.x + kUnit - 1) / kUnit - 1, at.x / kUnit})
+        cells.push_back({static_cast<int>(x), static_cast<int>(y)});
+    return cells;
+  };
+  double known = kInfinity;
+  for (const Cell a : touched(from))
+    for (const Cell b : touched(to))
+      known = std::min(known, a == b && !blocked(a.x, a.y) ? 0 : octile(a, b));
+  const double bound = kUnit * (known + 2) * (1 + 1e-9);
   if (bound == kInfinity) return std::nullopt;
   const int count = static_cast<int>(corners_.size());
   const int goal_node = count + 1;
   std::vector<Node> nodes = corners_;
-  nodes.push_back({2 * start.x + 1, 2 * start.y + 1, 0, 0});
-  nodes.push_back({2 * goal.x + 1, 2 * goal.y + 1, 0, 0});
+  nodes.push_back(from);
+  nodes.push_back(to);
 
   const auto distance = [&](int a, int b) {
-    const double dx = nodes[a].x - nodes[b].x;
-    const double dy = nodes[a].y - nodes[b].y;
+    const auto dx = static_cast<double>(nodes[a].x - nodes[b].x);
+    const auto dy = static_cast<double>(nodes[a].y - nodes[b].y);
     return std::sqrt(dx * dx + dy * dy);
   };
   // The edge from `a` in direction (dx, dy) neither enters a's block nor points straight away
   // from it: only then can a taut path bend round it.
-  const auto along = [](const Node& a, int dx, int dy) {
-    return static_cast<std::int64_t>(dx) * a.block_x * dy * a.block_y <= 0;
+  const auto along = [](const Node& a, std::int64_t dx, std::int64_t dy) {
+    return dx * a.block_x * dy * a.block_y <= 0;
   };
   // Going on from u, reached from p, bends towards u's block or not at all.
   const auto taut = [&](const Node& p, const Node& u, const Node& v) {
@@ -160,8 +175,8 @@ std::optional<Shortest> VisibilityGraph::shortest(Cell start, Cell goal) const {
     if (u == goal_node) break;
     if (std::exchange(closed[u], 1) != 0) continue;
     for (int v = 0; v <= goal_node; ++v) {
-      const int dx = nodes[v].x - nodes[u].x;
-      const int dy = nodes[v].y - nodes[u].y;
+      const std::int64_t dx = nodes[v].x - nodes[u].x;
+      const std::int64_t dy = nodes[v].y - nodes[u].y;
       if (closed[v] != 0 || !along(nodes[u], dx, dy) || !along(nodes[v], -dx, -dy)) continue;
       if (parent[u] >= 0 && !taut(nodes[parent[u]], nodes[u], nodes[v])) continue;
       const double length = g[u] + distance(u, v);
@@ -174,7 +189,8 @@ std::optional<Shortest> VisibilityGraph::shortest(Cell start, Cell goal) const {
   if (g[goal_node] == kInfinity) return std::nullopt;
   Shortest shortest{0, {}};
   for (int i = goal_node; i >= 0; i = parent[i]) {
-    shortest.path.push_back({nodes[i].x / 2.0, nodes[i].y / 2.0});
+    shortest.path.push_back(
+        {static_cast<double>(nodes[i].x) / kUnit, static_cast<double>(nodes[i].y) / kUnit});
   }
   std::reverse(shortest.path.begin(), shortest.path.end());
   for (std::size_t i = 1; i < shortest.path.size(); ++i) {

@@ -2,6 +2,7 @@
 // with the library's own geometry.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,25 +25,32 @@ class VisibilityGraph {
  public:
   explicit VisibilityGraph(const Grid& grid);
 
-  /// A shortest path between the centres of two cells, or nothing where there is none.
-  std::optional<Shortest> shortest(Cell start, Cell goal) const;
+  /// A shortest path between two points whose coordinates are multiples of 1 / kUnit, or nothing
+  /// where there is none.
+  std::optional<Shortest> shortest(Point start, Point goal) const;
+  /// The same between the centres of two cells.
+  std::optional<Shortest> shortest(Cell start, Cell goal) const {
+    return shortest(centre(start), centre(goal));
+  }
+  static constexpr int kUnit = 1 << 12;  ///< of a cell's side
 
   /// Length of a shortest path of king's moves that cut no corner (a bound from above), or
   /// infinity.
   double octile(Cell start, Cell goal) const;
 
  private:
-  /// A point in half cells; for a corner also the direction (+-1, +-1) of its blocked cell.
+  /// A point in 1 / kUnit of a cell; for a corner also the direction (+-1, +-1) of its blocked
+  /// cell.
   struct Node {
-    int x;
-    int y;
+    std::int64_t x;
+    std::int64_t y;
     int block_x;
     int block_y;
   };
 
   bool blocked(int x, int y) const { return blocked_[(y + 1) * (width_ + 2) + x + 1] != 0; }
   bool sees(const Node& a, const Node& b) const;
-  bool sees_along(int line, int from, int to, bool level) const;
+  bool sees_along(std::int64_t line, std::int64_t from, std::int64_t to, bool level) const;
 
   int width_;
   int height_;

@@ -55,6 +55,9 @@ def test_a_disc():
             lasius.Planner(grid, radius=radius)
     with pytest.raises(lasius.InvalidParameter, match="between 0.05 and 54"):
         lasius.Planner(grid, radius=60).plan((3, 3), (26, 3))
+    poses = result.poses(0.1)
+    on_it = np.abs(np.hypot(*(poses[:, :2] - (15, 17)).T) - 1.5) < 1e-9
+    assert on_it.sum() > 12 and np.abs(np.diff(poses[on_it, 2])).max() < 0.08
 
 
 @pytest.mark.parametrize("cells", [([14, 14], (380, 179)), (np.array([14, 14]), np.array([380, 179], np.uint16))])
@@ -63,12 +66,59 @@ def test_cells_of_any_kind(planner, cells):
 
 
 @pytest.mark.parametrize("cell, error", [
-    ((14.5, 14), TypeError), ((14,), TypeError), ("ab", TypeError), (None, TypeError), (14, TypeError),
-    (np.array([14.0, 14.0]), TypeError), ((2**40, 0), ValueError),
+    ((14,), TypeError), ("ab", TypeError), (None, TypeError), (14, TypeError), ((14, "b"), TypeError),
+    ((2**40, 0), ValueError),
 ])
 def test_what_is_no_cell(planner, cell, error):
     with pytest.raises(error, match="cell"):
         planner.plan(cell, GOAL)
+
+
+def test_points(planner):
+    cells = planner.plan(START, GOAL)
+    for start in ((14.5, 14.5), np.array([14.5, 14.5]), (np.float32(14.5), 14.5)):
+        centres = planner.plan(start, (380.5, 179.5))
+        assert np.array_equal(centres.path, cells.path) and centres.lower_bound == cells.lower_bound
+    for algorithm in ("exact", "as"):
+        result = planner.plan((14.25, 14.875), (380, 179.0625), algorithm, **({} if algorithm == "exact" else {"iterations": 3}))
+        assert result.path[0].tolist() == [14.25, 14.875] and result.path[-1].tolist() == [380, 179.0625]
+        assert result.length == pytest.approx(lasius.path_length(result.path))
+        assert lasius.path_fault(planner.grid, result.path) is None
+        assert (result.start, result.goal) == ((14.25, 14.875), (380, 179.0625))
+        assert pickle.loads(pickle.dumps(result)) == result
+        result.plot()
+    assert planner.plan((-0.5, 3.25), GOAL).error.startswith("start (-0.5, 3.25) is outside the map; the nearest free cell")
+
+
+def test_via(planner):
+    middle = planner.nearest_free((200, 100))
+    whole = planner.plan(START, GOAL, via=[middle, (14.25, 14.5)])
+    legs = [planner.plan(START, middle), planner.plan(middle, (14.25, 14.5)), planner.plan((14.25, 14.5), GOAL)]
+    assert whole.length == sum(leg.length for leg in legs) and whole.optimal
+    assert np.array_equal(whole.path, np.concatenate([leg.path[i > 0:] for i, leg in enumerate(legs)]))
+    assert planner.plan(START, GOAL, via=[middle, (-3, 1)]).error.startswith("via point 2 (-3, 1) is outside the map")
+    with pytest.raises(TypeError, match="cell"):
+        planner.plan(START, GOAL, via=["ab"])
+
+
+def test_poses(planner):
+    result = planner.plan(START, GOAL)
+    poses = result.poses(1.5)
+    assert np.array_equal(poses[[0, -1], :2], result.path[[0, -1]])
+    steps = np.diff(poses[:, :2], axis=0)
+    assert np.hypot(*steps.T).max() <= 1.5 + 1e-12 and np.hypot(*steps.T).sum() == pytest.approx(result.length)
+    assert np.abs(np.arctan2(steps[:, 1], steps[:, 0]) - poses[:-1, 2]).max() < 1e-9
+    assert set(map(tuple, result.path)) <= set(map(tuple, poses[:, :2]))
+    room = lasius.Map(planner.grid, lasius.WorldFrame(0.5, -3, 4, 0.3), "")
+    metres = result.poses(0.75, map=room)
+    assert np.allclose(metres[:, :2], room.frame.to_world(poses[:, :2], room.grid.height))
+    assert np.allclose(np.exp(1j * metres[:, 2]), np.exp(1j * (0.3 - poses[:, 2])))
+    assert planner.plan(START, START).poses(1).tolist() == [[14.5, 14.5, 0]]
+    assert planner.plan((-1, 0), GOAL).poses(1).shape == (0, 3)
+    with pytest.raises(lasius.InvalidParameter, match="spacing of poses is 0; give a length above 0"):
+        result.poses(0)
+    with pytest.raises(TypeError, match="spacing"):
+        result.poses("1")
 
 
 def test_ends_that_are_bad_are_answers(planner):

@@ -61,7 +61,7 @@ class Formats(ProgramTest):
             ("", "empty"), ("\n\n", "empty"), ("sx sy gx\n1 2 3\n", "line 1"),
             ("sx\tsy\tgx\tgy\tgy\n", "two columns"), ("sx\tsy\tgx\tgy\n0\t0\t9\t5\0\n", "gy holds a zero byte"),
             (HEADER + good + "a\t0\t0\t9\tfive\tx\n", "line 3"),
-            (HEADER + good + "a\t0\t0\t9\t5.5\tx\n", "line 3"),
+            (HEADER + good + "a\t0\t0\t9\t5.5.\tx\n", "line 3"),
             (HEADER + good + good + "a\t0\t0\t9\n", "line 4"),
             (HEADER + good + "a\t0\t0\t9\t5\tx\ty\n", "line 3"),
             ("version 2\n" + row, "line 1"), ("version\n" + row, "line 1"),

@@ -71,14 +71,12 @@ class Reasons(ProgramTest):
         self.assertEqual((run.json["blocked_by"], run.json["clearance"]), ("radius", 1.5))
 
     def test_metres_given_as_cells(self):
-        self.ended(self.asked(start="-0.65,2.45"), 2, "is not a cell X,Y", "add --frame world")
-        self.ended(self.asked(start="a,2"), 2, "is not a point X,Y")
-        run = self.plan(start="0.5,0.5")
-        self.ended(run, 2, "is not a cell X,Y")
-        self.assertNotIn("--frame", run.err)
+        self.ended(self.asked(start="-0.65,2.45"), 4, "start (-0.65, 2.45) is outside the map",
+                   "taken as metres, with --frame world, it is in the free cell (3, 4)")
+        self.ended(self.asked(start="a,2"), 2, "is not a cell X,Y", "or a point")
         self.ended(self.asked(start="0,2", goal="-1,2"), 4, "goal (-1, 2) is outside the map",
                    "taken as metres, with --frame world, it is in the free cell (0, 8)")
-        self.write("q.tsv", "sx\tsy\tgx\tgy\n0.5\t2\t0\t2\n")
+        self.write("q.tsv", "sx\tsy\tgx\tgy\na\t2\t0\t2\n")
         self.refused(self.run_program("batch", "map.yaml", "q.tsv"), 3, "metres with --frame world")
 
     def test_what_would_join_two_regions(self):

@@ -67,7 +67,7 @@ class Usage(ProgramTest):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
         cases = [
             ([*plan, "--footprint", "1"], "robots are discs: --radius R; see --help"),
-            ([*plan, "--via", "3,3"], "a path has one goal: plan it part by part; see --help"),
+            ([*plan, "--waypoints", "3,3"], "give each of them with --via X,Y; see --help"),
             ([*plan, "--quux"], 'unknown option "--quux"; see --help'),
             ([*plan, "--polish", "smooth"], "none|straight|taut|local"),
             (["zzzz"], "it is one of plan, drive, tour, batch"),
@@ -116,7 +116,7 @@ class Usage(ProgramTest):
 
     def test_bad_values(self):
         cases = [
-            ("--start", "1"), ("--start", "1,"), ("--start", "1,2,3"), ("--start", "1.5,2"),
+            ("--start", "1"), ("--start", "1,"), ("--start", "1,2,3"), ("--start", "1.5,2.5.1"),
             ("--start", "a,b"), ("--start", " 1,2"), ("--start", "1;2"), ("--start", ""),
             ("--seed", "-1"), ("--seed", "9007199254740992"), ("--seed", "1.5"), ("--seed", "x"),
             ("--threads", "0"), ("--threads", "-2"), ("--threads", "many"),

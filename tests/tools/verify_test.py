@@ -213,7 +213,7 @@ class Verify(ProgramTest):
         cases = {"missing.json": None, "empty.json": "", "text.json": "hello", "array.json": "[1]",
                  "cut.json": json.dumps(result)[:200], "other.json": '{"format": "other/1"}',
                  "number.json": '{"format": 3}', "null.json": "null",
-                 "half.json": json.dumps({**result, "start": [1.5, 0]}),
+                 "half.json": json.dumps({**result, "start": [True, 0]}),
                  "point.json": json.dumps({**result, "goal": [1]}),
                  "bare.json": json.dumps({"format": "lasius-plan/1", "status": "solved"}),
                  "typed.json": json.dumps({**result, "seed": "one"})}

@@ -12,13 +12,6 @@
 namespace lasius::tool {
 namespace {
 
-/// A number that every YAML reader takes for a real one: with a point, also before an exponent.
-std::string yaml_real(double value) {
-  std::string text = to_text(value);
-  if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
-  return text;
-}
-
 void write_list(std::ostream& out, const char* key, const arm::JointVector& values) {
   out << key << ": [";
   for (Eigen::Index i = 0; i < values.size(); ++i)

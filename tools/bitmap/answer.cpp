@@ -18,11 +18,13 @@ namespace {
 void add_optima(const LoadedMap& map, const RunOptions& run, const StopCondition& stop,
                 Answer& answer) {
   const Request query{answer.start.cell, answer.result.goal_reached.value_or(answer.goal.cell)};
-  const Request exact{
-      .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
+  Request exact{.start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
+  exact.start_point = answer.start.point;
+  if (!short_end(answer)) exact.goal_point = answer.goal.point;
+  exact.via = request_of(map, run, answer.start, answer.goal).via;
   const Result best = map.planner->plan(exact, optimum_params(run));
   set_optima(run, best.optimal ? std::optional(best.length) : std::nullopt,
-             moves_on_cells(run.params)
+             moves_on_cells(run.params) && run.via.empty()
                  ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
                  : std::nullopt,
              answer);
@@ -41,17 +43,28 @@ void check_radius(const LoadedMap& map, const RunOptions& run) {
                    "for a point with --radius 0");
 }
 
+Point in_metres(const LoadedMap& map, const RunOptions& run, const Answer& answer, Point at) {
+  for (const Place* end : {&answer.start, &answer.goal})
+    if (run.frame == Frame::world && end->point && at == *end->point) return end->asked;
+  return map.to_world(at);
+}
+
 std::optional<Point> short_end(const Answer& answer) {
   const auto& path = answer.result.path;
-  if (path.empty() || path.back() == centre(answer.goal.cell)) return std::nullopt;
+  if (path.empty() || path.back() == answer.goal.at()) return std::nullopt;
   return path.back();
 }
 
-Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal) {
-  return {.start = start,
-          .goal = goal,
-          .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap,
-          .goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance)};
+Request request_of(const LoadedMap& map, const RunOptions& run, const Place& start,
+                   const Place& goal) {
+  Request request{.start = start.cell,
+                  .goal = goal.cell,
+                  .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap,
+                  .goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance),
+                  .start_point = start.point,
+                  .goal_point = goal.point};
+  for (const End& via : run.via) request.via.push_back(end_place(map, via, run.frame).at());
+  return request;
 }
 
 Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,
@@ -61,7 +74,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
     answer.result.status = Status::interrupted;
     return answer;
   }
-  Request request = request_of(map, run, start.cell, goal.cell);
+  Request request = request_of(map, run, start, goal);
   request.stop = stop;
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
@@ -118,13 +131,14 @@ Route route_of(const LoadedMap& map, const RunOptions& run) {
 
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer) {
-  if (answer.result.status != Status::unreachable) return;
+  if (answer.result.status != Status::unreachable || !run.via.empty()) return;
   answer.remedy = remedy_of(map, answer.start.cell, answer.goal.cell, route_of(map, run), token);
 }
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
-  if (!squeezes(run.params) || answer.start.cell == answer.goal.cell) answer.optimum = any_angle;
+  if (!squeezes(run.params) || (answer.start.cell == answer.goal.cell && run.via.empty()))
+    answer.optimum = any_angle;
   answer.grid_optimum = moves_on_cells(run.params) ? by_moves : answer.optimum;
 }
 

@@ -30,6 +30,10 @@ struct Answer {
 /// What was given in cells the library refuses.
 void check_radius(const LoadedMap& map, const RunOptions& run);
 
+/// A point of an answer in metres of the map's frame: where it is one that was asked for in metres,
+/// the numbers that were given.
+Point in_metres(const LoadedMap& map, const RunOptions& run, const Answer& answer, Point at);
+
 /// Where a path ends that does not reach the goal asked for.
 std::optional<Point> short_end(const Answer& answer);
 
@@ -39,7 +43,8 @@ Route route_of(const LoadedMap& map, const RunOptions& run);
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer);
 /// The question, without what ends it.
-Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal);
+Request request_of(const LoadedMap& map, const RunOptions& run, const Place& start,
+                   const Place& goal);
 
 /// Plans; a radius that is refused is told in metres where it was given so.
 void in_metres_asked(const LoadedMap& map, const RunOptions& run,

@@ -42,7 +42,7 @@ std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOpt
                                               std::span<const Request> queries,
                                               const std::stop_token& token) {
   std::vector<std::optional<double>> found(queries.size());
-  if (!moves_on_cells(run.params)) return found;
+  if (!moves_on_cells(run.params) || !run.via.empty()) return found;
   parallel_for(static_cast<int>(queries.size()), run.threads, [&](int number, int) {
     const auto i = static_cast<std::size_t>(number);
     const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
@@ -62,8 +62,10 @@ QueryFile queries_of(const PlanCommand& command, const LoadedMap& map) {
 std::pair<Place, Place> ends_of(const QueryFile& file, std::size_t line, const LoadedMap& map,
                                 Frame frame) {
   const auto [start, goal] = file.queries[line];
-  const auto place = file.scenario ? place_of : to_place;
-  return {place(map, start, frame), place(map, goal, frame)};
+  const auto place = [&](const End& end) {
+    return file.scenario ? place_of(map, end, frame) : end_place(map, end, frame);
+  };
+  return {place(start), place(goal)};
 }
 
 std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
@@ -71,7 +73,7 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
   std::vector<Request> requests;
   for (std::size_t i = 0; i < file.queries.size(); ++i) {
     const auto [start, goal] = ends_of(file, i, map, run.frame);
-    requests.push_back(request_of(map, run, start.cell, goal.cell));
+    requests.push_back(request_of(map, run, start, goal));
   }
   return requests;
 }
@@ -89,9 +91,12 @@ void plan_over_costs(const LoadedMap& map, const RunOptions& run, std::span<cons
 
 /// Start and goal as they were asked for, a coordinate a text.
 std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) {
-  const auto text = run.frame == Frame::world ? to_text : whole_text;
-  const Point start = answer.start.asked, goal = answer.goal.asked;
-  return {text(start.x), text(start.y), text(goal.x), text(goal.y)};
+  std::vector<std::string> texts;
+  for (const Place* place : {&answer.start, &answer.goal}) {
+    const auto text = run.frame == Frame::world || place->point ? to_text : whole_text;
+    texts.insert(texts.end(), {text(place->asked.x), text(place->asked.y)});
+  }
+  return texts;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/picture.h"
+#include "tools/bitmap/poses_file.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -17,6 +18,7 @@ namespace {
 bool is_search(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal,
                const std::stop_token& token) {
   const Route route = route_of(map, run);
+  if (map.planner && !run.via.empty()) return true;
   if (!map.planner || start == goal || !map.planner->label(route.corners, {.token = token}))
     return false;
   const bool led_out = map.grown() && map.as_read().free(start) && !map.planner->clear(start);
@@ -37,19 +39,29 @@ std::string optima_text(const Record& record, const Answer& answer, const Params
   return gap ? text + printed(" (the shortest walk: %+.3f%%)", 100 * *gap) : text;
 }
 
-/// Points, and between the two where one begins and ends, arcs. `frame`: in its metres, y up.
-Json curve_json(const Result& result, const LoadedMap* frame) {
-  const auto at = [&](Point p) { return point(frame != nullptr ? frame->to_world(p) : p); };
-  Json json = Json::array({at(result.path.front())});
+/// Points, and between the two where one begins and ends, arcs; `at(point)`: in metres where a
+/// map's frame is given, y up.
+template <class At>
+Json curve_json(const Result& result, const LoadedMap* frame, const At& at) {
+  Json json = Json::array({point(at(result.path.front()))});
+  if (result.curve.empty())  // straight pieces alone, as paths over costs have them
+    for (std::size_t i = 1; i < result.path.size(); ++i) json.push_back(point(at(result.path[i])));
   for (const CurvePiece& piece : result.curve) {
     if (piece.turn != 0)
       json.push_back(
-          {{"centre", at(piece.centre)},
+          {{"centre", point(at(piece.centre))},
            {"radius", number(frame != nullptr ? frame->metres(piece.radius) : piece.radius)},
            {"turn", frame != nullptr ? -piece.turn : piece.turn}});
-    json.push_back(at(piece.to));
+    json.push_back(point(at(piece.to)));
   }
   return json;
+}
+
+/// In metres.
+std::vector<Point> world_path(const LoadedMap& map, const RunOptions& run, const Answer& answer) {
+  std::vector<Point> path;
+  for (const Point p : answer.result.path) path.push_back(in_metres(map, run, answer, p));
+  return path;
 }
 
 Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
@@ -64,17 +76,33 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
     json["way_out"] = out ? point(*out) : Json();
     if (ends.in_metres()) json["way_out_world"] = out ? point(ends.map.to_world(*out)) : Json();
   }
+  if (!ends.run.via.empty()) {
+    Json via = Json::array(), given = Json::array();
+    for (const End& end : ends.run.via) {
+      const Place place = end_place(ends.map, end, ends.run.frame);
+      via.push_back(cell_json(place));
+      given.push_back(point(place.asked));
+    }
+    json["via"] = via;
+    if (ends.in_metres()) json["via_world"] = given;
+  }
   json["path"] = points(result.path);
-  if (ends.curved() && (!ends.map.costs || !result.curve.empty()))
-    for (const LoadedMap* frame : {static_cast<const LoadedMap*>(nullptr), &ends.map})
-      if (frame == nullptr || ends.in_metres())
-        json[frame == nullptr ? "curve" : "curve_world"] =
-            has_path ? curve_json(result, frame) : Json(nullptr);
+  const auto metres = [&](Point p) { return in_metres(ends.map, ends.run, answer, p); };
+  const auto add_curve = [&](const char* key, const LoadedMap* frame, const auto& at) {
+    if (ends.curved()) json[key] = has_path ? curve_json(result, frame, at) : Json(nullptr);
+  };
+  add_curve("curve", nullptr, [](Point p) { return p; });
+  if (ends.in_metres()) add_curve("curve_world", &ends.map, metres);
+  const auto add_poses = [&](const char* key, bool in_world) {
+    if (ends.run.spacing) json[key] = poses_json(poses_of(ends.map, ends.run, answer, in_world));
+  };
+  add_poses("poses", false);
   if (!ends.in_metres()) return json;
+  add_poses("poses_world", true);
   json["start_world"] = point(answer.start.asked);
   json["goal_world"] = point(answer.goal.asked);
   json["length_m"] = number(ends.map.metres(result.length));
-  json["path_world"] = points(ends.map.to_world(result.path));
+  json["path_world"] = points(world_path(ends.map, ends.run, answer));
   return json;
 }
 
@@ -183,7 +211,7 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
   record.inputs = {{"map", map_json(map)}};
   record.optimum = answer.optimum;
   record.elapsed_ms = answer.elapsed_ms;
-  record.path = coordinates(ends.in_metres() ? map.to_world(result.path) : result.path);
+  record.path = coordinates(ends.in_metres() ? world_path(map, run, answer) : result.path);
   if (!run.json && (answer.optimum || answer.grid_optimum))
     record.remarks.push_back(optima_text(record, answer, run.params));
   Json findings = end_findings(ends);
@@ -216,8 +244,8 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   if (map_->costs)
     run.inputs.insert(run.inputs.end(), map_->costs->images.begin(), map_->costs->images.end());
   check_radius(*map_, run);
-  answer_.start = to_place(*map_, command_.start, run.frame);
-  answer_.goal = to_place(*map_, command_.goal, run.frame);
+  answer_.start = end_place(*map_, command_.start, run.frame);
+  answer_.goal = end_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
   if (!given && map_->prepare &&
       is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token))
@@ -229,9 +257,11 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
 void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
   const RunOptions& run = command_.run;
   const bool colony = find_algorithm(run.params.algorithm()).kind == Algorithm::Kind::colony;
-  if (colony && std::ranges::any_of(run.outputs, is_picture))
+  const bool one_run = run.via.empty();  // what is shown of ants is of one run of theirs
+  if (colony && one_run && std::ranges::any_of(run.outputs, is_picture))
     recorder_.emplace(map_->grid(), run.track_iterations, run.params);
-  if (std::ranges::any_of(run.outputs, is_page)) frames_.emplace(map_->grid(), run.params);
+  if (one_run && std::ranges::any_of(run.outputs, is_page))
+    frames_.emplace(map_->grid(), run.params);
   const double scale = map_->length_in(run.frame, 1);
   Observer observer;
   if (watch || recorder_ || frames_)
@@ -251,11 +281,20 @@ Forms BitmapProblem::show(const Record& run) const {
   const auto write_proof = [&](std::ostream& out) {
     out << proof_to_json(*answer_.over_costs->proof, dumped(weights_json(run)));
   };
-  return {.picture =
+  const auto poses = [this](bool metres) { return poses_of(*map_, command_.run, answer_, metres); };
+  Forms::Write table;  // empty: as of all kinds
+  if (command_.run.spacing && !run.most_iterations)
+    table = [poses, metres = command_.run.frame == Frame::world](std::ostream& out) {
+      write_pose_table(out, poses(metres), metres);
+    };
+  return {.csv = table,
+          .picture =
               [&](const std::string& file) {
                 write_plan_picture(file, *map_, command_.run, answer_,
                                    recorder_ ? &*recorder_ : nullptr);
               },
+          .yaml = [this, poses](
+                      std::ostream& out) { write_ros_path(out, poses(map_->frame.has_value())); },
           .page =
               [&](std::ostream& out) {
                 write_bitmap_report(out, run, *map_, command_.run,

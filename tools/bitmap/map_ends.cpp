@@ -1,9 +1,11 @@
 #include "tools/bitmap/map_ends.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/nearest_text.h"
 #include "tools/bitmap/answer.h"
+#include "tools/bitmap/poses_file.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -25,13 +27,13 @@ std::string name_of(const MapEnds& ends, Cell cell) {
 
 /// How far a place is from the goal, in cells.
 double from_goal(const MapEnds& ends, Point at) {
-  const Point goal = ends.goal.number;
-  return std::hypot(at.x - goal.x - 0.5, at.y - goal.y - 0.5);
+  const Point goal = ends.goal.at();
+  return std::hypot(at.x - goal.x, at.y - goal.y);
 }
 
 /// In cells.
 double goal_tolerance(const MapEnds& ends) {
-  return request_of(ends.map, ends.run, ends.start.cell, ends.goal.cell).goal_tolerance;
+  return request_of(ends.map, ends.run, ends.start, ends.goal).goal_tolerance;
 }
 
 /// Of a goal that is out of reach and what is out of its tolerance.
@@ -49,9 +51,8 @@ std::string invalid_text(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
   const bool bad_start = at_start(ends);
   const Place& place = invalid_end(ends);
-  const std::string text =
-      (bad_start ? "start " : "goal ") + place_text(place, frame) +
-      obstruction_text(map, frame, obstruction_of(map, place.cell, ends.curved()));
+  const std::string text = (bad_start ? "start " : "goal ") + place_text(place, frame) +
+                           obstruction_text(map, frame, obstruction_of(map, place, ends.curved()));
   if (!ends.nearest_free)
     return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
   const auto& reachable = ends.nearest_reachable;
@@ -65,6 +66,7 @@ std::string invalid_text(const MapEnds& ends) {
 
 std::string error_text(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
+  if (!ends.run.via.empty() && (ends.bad_via || ends.status != Status::invalid)) return ends.error;
   if (ends.status == Status::invalid)
     return invalid_text(ends) + tolerance_text(ends) +
            metres_hint(ends.map, frame, invalid_end(ends));
@@ -84,10 +86,9 @@ std::string error_text(const MapEnds& ends) {
 /// Where a path leads first, of a start that is too near to what is blocked.
 std::string way_out_text(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
-  const Cell start = ends.start.cell;
-  const Point from = centre(start), out = *ends.way_out;
+  const Point from = ends.start.at(), out = *ends.way_out;
   return "start " + place_text(ends.start, frame) +
-         obstruction_text(ends.map, frame, obstruction_of(ends.map, start, ends.curved())) +
+         obstruction_text(ends.map, frame, obstruction_of(ends.map, ends.start, ends.curved())) +
          "; the path first leads straight out to " + spot_text(ends.map, frame, out) + ", " +
          length_text(ends.map, frame, std::hypot(out.x - from.x, out.y - from.y)) + " away";
 }
@@ -117,6 +118,7 @@ Json map_json(const LoadedMap& map) {
 }
 
 Json cell_json(const Place& place) {
+  if (place.point) return point(*place.point);
   const auto [x, y] = place.number;
   return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
 }
@@ -141,19 +143,20 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   if (ends.map.prepare) json["prepare"] = true;
   json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
+  if (run.spacing) json["spacing"] = number(spacing_of(ends.map, run));
   if (run.json || !record.has_path()) return record;
   if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
     record.remarks.push_back(radius_hint(ends));
   if (ends.way_out) record.remarks.push_back(way_out_text(ends));
-  if (ends.end && *ends.end != centre(ends.goal.cell))
-    record.remarks.push_back(short_of_goal(ends));
+  if (ends.end && *ends.end != ends.goal.at()) record.remarks.push_back(short_of_goal(ends));
   return record;
 }
 
 Json end_findings(const MapEnds& ends) {
   Json json = Json::object();
-  if (ends.status == Status::invalid && (ends.map.unknown || ends.map.radius > 0)) {
-    const auto why = obstruction_of(ends.map, invalid_end(ends).cell, ends.curved());
+  if (ends.status == Status::invalid && !ends.bad_via &&
+      (ends.map.unknown || ends.map.radius > 0)) {
+    const auto why = obstruction_of(ends.map, invalid_end(ends), ends.curved());
     json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
     if (why.by == "radius") json["clearance"] = number(why.clearance);
   }
@@ -178,6 +181,20 @@ Point recorded_place(const Json& result, const std::string& keys, bool cell) {
   return p;
 }
 
+namespace {
+/// A start, goal or via: `in_cells` is a point where it has decimals, else a cell; `keys` in
+/// `result` is how it was given.
+End recorded_end(const Json& in_cells, const Json& result, const std::string& keys) {
+  const auto is_real = [](const Json& number) {  // cells that no map holds are told so, too
+    return number.is_number_float() &&
+           std::abs(number.get<double>()) < static_cast<double>(kMaxExactInteger);
+  };
+  const bool is_point = in_cells.is_array() && std::ranges::any_of(in_cells, is_real);
+  const bool cell = !is_point && !keys.ends_with("_world");
+  return {recorded_place(result, keys, cell), is_point};
+}
+}  // namespace
+
 RunOptions recorded_run(const Recorded& from) {
   const Json& result = from.result;
   RunOptions run;
@@ -189,7 +206,17 @@ RunOptions recorded_run(const Recorded& from) {
   run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
-  if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  const bool world = recorded<std::string>(result, "parameters/frame") == kFrames[1];
+  if (result.contains("via")) {
+    const Json& cells = result["via"];
+    const std::string keys = world ? "via_world" : "via";
+    const Json& told = value_at(result, keys);
+    for (std::size_t i = 0; i < cells.size() && i < told.size(); ++i)
+      run.via.push_back(recorded_end(cells[i], Json{{keys, told[i]}}, keys));
+  }
+  if (result["parameters"].contains("spacing"))
+    run.spacing = recorded_real(result, "parameters/spacing", 0, kNoLimit);
+  if (world) run.frame = Frame::world;
   if (!result.contains("layers")) return run;
   CostLayers& costs = run.map.costs;
   for (const Json& layer : result["layers"])
@@ -207,7 +234,7 @@ PlanCommand recorded_plan(const Recorded& from) {
   command.run = recorded_run(from);
   const bool cells = command.run.frame == Frame::cell;
   const auto end = [&](const std::string& key) {
-    return recorded_place(from.result, cells ? key : key + "_world", cells);
+    return recorded_end(value_at(from.result, key), from.result, cells ? key : key + "_world");
   };
   command.start = end("start");
   command.goal = end("goal");

@@ -28,6 +28,7 @@ struct MapEnds {
     if (reached) end = centre(*reached);
     if constexpr (requires { result.way_out; }) {  // but for a drive's
       way_out = result.way_out;
+      bad_via = result.bad_via;
       if (reached && !result.path.empty()) end = result.path.back();
     }
   }
@@ -43,6 +44,7 @@ struct MapEnds {
   std::optional<Cell> reached;            ///< where the path ends, with a goal tolerance
   std::optional<Point> end = {};          ///< the place in it
   std::optional<Point> way_out = {};      ///< as Result::way_out
+  std::optional<int> bad_via = {};        ///< likewise
   const Remedy* remedy;                   ///< of ends that are not joined; null: none is known
 
   bool in_metres() const { return run.frame == Frame::world; }
@@ -62,7 +64,7 @@ Json end_findings(const MapEnds& ends);
 
 /// {file, hash, width, height}
 Json map_json(const LoadedMap& map);
-/// [x, y] of a start or goal, whole.
+/// [x, y] of a start or goal, whole; of a point with decimals.
 Json cell_json(const Place& place);
 
 /// The options of the question that a result answers. @throws UsageError, Error

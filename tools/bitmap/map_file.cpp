@@ -106,6 +106,36 @@ Place to_place(const LoadedMap& map, Point point, Frame frame) {
   return {{clamped(number.x), clamped(number.y)}, number, point};
 }
 
+Place end_place(const LoadedMap& map, const End& end, Frame frame) {
+  Place place = to_place(map, end, frame);
+  if (!end.point) return place;
+  Point at = end;
+  if (frame == Frame::world) {
+    at = map.frame->to_cells(end, map.height);
+    for (double* v : {&at.x, &at.y}) {
+      constexpr double kRounding = 1e-9;
+      const double half = 0.5 * std::round(2 * *v);
+      if (std::abs(*v - half) < kRounding) *v = half;
+    }
+  }
+  place.point = at;
+  const double row = frame == Frame::world ? std::ceil(at.y) - 1 : std::floor(at.y);
+  place.number = {finite(std::floor(at.x)), finite(row)};
+  if (at.x == map.width) --place.number.x;  // the map's border is of the cells inside
+  if (at.y == map.height && row == at.y) --place.number.y;
+  if (at.y == 0) place.number.y = 0;
+  place.cell = {clamped(place.number.x), clamped(place.number.y)};
+  const Grid& grid = map.as_read();
+  for (const Cell c : {place.cell, Cell{clamped(std::ceil(at.x) - 1), clamped(std::ceil(at.y) - 1)},
+                       Cell{clamped(std::ceil(at.x) - 1), place.cell.y},
+                       Cell{place.cell.x, clamped(std::ceil(at.y) - 1)}})
+    if (grid.contains(c) && grid.free(c)) {
+      place.cell = c;
+      break;
+    }
+  return place;
+}
+
 Place place_of(const LoadedMap& map, Point cell, Frame frame) {
   Place place = to_place(map, cell, Frame::cell);
   if (frame == Frame::world) place.asked = map.to_world({cell.x + 0.5, cell.y + 0.5});

@@ -74,12 +74,19 @@ struct Place {
   Cell cell{};     ///< one far outside stays outside
   Point number{};  ///< its column and row, whole: told as they are, even where no map holds them
   Point asked{};   ///< as it was given: the cell's numbers, or metres in the world frame
+  std::optional<Point> point{};  ///< in cells: where the path goes in place of the cell's centre
+
+  Point at() const { return point.value_or(Point{number.x + 0.5, number.y + 0.5}); }
 };
 
 /// The place of a point of the command line or a query file, given in `frame`. A cell of a map
 /// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
 /// first.
 Place to_place(const LoadedMap& map, Point point, Frame frame);
+
+/// The same where that may be a point: then the cell is one that it touches, a free one if there is
+/// any. Metres that are a cell's centre or edge but for rounding are it.
+Place end_place(const LoadedMap& map, const End& end, Frame frame);
 
 /// The place of a cell, as if it had been given in `frame`.
 Place place_of(const LoadedMap& map, Point cell, Frame frame);

@@ -12,17 +12,21 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png", ".html"};
+constexpr std::array<std::string_view, 7> kPlanEndings{".json", ".csv",  ".svg", ".png",
+                                                       ".html", ".yaml", ".yml"};
 constexpr std::span<const std::string_view> kBatchEndings = std::span(kPlanEndings).first(4);
 
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
     ".csv  iteration,best,mean,arrived by iteration; x,y of the path for algorithms without "
-    "iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
+    "iterations, with --spacing x,y,yaw of its poses; for batch a line a query; with --frame world "
+    "in metres: best_m, x_m, ...\n"
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon "
     "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
-    ".html  one page that plays the run, opens from disk and needs no network; not for batch";
+    ".html  one page that plays the run, opens from disk and needs no network; not for batch\n"
+    ".yaml, .yml  the poses along the path as ROS nav_msgs/Path, in metres of a ROS map's frame, "
+    "else in cells, y down; not for batch";
 
 constexpr SearchHelp kRunHelp = {
     .seed =
@@ -81,6 +85,8 @@ void finish_costs(RunOptions& run, bool batch) {
   if (run.map.radius > 0 && (proof || costs.eight_moves))
     throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
                      " is for a point; leave --radius out");
+  if (!run.via.empty())
+    throw UsageError("--via is for lengths: over costs plan from one point to the next");
   if (run.with_optimum)
     throw UsageError(
         "--gap is for lengths: over costs `gap` is the certified one; leave --gap out");
@@ -92,68 +98,94 @@ void finish_costs(RunOptions& run, bool batch) {
   }
   for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
   costs.proof = proof;
-}
-
-/// What is typed of `plan` and `batch`, on bitmaps and among polygons.
-struct PlanText {
-  RunOptions run;
-  WorldOptions world;
-  std::string start, goal, queries;
-};
-
-/// `plan` among polygons.
-PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
-  PolygonCommand command{text.run, text.world, {}, {}, text.queries};
-  finish_search(command);
-  command.world.file = text.run.map.file;
-  command.inputs = {command.world.file, text.queries};
-  if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
-  if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
-  command.with_optimum = true;  // it is found beside
-  if (text.run.frame == Frame::world)
-    throw UsageError("--frame world: " + command.world.file +
-                     " gives no frame, a polygon world is in its own coordinates; leave it out");
-  refuse_radius(table);
-  for (const char* option : {"--cost", "--inflation", "--moves"})
-    if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
-  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--tracks"})
-    if (table.given(option))
-      command.notes.push_back(option + std::string(" has no effect") +
-                              (option == std::string_view("--unknown-free")
-                                   ? ": a polygon world has no unknown part"
-                                   : " on a polygon world"));
-  return command;
-}
-
-int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
-  RunOptions& asked = text.run;
-  asked.called = call.line;
-  if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
-  refuse_world_options(table);
-  if (!text.queries.empty()) {
-    finish_run(asked);
-    finish_costs(asked, true);
-    asked.inputs.push_back(text.queries);
-    return run_bitmap_batch({asked, {}, {}, text.queries});
+  void add_spacing(OptionTable & table, RunOptions & to) {
+    constexpr double kLeast = 1e-4;
+    table.real(
+        "--spacing", to.spacing, kLeast, kNoLimit,
+        "Add poses to the JSON: x, y and yaw of places along the path that are at most S "
+        "apart, its vertices among them; in cells, metres with --frame world (a file of poses "
+        "takes half a cell without)",
+        "S");
   }
-  PlanCommand plan = plan_command(asked, text.start, text.goal);
-  finish_costs(plan.run, plan.run.ranged);
-  if (plan.run.ranged) return run_bitmap_batch(plan);
-  BitmapProblem problem(plan);
-  return run(problem);
-}
+
+  /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
+  struct PlanText {
+    RunOptions run;
+    WorldOptions world;
+    std::string start, goal, queries;
+    std::vector<std::string> via;
+  };
+
+  void add_via(OptionTable & table, PlanText & to) {
+    table.repeatable("--via", to.via,
+                     "Go through this cell or point on the way (repeatable, in order)", "X,Y");
+  }
+
+  /// `plan` among polygons.
+  PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
+    PolygonCommand command{text.run, text.world, {}, {}, text.queries};
+    finish_search(command);
+    command.world.file = text.run.map.file;
+    command.inputs = {command.world.file, text.queries};
+    if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
+    if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
+    command.with_optimum = true;  // it is found beside
+    if (text.run.frame == Frame::world)
+      throw UsageError("--frame world: " + command.world.file +
+                       " gives no frame, a polygon world is in its own coordinates; leave it out");
+    refuse_radius(table);
+    for (const char* option : {"--cost", "--inflation", "--moves"})
+      if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
+    if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
+        file != command.outputs.end())
+      throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
+    for (const char* option :
+         {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing", "--via"})
+      if (table.given(option))
+        command.notes.push_back(option + std::string(" has no effect") +
+                                (option == std::string_view("--unknown-free")
+                                     ? ": a polygon world has no unknown part"
+                                     : " on a polygon world"));
+    return command;
+  }
+
+  int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
+    RunOptions& asked = text.run;
+    asked.called = call.line;
+    if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
+    refuse_world_options(table);
+    asked.via.clear();
+    for (const std::string& via : text.via)
+      asked.via.push_back(point_value("--via", via, asked.frame));
+    if (!text.queries.empty()) {
+      finish_run(asked);
+      finish_costs(asked, true);
+      asked.inputs.push_back(text.queries);
+      return run_bitmap_batch({asked, {}, {}, text.queries});
+    }
+    PlanCommand plan = plan_command(asked, text.start, text.goal);
+    finish_costs(plan.run, plan.run.ranged);
+    if (plan.run.ranged) return run_bitmap_batch(plan);
+    BitmapProblem problem(plan);
+    return run(problem);
+  }
 
 }  // namespace
 
 Subcommand add_plan(CLI::App& app) {
   auto text = std::make_shared<PlanText>();
   OptionTable table(app, "plan", "Plan one path");
-  table.text("--start", text->start, "Where the path starts; a polygon world may say", "X,Y");
+  table.text("--start", text->start,
+             "Where the path starts: a cell, whole numbers, at its centre; with a decimal point a "
+             "point; a polygon world may say",
+             "X,Y");
   table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
   add_costs(table, text->run.map.costs);
   add_tracks(table, text->run);
+  add_spacing(table, text->run);
+  add_via(table, *text);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -189,6 +221,8 @@ Subcommand add_batch(CLI::App& app) {
   add_run_options(table, text->run, help);
   add_costs(table, text->run.map.costs);
   add_tracks(table, text->run);
+  add_spacing(table, text->run);
+  add_via(table, *text);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,

@@ -34,8 +34,11 @@ std::string length_text(const LoadedMap& map, Frame frame, double cells, int dec
 }
 
 std::string place_text(const Place& place, Frame frame) {
+  const auto& told = place.point;
   const std::string cell =
-      "(" + whole_text(place.number.x) + ", " + whole_text(place.number.y) + ")";
+      told && frame == Frame::cell
+          ? "(" + to_text(told->x) + ", " + to_text(told->y) + ")"
+          : "(" + whole_text(place.number.x) + ", " + whole_text(place.number.y) + ")";
   if (frame == Frame::cell) return cell;
   return to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + cell + ",";
 }
@@ -60,13 +63,16 @@ bool Route::joined(const Planner& planner, Cell start, Cell goal) const {
   return grid.free(start) && grid.free(goal) && planner.connected(start, goal, corners);
 }
 
-Obstruction obstruction_of(const LoadedMap& map, Cell cell, bool curved) {
+Obstruction obstruction_of(const LoadedMap& map, const Place& place, bool curved) {
   const Grid& grid = map.as_read();
+  const Cell cell = place.cell;
+  const Point at = place.at();
+  const bool middle = at == centre(cell);
   if (!grid.contains(cell)) return {.by = "outside"};
   if (grid.blocked(cell)) return {.by = is_unknown(map, cell) ? "unknown" : "obstacle"};
   const auto near_to = [&](double beside) {
     const auto [clearance, nearest] =
-        nearest_blocked(grid, centre(cell), std::min(map.radius, 1e6) + 1, beside);
+        nearest_blocked(grid, at, std::min(map.radius, 1e6) + 1, beside);
     return Obstruction{.by = "radius",
                        .clearance = clearance,
                        .nearest = !grid.contains(nearest)    ? "the edge of the map"
@@ -74,8 +80,9 @@ Obstruction obstruction_of(const LoadedMap& map, Cell cell, bool curved) {
                                                              : "an obstacle"};
   };
   const Obstruction centre_near = near_to(0);
-  if (curved) return map.planner->clear(cell) ? Obstruction{} : centre_near;
+  if (curved && middle) return map.planner->clear(cell) ? Obstruction{} : centre_near;
   if (centre_near.clearance < map.radius) return centre_near;
+  if (!middle) return {};
   Obstruction cell_near = near_to(0.5);
   cell_near.in_part = true;
   return cell_near.clearance < map.radius ? cell_near : Obstruction{};
@@ -93,7 +100,7 @@ std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstructio
 
 std::string metres_hint(const LoadedMap& map, Frame frame, const Place& place) {
   if (frame == Frame::world || !map.frame) return {};
-  const Place meant = to_place(map, place.number, Frame::world);
+  const Place meant = to_place(map, place.point.value_or(place.number), Frame::world);
   if (map.grid().blocked(meant.cell)) return {};
   return "; taken as metres, with --frame world, it is in the free cell " +
          place_text(meant, Frame::cell);

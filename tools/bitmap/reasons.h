@@ -32,7 +32,7 @@ struct Route {
   bool joined(const Planner& planner, Cell start, Cell goal) const;
 };
 
-/// What keeps a cell from being planned on.
+/// What keeps a place from being planned on.
 struct Obstruction {
   std::string_view by = {};  ///< "outside", "obstacle", "unknown", "radius"; empty: nothing here
   double clearance = 0;      ///< with "radius": of its centre to what is blocked, cells
@@ -40,7 +40,7 @@ struct Obstruction {
   bool in_part = false;           ///< the centre keeps the radius; `clearance` is the whole cell's
 };
 /// Of algorithms that go along a disc's curves, or on cells.
-Obstruction obstruction_of(const LoadedMap& map, Cell cell, bool curved);
+Obstruction obstruction_of(const LoadedMap& map, const Place& place, bool curved);
 /// As in " is outside the map", to follow a place.
 std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstruction& why);
 

@@ -21,10 +21,9 @@ namespace {
 
 /// What there is in place of options that planners elsewhere have, and where all are.
 std::string instead_of(std::string_view word, std::span<const std::string_view> known) {
-  constexpr std::array<std::array<std::string_view, 3>, 3> kElsewhere{
+  constexpr std::array<std::array<std::string_view, 3>, 2> kElsewhere{
       {{"--footprint", "--radius", "robots are discs: --radius R; "},
-       {"--via", "--goal", "a path has one goal: plan it part by part; "},
-       {"--waypoints", "--goal", "a path has one goal: plan it part by part; "}}};
+       {"--waypoints", "--via", "give each of them with --via X,Y; "}}};
   for (const auto& [theirs, ours, text] : kElsewhere)
     if (word == theirs && std::ranges::find(known, ours) != known.end())
       return std::string(text) + "see --help";

@@ -79,8 +79,7 @@ PlanCommand plan_command(RunOptions& run, const std::string& start, const std::s
   require("", "--start", start);
   require("", "--goal", goal);
   finish_run(run);
-  return {run, end_value("--start", start, run.frame, run.map.file),
-          end_value("--goal", goal, run.frame, run.map.file)};
+  return {run, point_value("--start", start, run.frame), point_value("--goal", goal, run.frame)};
 }
 
 void add_world_options(OptionTable& table, WorldOptions& to) {

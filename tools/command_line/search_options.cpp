@@ -101,6 +101,9 @@ void finish_search(SearchOptions& options) {
   const auto page = std::ranges::find_if(options.outputs, is_page);
   if (options.ranged && page != options.outputs.end())
     throw UsageError("-o " + *page + ": a report plays one run; give it one seed");
+  const auto poses = std::ranges::find_if(options.outputs, is_yaml);
+  if (options.ranged && poses != options.outputs.end())
+    throw UsageError("-o " + *poses + ": it holds the poses of one run; give it one seed");
   if (options.messages.quiet && options.messages.verbose)
     throw UsageError("-q and -v exclude each other");
 }
@@ -146,6 +149,16 @@ void check_ending(const std::string& file, std::span<const std::string_view> end
 
 std::vector<std::string> texts(std::span<const std::string_view> words) {
   return {words.begin(), words.end()};
+}
+
+End point_value(std::string_view option, const std::string& text, Frame frame) {
+  const bool point = frame == Frame::world || is_point(text);
+  try {
+    return {pair_value(option, text, !point), point};
+  } catch (const UsageError& error) {
+    if (point) throw;
+    throw UsageError(std::string(error.what()) + " or a point, as in 12.5,3.25");
+  }
 }
 
 Point end_value(std::string_view option, const std::string& text, Frame frame,

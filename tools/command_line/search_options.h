@@ -54,7 +54,10 @@ void add_part(OptionTable& table, Part& to, const char* help);
 void check_ending(const std::string& file, std::span<const std::string_view> endings);
 std::vector<std::string> texts(std::span<const std::string_view> words);
 
-/// A start or goal on a bitmap: a cell, or metres. @throws UsageError
+/// A start or goal on a bitmap: a cell, or a point where a coordinate has a decimal point or an
+/// exponent and where metres are given. @throws UsageError
+End point_value(std::string_view option, const std::string& text, Frame frame);
+/// The same of what knows cells alone: a cell, or metres in it. @throws UsageError
 Point end_value(std::string_view option, const std::string& text, Frame frame,
                 const std::string& map);
 /// Options that must be there though CLI11 does not say so. @throws UsageError

@@ -142,6 +142,12 @@ std::string to_text(double value) { return number_text(value); }
 
 std::string finite_text(double value) { return std::isfinite(value) ? to_text(value) : ""; }
 
+std::string yaml_real(double value) {
+  std::string text = to_text(value);
+  if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
+  return text;
+}
+
 std::string whole_text(double value) {
   return std::abs(value) <= static_cast<double>(kMaxExactInteger)
              ? std::to_string(static_cast<std::int64_t>(value))

@@ -51,6 +51,11 @@ std::size_t choice_value(std::string_view option, std::string_view text,
 /// "X,Y": whole numbers where `whole`, else finite ones. @throws UsageError.
 Point pair_value(std::string_view option, std::string_view text, bool whole);
 
+/// Has a coordinate a decimal point or an exponent, which makes it one of a point and not a cell?
+inline bool is_point(std::string_view coordinates) {
+  return coordinates.find_first_of(".eE") != std::string_view::npos;
+}
+
 /// "WxH". @throws UsageError.
 Cell size_value(std::string_view option, std::string_view text);
 
@@ -69,6 +74,9 @@ std::string finite_text(double value);
 
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
+
+/// A number that every YAML reader takes for a real one: with a point, also before an exponent.
+std::string yaml_real(double value);
 
 /// The shortest text of a number rounded to so many decimals, downwards where `down`.
 std::string rounded_text(double value, int decimals, bool down = false);

@@ -252,8 +252,7 @@ class DriveProblem : public Problem {
     if (answer_.map.prepare)
       navigator.prepare =
           PrepareOptions{.threads = command_.run.threads, .stop = {.token = stop.token}};
-    const Request request =
-        request_of(answer_.map, command_.run, answer_.start.cell, answer_.goal.cell);
+    const Request request = request_of(answer_.map, command_.run, answer_.start, answer_.goal);
     navigator.target_gap = request.target_gap;
     navigator.goal_tolerance = request.goal_tolerance;
     return navigator;

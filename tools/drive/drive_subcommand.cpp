@@ -1,4 +1,5 @@
 // lasius drive.
+#include <cmath>
 #include <memory>
 
 #include "tools/command_line/map_options.h"
@@ -81,6 +82,10 @@ Subcommand add_drive(CLI::App& app) {
           throw UsageError(run.map.file + ": drives are on bitmaps only");
         const bool prepare = run.map.prepare;
         static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
+        for (End* end : {&drive.start, &drive.goal}) {  // a drive goes from cell to cell
+          if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
+          end->point = false;
+        }
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +
                            ": one drive has one seed; a range is for plan");

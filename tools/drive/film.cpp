@@ -14,7 +14,7 @@ using namespace tick_codes;
 
 enum Mark : std::uint8_t { kTrack = kCodes, kWay, kMover, kRobot, kTarget, kColours };
 
-std::array<Colour, kColours> palette() {
+std::array<Colour, kColours> film_colours() {
   std::array<Colour, kColours> colours{};
   const std::array<Colour, 2> free{Colour{0.87, 0.89, 0.92}, kFree};
   const std::array<Colour, kWallKinds> walls{
@@ -113,7 +113,7 @@ void Film::draw_disc(Frame& frame, Point at, double radius, std::uint8_t colour)
 void Film::write(std::ostream& out) const {
   constexpr int kHundredths = 6;
   // A drive that never began has no tick.
-  write_gif(out, palette(),
+  write_gif(out, film_colours(),
             frames_.all().empty() ? std::vector{Frame(width_, height_, kUnseen)} : frames_.all(),
             kHundredths);
 }

@@ -99,18 +99,25 @@ struct SearchOptions {
   std::string called;               ///< the command line, for a shell to read
 };
 
+/// A start or goal on a bitmap, as it was given: cells, or metres in the world frame.
+struct End : Point {
+  bool point = false;  ///< the path goes there; else to the centre of the cell that holds it
+};
+
 /// The options that `plan` and `batch` share on bitmaps.
 struct RunOptions : SearchOptions {
   MapOptions map;
   Params params;
   Frame frame = Frame::cell;
   std::vector<int> track_iterations;  ///< of the pictures, rising, from 1; empty: the usual
+  std::optional<double> spacing;      ///< of poses; as MapOptions::radius
+  std::vector<End> via;               ///< on the way from start to goal, in order
 };
 
 /// `plan` and `batch`.
 struct PlanCommand {
   RunOptions run;
-  Point start, goal;         ///< cells, or metres in the world frame
+  End start, goal;
   std::string queries = {};  ///< of `batch`: a file, in place of these
 };
 

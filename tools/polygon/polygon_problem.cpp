@@ -189,8 +189,8 @@ std::vector<QueryFile::Line> queries_of(const PolygonCommand& command,
                                         const polygon::World& world) {
   if (!command.queries.empty()) return read_table(command.queries).queries;
   check_ends(command, world);
-  return {
-      {command.start ? *command.start : *world.start, command.goal ? *command.goal : *world.goal}};
+  return {{.start = {command.start ? *command.start : *world.start},
+           .goal = {command.goal ? *command.goal : *world.goal}}};
 }
 
 std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last) {

@@ -97,8 +97,9 @@ class Lines {
 
 constexpr std::array<std::string_view, 4> kColumnNames{"sx", "sy", "gx", "gy"};
 
-QueryFile::Line make_line(const std::array<double, 4>& values) {
-  return {{values[0], values[1]}, {values[2], values[3]}};
+QueryFile::Line make_line(const std::array<double, 4>& values, bool from_point = false,
+                          bool to_point = false) {
+  return {{{values[0], values[1]}, from_point}, {{values[2], values[3]}, to_point}};
 }
 
 /// By the first line.
@@ -166,9 +167,11 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
                      std::to_string(header.size()),
                  "give every column a value");
     std::array<double, 4> values;
+    std::array<bool, 2> point{!whole, !whole};
+    for (std::size_t i = 0; i < 4; ++i) point[i / 2] |= is_point(fields[column[i]]);
     for (std::size_t i = 0; i < 4; ++i)
-      values[i] = lines.coordinate(kColumnNames[i], fields[column[i]], whole, metres);
-    file.queries.push_back(make_line(values));
+      values[i] = lines.coordinate(kColumnNames[i], fields[column[i]], !point[i / 2], metres);
+    file.queries.push_back(make_line(values, point[0], point[1]));
   }
   return file;
 }

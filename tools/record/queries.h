@@ -13,7 +13,7 @@ namespace lasius::tool {
 
 struct QueryFile {
   struct Line {
-    Point start, goal;
+    End start, goal;
   };
   std::vector<Line> queries;
   bool scenario = false;  ///< coordinates are cells whatever the frame
@@ -24,8 +24,9 @@ struct QueryFile {
 ///          split at any blanks; the map's name is not looked at, its size must be width x height
 ///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
 ///          the header has no tab
-/// Coordinates are whole numbers of any size; in a TSV any finite ones unless `whole`. `metres`:
-/// whether these could be given instead, which a refusal then says.
+/// Coordinates are whole numbers of any size, cells; in a TSV any finite ones, all of them points
+/// unless `whole`: then those of a pair with a decimal point or an exponent. `metres`: whether
+/// these could be given instead, which a refusal then says.
 /// @throws Error(file_missing, file_broken) naming file and line.
 QueryFile read_queries(const std::string& file, int width, int height, bool whole,
                        bool metres = false);

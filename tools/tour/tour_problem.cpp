@@ -119,8 +119,7 @@ class TourProblem : public Problem {
     const std::string text = "stop " + std::to_string(stop) + " at " + place_text(place, frame);
     if (answer_.map.planner->clear(place.cell)) return text + " cannot be reached from the others";
     const bool curved = route_of(answer_.map, command_.run).curved;
-    return text +
-           obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place.cell, curved));
+    return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved));
   }
   /// Asks for what `plan` says of an invalid end; nothing where it is none.
   void look_at_end(Cell end, bool start) {

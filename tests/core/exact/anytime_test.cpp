@@ -65,7 +65,8 @@ TEST(Anytime, ATokenIsEnoughForAPath) {
   std::stop_source source;
   const StopCondition stop{.token = source.get_token()};
   exact::Anytime::Memory memory;
-  exact::Anytime anytime(memory, across.planner.grid(), across.start, across.goal, {}, stop);
+  exact::Anytime anytime(memory, across.planner.grid(), centre(across.start), centre(across.goal),
+                         {}, stop);
   constexpr std::int64_t kTurn = 1 << 20;  // words
   for (int i = 0; i < 100; ++i) EXPECT_EQ(anytime.turn(kTurn), StopCondition::Cause::none);
   source.request_stop();
@@ -192,7 +193,7 @@ TEST(Anytime, ImprovingEndsCloseToTheOptimum) {
   const Across across(MapKind::random, 500, 0.3);
   const Result whole = across.plan({});
   ExactSearch search;
-  search.begin_improving(across.planner.grid(), across.start, across.goal);
+  search.begin_improving(across.planner.grid(), centre(across.start), centre(across.goal));
   const StopCondition never;
   Poller poller(never);
   while (search.improve(1 << 12, poller)) {
@@ -201,7 +202,7 @@ TEST(Anytime, ImprovingEndsCloseToTheOptimum) {
   EXPECT_GE(search.upper(), whole.length * (1 - 1e-12));
   EXPECT_LE(search.upper(), 1.02 * search.lower());
   // After a stop nothing more is claimed.
-  search.begin_improving(across.planner.grid(), across.start, across.goal);
+  search.begin_improving(across.planner.grid(), centre(across.start), centre(across.goal));
   const CountingTime up(0);
   const StopCondition stop = up.is_up();
   Poller stopped(stop, 1);
