@@ -111,6 +111,12 @@ TEST(Tours, AStoppedPricerMakesNoLegCheaper) {
   tour::MapPricer pricer(planner, stops, {.token = source.get_token()}), asked(planner, stops, {});
   for (int a = 0; a < 30; ++a)
     for (int b = 0; b < a; ++b) EXPECT_GE(pricer.price(a, b), asked.price(a, b));
+  // Those that nobody priced are told apart by straight distances.
+  for (int a = 0; a < 30; ++a)
+    for (int b = 0; b < a; ++b)
+      EXPECT_EQ(pricer.price(a, b) - pricer.price(1, 0),
+                tour::grains(std::hypot(stops[a].x - stops[b].x, stops[a].y - stops[b].y)) -
+                    tour::grains(std::hypot(stops[1].x - stops[0].x, stops[1].y - stops[0].y)));
   EXPECT_LT(pricer.priced(), asked.priced());
 }
 
