@@ -235,6 +235,47 @@ class Signal final : public TimeSource {
   mutable std::stop_source source_;
 };
 
+// Legs are the disc's shortest curves, walls that it does not pass part the stops.
+TEST(Tours, OfADiscGoWhereItFits) {
+  Grid grid = rooms();
+  for (int x = 5; x <= 15; ++x) grid.set_blocked({x, 12}, x == 5 || x == 15);
+  for (int y = 17; y <= 23; ++y) grid.set_blocked({30, y}, y == 17 || y == 23);
+  for (const double radius : {0.4, 1.5, 2.5})
+    for (const bool prepared : {false, true}) {
+      const Planner planner =
+          prepared ? Planner(grid, Disc{radius}, {.threads = 1}) : Planner(grid, Disc{radius});
+      for (const int count : {9, 20}) {
+        TourRequest request = ask(some_stops(grid, count));
+        request.generations = 1;
+        request.after.resize(count);
+        request.after[1] = {2};
+        const TourResult tour = plan_tour(planner, request);
+        ASSERT_EQ(tour.status, Status::solved);
+        EXPECT_EQ(tour.order.size() + tour.left_out.size(), static_cast<std::size_t>(count));
+        for (const LeftOut& out : tour.left_out)
+          EXPECT_FALSE(planner.clear(request.stops[out.stop]) &&
+                       planner.joined(request.stops[out.stop], request.stops[tour.order[0]]));
+        double sum = 0;
+        for (const TourLeg& leg : tour.legs) {
+          const Result best =
+              planner.plan({request.stops[leg.from], request.stops[leg.to]}, Params("exact"));
+          EXPECT_NEAR(leg.length, best.length, 1e-9 * best.length);
+          EXPECT_LE(leg.length, path_length(leg.path) * (1 + 1e-12));
+          EXPECT_LE(path_length(leg.path), leg.length * 1.001);
+          sum += leg.length;
+        }
+        EXPECT_EQ(tour.length, sum);
+        ASSERT_TRUE(tour.lower_bound);
+        EXPECT_LE(*tour.lower_bound, tour.length);
+        const auto at = [&](int stop) { return std::ranges::find(tour.order, stop); };
+        EXPECT_TRUE(at(1) == tour.order.end() || at(2) == tour.order.end() || at(2) < at(1));
+        if (radius > 1) {
+          EXPECT_FALSE(tour.left_out.empty());
+        }
+      }
+    }
+}
+
 TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
   const Planner planner = Planner(rooms()).prepared({});
   int cut = 0;
