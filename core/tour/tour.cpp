@@ -22,7 +22,11 @@ using tour::Cost;
 using tour::Costs;
 
 constexpr int kPricedAtOnce = 100;  // stops
-constexpr int kPrepared = 30;       // stops for which preparing pays
+// On a prepared map all are priced by one search a stop: up to so many, whose searches are of so
+// many edges a stop; the legs that a search for an order asks for would take as long.
+constexpr int kSearchedAtOnce = 1500;
+constexpr std::int64_t kEdgesOfStop = 500;
+constexpr int kPrepared = 30;  // stops for which preparing pays
 constexpr int kBoundRounds = 10;
 constexpr double kOrderShare = 0.6, kGivenOrderShare = 0.8;
 constexpr double kMostTarget = 1e6;  // of a target, in bounds
@@ -248,7 +252,11 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   tour::MapPricer pricer(planner, stops, request.stop);
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
-  if (n <= kPricedAtOnce) {
+  const Preparation& prepared = planner.preparation();
+  const bool searched = prepared.state == Preparation::State::ready &&
+                        planner.robot().radius == 0 && n <= kSearchedAtOnce &&
+                        prepared.edges <= kEdgesOfStop * n;
+  if (n <= kPricedAtOnce || searched) {
     if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
       if (n <= tour::kMostBySubsets) exact_lengths = *lengths;

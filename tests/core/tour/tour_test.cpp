@@ -61,6 +61,38 @@ TEST(Distances, AreThoseOfPlans) {
   EXPECT_THROW(static_cast<void>(planner.distances(stops, std::vector<Cell>{{30, 0}})), Error);
 }
 
+TEST(Distances, OfAPreparedMapAreByOneSearchASource) {
+  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::random}) {
+    const Planner planner(generate(kind, {.width = 60, .height = 40, .seed = 3})),
+        prepared = planner.prepared({.threads = 1});
+    std::vector<Cell> stops = {{0, 0}};
+    for (int i = 0; i < 2400 && stops.size() < 60; i += 37)
+      if (planner.grid().free({i % 60, i / 60})) stops.push_back({i % 60, i / 60});
+    if (!planner.grid().free(stops[0])) stops.erase(stops.begin());
+    const auto one = prepared.distances(stops, stops, 1),
+               three = prepared.distances(stops, stops, 3);
+    const auto few = prepared.distances(std::span(stops).first(2), stops);
+    ASSERT_TRUE(one && three && few);
+    EXPECT_EQ(*one, *three);
+    const std::size_t n = stops.size();
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        const Result best = planner.plan({stops[a], stops[b]}, Params("exact"));
+        const double length =
+            best.path.empty() ? std::numeric_limits<double>::infinity() : best.length;
+        EXPECT_TRUE(length == (*one)[a * n + b] ||
+                    std::abs((*one)[a * n + b] - length) <= 1e-9 * length)
+            << a << " to " << b;
+        EXPECT_EQ((*one)[a * n + b], (*one)[b * n + a]);
+        if (a < 2) {
+          EXPECT_TRUE(length == (*few)[a * n + b] ||
+                      std::abs((*few)[a * n + b] - length) <= 1e-9 * length);
+        }
+      }
+    EXPECT_FALSE(prepared.distances(stops, stops, 1, fired()));
+  }
+}
+
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
   const Planner planner(rooms());
   int cases = 0;
@@ -281,8 +313,9 @@ TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
   int cut = 0;
   for (const int count : {40, 120})
     for (const bool given : {false, true})
-      for (const int look : {1, 2, 3, 5, 20, 100, 1000}) {
+      for (const int look : {1, 2, 3, 5, 20, 100}) {
         TourRequest request = ask(some_stops(planner.grid(), count));
+        request.generations = 2;
         if (given) {
           request.after.resize(count);
           request.after[3] = {5, 7};
@@ -303,7 +336,7 @@ TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
           EXPECT_FALSE(tour.optimal);
         }
       }
-  EXPECT_GT(cut, 30);
+  EXPECT_GT(cut, 24);
   TourRequest request = ask(some_stops(planner.grid(), 40));
   request.stop = fired();  // before there is any order
   EXPECT_EQ(plan_tour(planner, request).status, Status::interrupted);
