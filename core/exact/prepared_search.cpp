@@ -130,7 +130,7 @@ void PreparedSearch::measure_landmarks() {
 }
 
 double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
-  if (mode_ == Mode::flood) return 0;
+  if (mode_ == Mode::flood || mode_ == Mode::all) return 0;
   const double straight = distance(goal_, x, y);
   if (mode_ != Mode::whole_map || graph_->landmarks().empty()) return straight;
   return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
@@ -316,6 +316,17 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   grain_ = grain;
   begin(grid, graph, centre(start), poller);
   mode_ = Mode::flood;
+  reach_all();
+  lengths.clear();
+  lengths.reserve(graph.size());
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+    lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
+  }
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
+void PreparedSearch::reach_all() {
   horizon_ = kInfinity;
   straight_ = 0;
   lower_ = 0;
@@ -324,10 +335,38 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   reach_start_corners();
   improvements_.begin({});
   run(0, kNoBudget);
-  lengths.clear();
-  lengths.reserve(graph.size());
-  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
-    lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
+}
+
+bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Cell cell,
+                          const StopCondition& stop, Target& target) {
+  Poller poller(stop);
+  begin(grid, graph, cell, poller);
+  horizon_ = kInfinity;
+  scan_start_view();
+  target = {start_, start_corners_};
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
+bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Cell start,
+                                std::span<const Target> targets, const StopCondition& stop,
+                                std::span<double> lengths) {
+  Poller poller(stop);
+  begin(grid, graph, start, poller);
+  mode_ = Mode::all;
+  reach_all();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto& [at, corners] = targets[i];
+    lengths[i] = kernels::sees(map_, start_, at) ? exact::distance(start_.x, start_.y, at.x, at.y)
+                                                 : kInfinity;
+    for (const std::uint32_t index : corners) {
+      const Node& node = nodes_[index];
+      if (node.stamp != stamp_) continue;
+      const kernels::HalfPoint corner = place(index);
+      lengths[i] =
+          std::min(lengths[i], node.length + exact::distance(corner.x, corner.y, at.x, at.y));
+    }
+    if (poller.stop_after(kWordsPerNode + static_cast<std::int64_t>(corners.size()))) break;
   }
   poller_ = nullptr;
   return poller.stopped();

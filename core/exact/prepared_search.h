@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/bucket_queue.h"
@@ -52,6 +53,20 @@ class PreparedSearch {
   bool flood(const Grid& grid, const CornerGraph& graph, Cell start, double grain,
              const StopCondition& stop, std::vector<double>& lengths);
 
+  /// A place, and the corners at which a shortest path to it may turn last.
+  struct Target {
+    kernels::HalfPoint at;
+    std::vector<std::uint32_t> corners = {};
+  };
+  /// The centre of a free cell as a target. Returns true if stopped.
+  bool view(const Grid& grid, const CornerGraph& graph, Cell cell, const StopCondition& stop,
+            Target& target);
+  /// The lengths of shortest paths from the centre of a free cell to targets, by one search of all
+  /// corners; infinite where there is none. Returns true if stopped.
+  bool lengths_to(const Grid& grid, const CornerGraph& graph, Cell start,
+                  std::span<const Target> targets, const StopCondition& stop,
+                  std::span<double> lengths);
+
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
@@ -71,7 +86,8 @@ class PreparedSearch {
     first_few,  // corners are asked whether they see the goal; straight estimates
     near_line,  // corners that the goal sees are known; up to the horizon; straight estimates
     whole_map,  // corners that the goal sees are known; the whole map; estimates by landmarks, too
-    flood,      // there is no goal
+    flood,      // there is no goal; edges are rounded, taut or not
+    all,        // there is no goal; as towards one
   };
   // The corner in hand: a lattice point, and the length of the path to it.
   struct Root {
@@ -88,6 +104,7 @@ class PreparedSearch {
   void scan_goal_view();
   void scan_start_view();
   void restart();
+  void reach_all();
   void reach_start_corners();
   void measure_landmarks();
   bool run(double target_gap, std::int64_t budget);

@@ -23,13 +23,20 @@ struct TourRequest {
   bool open = false;         ///< no way back to the first stop
   std::optional<int> start;  ///< index of the first stop; none: any
   std::optional<int> goal;   ///< of the last one, of an open tour; none: any
-  std::uint64_t seed = 1;    ///< of the search for the order
-  /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone.
+  /// What is given of the order: to each stop those that come before it; or empty.
+  std::vector<std::vector<int>> after = {};
+  std::vector<int> load = {};  ///< that each stop adds to what is carried, or takes off; or empty
+  /// At no stop is more carried, from 0 before the first one; none: any load. It may fall below 0.
+  std::optional<std::int64_t> capacity = {};
+  std::uint64_t seed = 1;  ///< of the search for the order
+  /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone. Where
+  /// the order is given in part: each 1000 steps, and 10 a stop, unless there is a deadline.
   int generations = 20;
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
   int threads = 0;        ///< that legs are planned on; never changes the tour
-  /// Ends the call with the best order so far, or none. Three fifths of the time to a deadline are
-  /// for the order, the rest for the bound; the legs of the answer are planned after it, too.
+  /// Ends the search with the best order so far, whose legs are planned all the same; without any
+  /// where the token asks before the search began. Three fifths of the time to a deadline are for
+  /// the order (four where it is given in part), the rest for the bound.
   StopCondition stop = {};
 };
 
@@ -50,7 +57,7 @@ struct LeftOut {
 /// What is answered.
 struct TourResult {
   Status status = Status::no_path;    ///< as Result::status
-  std::string error;                  ///< where it is invalid or unreachable; else empty
+  std::string error;                  ///< where there is no tour, but for a stop; else empty
   std::vector<int> order;             ///< stops; of a closed tour the first is not told again
   std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back
   double length = 0;                  ///< sum of the legs', cells
@@ -69,15 +76,19 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to
 /// the others are left out: the tour is over the stops that are joined to the start or goal, else
 /// over the region that has most stops. Legs are priced when they are asked for; what is kept of
-/// them stays below 64 MB, and up to 100 stops all are priced at once. A planner for a point that
-/// is not prepared is prepared for 30 stops and more, in the memory that PrepareOptions allow.
-/// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, and where
-/// a number is out of range.
+/// them stays below 64 MB; up to 100 stops, and on prepared maps where it is quick, all are priced
+/// at once. A planner for a point that is not prepared is prepared for 30 stops and more, in the
+/// memory that PrepareOptions allow. Of stops that are left out, what comes behind them still comes
+/// behind what is before them. Where no order keeps what is given the tour is unreachable (proven),
+/// or no_path (none was found).
+/// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
+/// that come before themselves, and where a number is out of range.
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
                                    const TourObserver& observer = {});
 
 /// The same of a problem of TSPLIB: lengths are by its rounding, `request.stops` is not read, the
-/// result has no legs. @throws Error also for one with precedences (invalid_parameter).
+/// result has no legs. One of sequential ordering is open, from its first place to its last, and
+/// has its own order alone; a bound is told where the tour is proven.
 LASIUS_EXPORT TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                                    const TourObserver& observer = {});
 

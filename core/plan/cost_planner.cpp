@@ -12,127 +12,15 @@
 #include "core/grid/components.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
-#include "core/plan/exact_view.h"
+#include "core/plan/cost_paths.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
 
 namespace lasius {
-namespace {
-
 using cost::CostAnswer;
 using cost::Terrain;
-
-/// The terrain where a grid is free as well.
-Terrain narrowed(const Terrain& terrain, const Grid& grid) {
-  std::vector<double> weights;
-  weights.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
-  Grid free = grid;
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      weights.push_back(terrain.weight(x, y));
-      if (!terrain.free(x, y)) free.set_blocked({x, y});
-    }
-  }
-  return Terrain(free, weights);
-}
-
-/// The cells all of whose points are clear, and those about the ends whose centres are.
-Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal) {
-  Grid wide = space.blocked_cells();
-  for (int y = 0; y < wide.height(); ++y)
-    for (int x = 0; x < wide.width(); ++x)
-      if (space.in_band({x, y})) wide.set_blocked({x, y});
-  for (const Cell end : {start, goal})
-    for (int y = end.y - 1; y <= end.y + 1; ++y)
-      for (int x = end.x - 1; x <= end.x + 1; ++x)
-        if (!passable.blocked({x, y})) wide.set_blocked({x, y}, false);
-  return wide;
-}
-
-/// The path with a disc's shortest ways in place of the pieces that it cannot go; empty when
-/// stopped, or where there is none. The path's ends are clear.
-std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
-                            const StopCondition& stop) {
-  std::vector<Point> made{path.front()};
-  disc::DiscSearch search;
-  disc::DiscAnswer way;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    while (!space.clear(path[i])) ++i;
-    if (space.reaches(made.back(), path[i])) {
-      made.push_back(path[i]);
-      continue;
-    }
-    search.search(space, nullptr, made.back(), path[i], {}, stop, way);
-    if (way.path.empty()) return {};
-    made.insert(made.end(), way.path.begin() + 1, way.path.end());
-  }
-  return made;
-}
-
-/// Lets a path begin at another point of its first vertex's cell: straight to where it leaves that.
-void move_end(std::vector<Point>& path, Point to) {
-  if (path.size() > 1) {
-    const Point from = path[0], next = path[1];
-    const Cell cell = cell_at(from);
-    const auto share = [](double at, double step, int low) {
-      return step == 0 ? kInfinity : ((step > 0 ? low + 1 : low) - at) / step;
-    };
-    const double t =
-        std::min(share(from.x, next.x - from.x, cell.x), share(from.y, next.y - from.y, cell.y));
-    if (t < 1)
-      path.insert(path.begin() + 1,
-                  {from.x + t * (next.x - from.x), from.y + t * (next.y - from.y)});
-    path[0] = to;
-  } else if (!path.empty() && path[0] != to) {
-    path.insert(path.begin(), to);
-  }
-}
-
-/// The cheapest path so far that a robot can go, and who is told of it.
-class Kept {
- public:
-  Kept(const Terrain& terrain, const disc::DiscSpace* space, const Observer& observer)
-      : terrain_(terrain), space_(space), observer_(observer) {}
-
-  /// False where whoever looks on asks to end.
-  bool offer(std::vector<Point> path, double cost, double bound) {
-    if (!(cost < cost_) || !can_go(path)) return true;
-    std::vector<Point> fewer = cost::merged(terrain_, path);
-    const double less = cost::cost_of(terrain_, fewer);
-    if (less <= cost * (1 + 1e-12) && can_go(fewer)) {
-      path = std::move(fewer);
-      cost = less;
-    }
-    path_ = std::move(path);
-    cost_ = cost;
-    if (!observer_) return true;
-    const ExactView view(path_, improvements_++, cost_, std::min(bound, cost_));
-    observer_(view);
-    return !view.stopped();
-  }
-  std::vector<Point>& path() noexcept { return path_; }
-  bool any() const noexcept { return !path_.empty(); }
-  double cost() const noexcept { return cost_; }
-
- private:
-  bool can_go(const std::vector<Point>& path) const {
-    if (space_ == nullptr) return true;
-    for (std::size_t i = 1; i < path.size(); ++i)
-      if (!space_->reaches(path[i - 1], path[i])) return false;
-    return true;
-  }
-
-  const Terrain& terrain_;
-  const disc::DiscSpace* space_;
-  const Observer& observer_;
-  std::vector<Point> path_;
-  double cost_ = kInfinity;
-  int improvements_ = 0;
-};
-
-}  // namespace
 
 struct CostPlanner::Impl {
   Impl(Planner p, const DiscMap* disc, const CostField& costs)
@@ -154,6 +42,8 @@ struct CostPlanner::Impl {
   };
   CostAnswer search(const Terrain& over, Run& run) const;
   CostAnswer search_for_disc(Run& run) const;
+  bool uniform() const noexcept { return terrain.least() == terrain.most(); }
+  CostResult shortest(const Request& request) const;
   Cell cell_of(const Asked& end) const;
   CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
                     const Observer& observer) const;
@@ -243,6 +133,19 @@ std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound
                                                      .levels = std::move(run.levels)});
 }
 
+// It begins or ends beside the centres of cells: the shortest path, which costs what it costs.
+CostResult CostPlanner::Impl::shortest(const Request& request) const {
+  CostResult result;
+  static_cast<Result&>(result) = planner.plan(request);
+  result.optimal = false;
+  if (result.lower_bound) *result.lower_bound *= terrain.least();
+  result.curve.clear();
+  if (result.path.empty()) return result;
+  result.length = path_length(result.path);
+  result.cost = cost::cost_of(*whole, result.path);
+  return result;
+}
+
 // A point on the border of cells is taken for one of a free cell that it touches.
 Cell CostPlanner::Impl::cell_of(const Asked& end) const {
   if (!end.is_point || planner.passable().free(end.cell)) return end.cell;
@@ -282,11 +185,22 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
   if (!asked.via.empty())
     throw Error(ErrorCode::invalid_parameter, "points on the way are asked for over costs",
                 "plan from one to the next");
-  Request request = asked;
-  request.start_point = request.goal_point = std::nullopt;
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);
   const Asked goal(grid, asked.goal, asked.goal_point);
+  if (start.is_point || goal.is_point) {
+    const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
+    if (exact && impl_->uniform() && !options.eight_moves && !options.proof)
+      return plan_cells(asked, options, observer);
+    if (exact && impl_->space != nullptr) return impl_->shortest(asked);
+    if (impl_->space != nullptr)
+      throw Error(
+          ErrorCode::invalid_parameter,
+          "a colony over costs is asked for a disc between points that are no cells' centres",
+          "take exact, or cells");
+  }
+  Request request = asked;
+  request.start_point = request.goal_point = std::nullopt;
   request.start = impl_->cell_of(start);
   request.goal = impl_->cell_of(goal);
   CostResult result = plan_cells(request, options, observer);
@@ -333,10 +247,16 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
         options.proof ? "a proof is asked for of a disc" : "eight moves of a disc are asked for",
         "ask for paths of any angle alone, or plan for a point");
   }
-  if (terrain.least() == terrain.most() && !options.eight_moves && !options.proof) {
+  if (impl_->uniform() && !options.eight_moves) {
     plain = impl_->planner.plan(request, params, nullptr, observer);
     result.cost = result.length * terrain.least();
     if (result.lower_bound) *result.lower_bound *= terrain.least();
+    if (!options.proof || result.path.empty()) return result;
+    const Observer none;
+    Kept found(terrain, impl_->space, none);
+    Impl::Run run{request, result.goal_reached.value_or(request.goal), options, found};
+    const bool there = request.start == run.goal;
+    result.proof = impl_->proof(run, there ? 0 : impl_->search(terrain, run).lower_bound);
     return result;
   }
   // Start and goal are judged as for `exact`, which has no time to search.
@@ -346,17 +266,7 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   plain = impl_->planner.plan(judged, params);
   if (result.status == Status::invalid || result.status == Status::unreachable) return result;
   const Cell goal = result.goal_reached.value_or(request.goal);
-  if (disc && (result.way_out || !impl_->planner.clear(goal))) {
-    // It begins or ends beside the centres of cells: the shortest path, which costs what it costs.
-    plain = impl_->planner.plan(request, params);
-    result.optimal = false;
-    if (result.lower_bound) *result.lower_bound *= terrain.least();
-    plain.curve.clear();
-    if (result.path.empty()) return result;
-    result.length = path_length(result.path);
-    result.cost = cost::cost_of(*impl_->whole, result.path);
-    return result;
-  }
+  if (disc && (result.way_out || !impl_->planner.clear(goal))) return impl_->shortest(request);
   Kept kept(terrain, impl_->space, observer);
   Impl::Run run{request, goal, options, kept};
   if (request.start == goal) {

@@ -3,11 +3,54 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/exact/prepared_search.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
+#include "core/plan/planner_impl.h"
 #include "lasius/planner.h"
 
 namespace lasius {
+
+namespace {
+
+// Edges of a graph that are searched in the time that a path from a place to a target takes.
+constexpr std::int64_t kEdgesPerTarget = 3000;
+
+// By one search of all corners from each source.
+std::optional<std::vector<double>> searched(const Planner::Impl& map, std::span<const Cell> sources,
+                                            std::span<const Cell> targets, bool same, int threads,
+                                            const StopCondition& stop) {
+  using exact::PreparedSearch;
+  std::vector<PreparedSearch> searches(static_cast<std::size_t>(threads));
+  std::vector<PreparedSearch::Target> seen(targets.size());
+  std::atomic<bool> stopped{false};
+  // Searches of small maps are over before they ask.
+  const auto over = [&] {
+    if (stop.poll() != StopCondition::Cause::none) stopped = true;
+    return stopped.load();
+  };
+  parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
+    if (!over() && searches[thread].view(map.grid, *map.graph, targets[to], stop, seen[to]))
+      stopped = true;
+  });
+  const std::size_t columns = targets.size();
+  std::vector<double> lengths(sources.size() * columns, 0);
+  parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
+    const std::size_t first = same ? row + 1 : 0;
+    if (first >= columns || over()) return;
+    const std::span part(lengths.data() + row * columns + first, columns - first);
+    if (searches[thread].lengths_to(map.grid, *map.graph, sources[row],
+                                    std::span(seen).subspan(first), stop, part))
+      stopped = true;
+  });
+  if (stopped) return std::nullopt;
+  for (std::size_t row = 0; same && row < columns; ++row)
+    for (std::size_t to = row + 1; to < columns; ++to)
+      lengths[to * columns + row] = lengths[row * columns + to];
+  return lengths;
+}
+
+}  // namespace
 
 std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sources,
                                                       std::span<const Cell> targets, int threads,
@@ -19,6 +62,9 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sour
         throw Error(ErrorCode::invalid_parameter, "the cell " + cell_name(c) + " is no free cell",
                     "ask from and to free cells of the map");
   const bool same = sources.data() == targets.data() && sources.size() == targets.size();
+  if (impl_->graph != nullptr && impl_->disc == nullptr &&
+      impl_->preparation.edges <= kEdgesPerTarget * static_cast<std::int64_t>(targets.size()))
+    return searched(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
   const int rows = static_cast<int>(sources.size());
   const std::size_t columns = targets.size();
   std::vector<double> lengths(sources.size() * columns, 0);

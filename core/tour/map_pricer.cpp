@@ -9,6 +9,12 @@ Cost grains(double length) noexcept {
   return static_cast<Cost>(std::min<double>(kLargest, std::floor(length * (1 - 1e-9) * kGrains)));
 }
 
+MapPricer::MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop)
+    : planner_(planner), stops_(stops), stop_(stop) {
+  const Grid& grid = planner.grid();
+  dear_ -= grains(std::hypot(grid.width(), grid.height()));
+}
+
 Cost MapPricer::straight(int a, int b) const noexcept {
   const double dx = stops_[a].x - stops_[b].x, dy = stops_[a].y - stops_[b].y;
   return grains(std::sqrt(dx * dx + dy * dy));
@@ -24,13 +30,13 @@ Cost MapPricer::price(int a, int b) {
   const auto known = kept_.find(key(a, b));
   if (known != kept_.end()) return known->second;
   stopped_ = stopped_ || stop_.poll() != StopCondition::Cause::none;
-  if (stopped_) return kLargest;
+  if (stopped_) return dear_ + straight(a, b);
   // From the lower stop: the same length, to the last bit, whoever asks first.
   const Result found = planner_.plan(
       {.start = stops_[std::min(a, b)], .goal = stops_[std::max(a, b)], .stop = stop_}, params_,
       &workspace_);
   stopped_ = found.status == Status::limit || found.status == Status::interrupted;
-  if (stopped_ || found.path.empty()) return kLargest;
+  if (stopped_ || found.path.empty()) return dear_ + straight(a, b);
   ++priced_;
   if (kept_.size() == kMostKept) kept_.clear();
   return kept_[key(a, b)] = std::max(straight(a, b), grains(found.length));

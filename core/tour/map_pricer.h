@@ -17,14 +17,13 @@ constexpr double kGrains = 1000;  ///< a cell
 Cost grains(double length) noexcept;
 
 /// Costs are lengths of shortest paths between cells that are joined, in grains; bounds are
-/// straight distances. Once stopped, legs that are not priced cost kLargest: no search takes them.
-/// Keeps up to kMostKept costs.
+/// straight distances. Once stopped, legs that are not priced are dear, the longer the dearer: no
+/// search takes one in place of a priced leg. Keeps up to kMostKept costs.
 class MapPricer final : public Pricer {
  public:
   static constexpr std::size_t kMostKept = 1'200'000;
 
-  MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop)
-      : planner_(planner), stops_(stops), stop_(stop) {}
+  MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop);
   Cost price(int a, int b) override;
   Cost lower(int a, int b) const override;
   Cost largest() const override { return kLargest; }
@@ -39,6 +38,7 @@ class MapPricer final : public Pricer {
 
   const Planner& planner_;
   std::span<const Cell> stops_;
+  Cost dear_ = kLargest;  // and a straight distance: at most kLargest
   StopCondition stop_;
   Workspace workspace_;
   const Params params_{"exact"};

@@ -9,6 +9,7 @@
 #include "core/base/poller.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"
+#include "core/tour/order/partial_order.h"
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "lasius/error.h"
@@ -21,9 +22,13 @@ using tour::Cost;
 using tour::Costs;
 
 constexpr int kPricedAtOnce = 100;  // stops
-constexpr int kPrepared = 30;       // stops for which preparing pays
+// On a prepared map all are priced by one search a stop: up to so many, whose searches are of so
+// many edges a stop; the legs that a search for an order asks for would take as long.
+constexpr int kSearchedAtOnce = 1500;
+constexpr std::int64_t kEdgesOfStop = 500;
+constexpr int kPrepared = 30;  // stops for which preparing pays
 constexpr int kBoundRounds = 10;
-constexpr double kOrderShare = 0.6;
+constexpr double kOrderShare = 0.6, kGivenOrderShare = 0.8;
 constexpr double kMostTarget = 1e6;  // of a target, in bounds
 
 // The stops that a tour visits, by their index in the request.
@@ -64,16 +69,65 @@ struct Ordered {
   std::int64_t bound = 0;
 };
 
+using tour::Before;
+using tour::PartialOrder;
+
+std::vector<Before> relation_of(const std::vector<std::vector<int>>& after) {
+  std::vector<Before> relation;
+  for (std::size_t b = 0; b < after.size(); ++b)
+    for (const int a : after[b]) relation.emplace_back(a, static_cast<int>(b));
+  return relation;
+}
+
+// What is given of the order of some of the stops, by their places among these.
+PartialOrder given_order(const TourRequest& request, const std::vector<int>& indices, int all) {
+  std::vector<Before> relation = relation_of(request.after);
+  std::vector<int> loads;
+  for (const int i : indices)
+    if (!request.load.empty()) loads.push_back(request.load[i]);
+  const int n = static_cast<int>(indices.size());
+  if (n != all) {  // over those that are left out, too
+    const PartialOrder of_all(all, relation);
+    relation.clear();
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        if (of_all.before(indices[a], indices[b])) relation.emplace_back(a, b);
+  }
+  return {n, relation, std::move(loads), request.capacity.value_or(PartialOrder::kUnlimited)};
+}
+
+// Of a tour that has no order: why.
+void tell_no_order(const PartialOrder& given, const tour::Ends& ends, bool proven,
+                   std::span<const int> named, TourResult& tour) {
+  const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
+  tour.status = proven ? Status::unreachable : Status::no_path;
+  const std::string capacity = "the capacity of " + number_text(given.capacity());
+  tour.error = (proven ? "no order keeps " : "no order was found that keeps ") + capacity;
+  for (int v = 0; v < static_cast<int>(named.size()); ++v)
+    if (given.load(v) > given.capacity()) tour.error = stop(v) + " alone exceeds " + capacity;
+  if (ends.start >= 0 && !given.previous(ends.start).empty())
+    tour.error = stop(ends.start) + " is the start, but " +
+                 stop(given.previous(ends.start).front()) + " comes before it";
+  else if (ends.goal >= 0 && !given.next(ends.goal).empty())
+    tour.error = stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
+                 " comes after it";
+}
+
 // An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
 Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<const Point> places,
-                        const TourRequest& request, double scale, const TourObserver& observer,
-                        std::span<const int> named) {
-  tour::OrderOptions options{
-      .seed = request.seed, .generations = request.generations, .stop = request.stop};
+                        const PartialOrder& given, const TourRequest& request, double scale,
+                        const TourObserver& observer, std::span<const int> named,
+                        bool symmetric = true) {
+  tour::OrderOptions options{.seed = request.seed,
+                             .generations = request.generations,
+                             .given = &given,
+                             .stop = request.stop};
   if (request.stop.deadline != Clock::time_point::max()) {
     const auto now = request.stop.now();
     options.stop.deadline =
-        deadline_in(kOrderShare * std::chrono::duration<double>(request.stop.deadline - now), now);
+        deadline_in((given.any_order() ? kOrderShare : kGivenOrderShare) *
+                        std::chrono::duration<double>(request.stop.deadline - now),
+                    now);
   }
   std::vector<int> told;
   if (observer)
@@ -84,9 +138,9 @@ Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<co
     };
   Poller poller(request.stop);
   const auto bound_of = [&](const tour::OrderFound& found) {
-    return found.optimal && !costs.priced_late()
-               ? found.cost
-               : tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
+    if (found.order.empty() || (found.optimal && !costs.priced_late())) return found.cost;
+    if (!symmetric) return std::int64_t{0};
+    return tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
   };
   if (request.target_gap > 0) {  // the first tour's bound tells how short is short enough
     tour::OrderOptions first = options;
@@ -95,11 +149,20 @@ Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<co
     early.bound = bound_of(early.found);
     options.target = static_cast<std::int64_t>(static_cast<double>(early.bound) *
                                                std::min(1 + request.target_gap, kMostTarget));
-    if (early.found.cost <= options.target) return early;
+    if (early.found.order.empty() || early.found.cost <= options.target) return early;
   }
   Ordered ordered{.found = find_order(costs, ends, places, options)};
   ordered.bound = bound_of(ordered.found);
   return ordered;
+}
+
+void check_circle(int n, const std::vector<Before>& relation) {
+  const std::vector<int> circle = tour::circle_of(n, relation);
+  if (circle.empty()) return;
+  std::string text = "the order is a circle: ";
+  for (const int stop : circle) text += "stop " + number_text(stop) + " before ";
+  throw Error(ErrorCode::invalid_parameter, text + "stop " + number_text(circle.front()),
+              "leave one of these out");
 }
 
 void check(const TourRequest& request, int n) {
@@ -110,13 +173,30 @@ void check(const TourRequest& request, int n) {
   if (request.generations < 0)
     throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
                 "give 0 or more");
+  const auto refuse = [](const std::string& problem, const std::string& remedy) {
+    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+  };
+  for (const auto& [lists, size] :
+       {std::pair("after", request.after.size()), {"load", request.load.size()}})
+    if (size != 0 && size != static_cast<std::size_t>(n))
+      refuse(std::string(lists) + " has " + number_text(size) + " entries",
+             "give one a stop, " + number_text(n));
+  for (const auto& before : request.after)
+    for (const int stop : before)
+      if (stop < 0 || stop >= n)
+        refuse("there is no stop " + number_text(stop) + " to come before another",
+               "give the index of one, from 0");
+  check_circle(n, relation_of(request.after));
+  if (request.capacity && *request.capacity < 0)
+    refuse("the capacity is " + number_text(*request.capacity), "give 0 or more");
   if (!(request.target_gap >= 0))
     throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
                 "give 0 or more");
 }
 
-Status status_after(const StopCondition& stop) {
-  const auto cause = stop.poll();
+// `cause`: what ended the search for the order.
+Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
+  if (cause == StopCondition::Cause::none) cause = stop.poll();
   return cause == StopCondition::Cause::token      ? Status::interrupted
          : cause == StopCondition::Cause::deadline ? Status::limit
                                                    : Status::solved;
@@ -131,15 +211,15 @@ std::optional<double> TourResult::gap() const {
   return (length - *lower_bound) / *lower_bound;
 }
 
-TourResult plan_tour(const Planner& given, const TourRequest& request,
+TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                      const TourObserver& observer) {
   check(request, static_cast<int>(request.stops.size()));
   TourResult tour;
-  const std::vector<int> indices = visited(given, request, tour);
+  const std::vector<int> indices = visited(unprepared, request, tour);
   const int n = static_cast<int>(indices.size());
   if (n == 0 || !tour.error.empty()) {
     const auto bad = [&](const std::optional<int>& end) {
-      return end && !given.clear(request.stops[*end]);
+      return end && !unprepared.clear(request.stops[*end]);
     };
     const bool apart = !tour.error.empty() && !bad(request.start) && !bad(request.goal);
     tour.status = apart ? Status::unreachable : Status::invalid;
@@ -157,16 +237,26 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
                : -1;
   };
   const tour::Ends ends{request.open, inner(request.start), inner(request.goal)};
+  const PartialOrder given = given_order(request, indices, static_cast<int>(request.stops.size()));
 
-  const bool prepares = n >= kPrepared && given.robot().radius == 0 &&
-                        given.preparation().state == Preparation::State::none;
+  const bool prepares = n >= kPrepared && unprepared.robot().radius == 0 &&
+                        unprepared.preparation().state == Preparation::State::none;
   const Planner planner =
-      prepares ? given.prepared({.threads = request.threads, .stop = request.stop}) : given;
+      prepares ? unprepared.prepared({.threads = request.threads, .stop = request.stop})
+               : unprepared;
+  if (request.stop.token.stop_requested()) {
+    tour.status = Status::interrupted;  // before there was an order
+    return tour;
+  }
 
   tour::MapPricer pricer(planner, stops, request.stop);
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
-  if (n <= kPricedAtOnce) {
+  const Preparation& prepared = planner.preparation();
+  const bool searched = prepared.state == Preparation::State::ready &&
+                        planner.robot().radius == 0 && n <= kSearchedAtOnce &&
+                        prepared.edges <= kEdgesOfStop * n;
+  if (n <= kPricedAtOnce || searched) {
     if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
       if (n <= tour::kMostBySubsets) exact_lengths = *lengths;
@@ -176,33 +266,31 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
   auto [found, bound] =
-      order_and_bound(costs, ends, places, request, tour::kGrains, observer, indices);
+      order_and_bound(costs, ends, places, given, request, tour::kGrains, observer, indices);
   if (matrix.empty()) tour.priced = pricer.priced();
+  if (found.order.empty()) {
+    tell_no_order(given, ends, found.optimal, indices, tour);
+    return tour;
+  }
   const bool proven = !exact_lengths.empty();
-  if (proven) found.order = tour::subset_order(n, exact_lengths, ends);  // not by whole numbers
+  if (proven)  // not by whole numbers
+    found.order = tour::subset_order(n, exact_lengths, ends, given);
 
+  tour.status = status_after(found.cause, request.stop);
   for (const int v : found.order) tour.order.push_back(indices[v]);
   tour.legs.resize(n == 1 ? 0 : request.open ? n - 1 : n);
   std::vector<Workspace> workspaces(thread_count(request.threads));
   const Params exact("exact");
-  parallel_for(
-      static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
-      [&](int i, int thread) {
-        const int a = tour.order[i], b = tour.order[(i + 1) % n];
-        // Only a token cuts a leg short: then there is no tour.
-        Result leg = planner.plan({.start = request.stops[a],
-                                   .goal = request.stops[b],
-                                   .stop = {.token = request.stop.token}},
-                                  exact, &workspaces[thread]);
-        tour.legs[i] = {a, b, leg.status == Status::solved ? leg.length : NAN, std::move(leg.path)};
-      });
+  parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
+               [&](int i, int thread) {
+                 const int a = tour.order[i], b = tour.order[(i + 1) % n];
+                 // Never cut short: once there is an order, what stops the search leaves it its
+                 // legs.
+                 Result leg = planner.plan({.start = request.stops[a], .goal = request.stops[b]},
+                                           exact, &workspaces[thread]);
+                 tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
+               });
   for (const TourLeg& leg : tour.legs) tour.length += leg.length;
-  tour.status = status_after(request.stop);
-  if (std::isnan(tour.length)) {
-    tour.order.clear();
-    tour.legs.clear();
-    return tour;
-  }
   if (proven)
     tour.lower_bound = tour.length;
   else if (bound > 0 || tour.length == 0)
@@ -215,21 +303,34 @@ TourResult plan_tour(const Planner& given, const TourRequest& request,
 TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                      const TourObserver& observer) {
   check(request, problem.size);
-  if (problem.ordered)
-    throw Error(ErrorCode::invalid_parameter, problem.name + " has precedences",
-                "give a symmetric problem, TYPE: TSP");
-  const Costs costs(problem.size, problem.matrix.data());
-  const tour::Ends ends{request.open, request.start.value_or(-1), request.goal.value_or(-1)};
-  std::vector<int> all(problem.size);
+  const int n = problem.size;
+  const Costs costs(n, problem.matrix.data());
+  std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
-  auto [found, bound] = order_and_bound(costs, ends, problem.places, request, 1, observer, all);
+  tour::Ends ends{request.open, request.start.value_or(-1), request.goal.value_or(-1)};
+  PartialOrder given = given_order(request, all, n);
+  if (problem.ordered) {
+    std::vector<Before> relation;
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        if (a != b && costs(a, b) < 0) relation.emplace_back(b, a);
+    check_circle(n, relation);
+    ends = {true, 0, n - 1};
+    given = {n, relation};
+  }
+  auto [found, bound] = order_and_bound(costs, ends, problem.places, given, request, 1, observer,
+                                        all, !problem.ordered);
   TourResult tour;
-  tour.status = status_after(request.stop);
+  tour.priced = std::int64_t{n} * (n - 1) / (problem.ordered ? 1 : 2);
+  if (found.order.empty()) {
+    tell_no_order(given, ends, found.optimal, all, tour);
+    return tour;
+  }
+  tour.status = status_after(found.cause, request.stop);
   tour.order = std::move(found.order);
   tour.length = static_cast<double>(found.cost);
-  tour.lower_bound = static_cast<double>(bound);
+  if (!problem.ordered || bound > 0 || found.optimal) tour.lower_bound = static_cast<double>(bound);
   tour.optimal = bound == found.cost;
-  tour.priced = std::int64_t{problem.size} * (problem.size - 1) / 2;
   return tour;
 }
 

@@ -28,14 +28,19 @@ py::tuple fields(const TourResult& tour) {
 }
 
 py::tuple tour(const Planner& planner, const IntRows& stops, bool open, std::optional<int> start,
-               std::optional<int> goal, std::uint64_t seed, int generations, double target_gap,
-               int threads, std::optional<double> time_limit, const py::object& callback) {
+               std::optional<int> goal, std::vector<std::vector<int>> after, std::vector<int> load,
+               std::optional<std::int64_t> capacity, std::uint64_t seed, int generations,
+               double target_gap, int threads, std::optional<double> time_limit,
+               const py::object& callback) {
   Call call(time_limit);
   TourRequest request;
   request.stops = cells_from(stops, "stops");
   request.open = open;
   request.start = start;
   request.goal = goal;
+  request.after = std::move(after);
+  request.load = std::move(load);
+  request.capacity = capacity;
   request.seed = seed;
   request.generations = generations;
   request.target_gap = target_gap;

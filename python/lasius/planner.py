@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -222,6 +222,9 @@ class Planner:
         open: bool = False,
         start: Optional[int] = None,
         goal: Optional[int] = None,
+        after: Optional[Mapping[int, Sequence[int]]] = None,
+        load: Optional[Sequence[int]] = None,
+        capacity: Optional[int] = None,
         seed: int = 1,
         generations: int = 20,
         target_gap: float = 0.0,
@@ -235,6 +238,8 @@ class Planner:
         >>> run = planner.tour([[2, 2], [14, 7], [14, 2], [2, 7]], start=0)
         >>> run.order.tolist() in ([0, 2, 1, 3], [0, 3, 1, 2]), run.length, run.optimal
         (True, 34.0, True)
+        >>> planner.tour([[2, 2], [14, 7], [14, 2], [2, 7]], start=0, after={2: [1], 3: [2]}).order.tolist()
+        [0, 1, 2, 3]
 
         Args:
             stops: integers (n, 2), cells (x, y). Those that are outside, blocked, or not joined to the start (without
@@ -242,6 +247,9 @@ class Planner:
             open: no way back to the first stop.
             start: index of the first stop; None: any.
             goal: of the last one, of an open tour; None: any.
+            after: by stop, the stops that come before it; a circle is refused.
+            load: what each stop adds to what is carried, whole numbers, n of them.
+            capacity: the most that is carried behind any stop; None: any load.
             seed: of the search, above 12 stops; up to that the order is a shortest.
             generations: of tours that recombine, above 12 stops; 0: local search and its kicks alone.
             target_gap: ends the search at this certified gap, a fraction.
@@ -251,9 +259,15 @@ class Planner:
         Raises:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
         """
+        cells = int_rows(stops, "stops")
+        before: List[List[int]] = [[] for _ in cells] if after else []
+        for stop, earlier in (after or {}).items():
+            if not 0 <= stop < len(before):
+                raise invalid(f"after: there is no stop {stop}", f"give indices of stops, 0 to {len(before) - 1}")
+            before[stop] = list(earlier)
         error, fields = _lasius.tour(
-            self._raw, int_rows(stops, "stops"), open, start, goal, whole("seed", seed), generations, target_gap,
-            whole("threads", threads), time_limit, observer,
+            self._raw, cells, open, start, goal, before, [] if load is None else list(load), capacity,
+            whole("seed", seed), generations, target_gap, whole("threads", threads), time_limit, observer,
         )
         return finish(error, TourResult(*fields))
 

@@ -236,8 +236,8 @@ def batch_result(error: Optional[BaseException], columns: Tuple[Any, ...]) -> Ba
 class TourResult(Record):
     """A tour; lengths in cells."""
 
-    status: str  #: "solved", "limit", "interrupted", "unreachable" or "invalid"
-    error: str  #: why it is invalid or unreachable, in a sentence
+    status: str  #: "solved", "limit", "interrupted", "unreachable", "no_path" or "invalid"
+    error: str  #: why there is no tour, in a sentence
     order: IntArray  #: stops by their index; of a closed tour the first is not told again; empty without a tour
     length: float  #: sum of the legs'; NaN without a tour
     lower_bound: Optional[float]  #: certified: no tour over these stops is shorter

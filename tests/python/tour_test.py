@@ -34,6 +34,25 @@ def test_shortest_of_all_orders(planner, stops, ends):
         assert run.lengths[place] == pytest.approx(length[a, b], abs=1e-9)
 
 
+def test_an_order_given_in_part(planner, stops):
+    for count in (7, 30):
+        after = {place: [place - 1] for place in range(2, count, 2)}
+        load = np.array([0] + [1, -1] * (count // 2) + [0])[:count]
+        run = planner.tour(stops[:count], start=0, after=after, load=load, capacity=1, generations=1)
+        place = {stop: i for i, stop in enumerate(run.order.tolist())}
+        assert run.status == "solved" and sorted(place) == list(range(count)) and place[0] == 0
+        assert all(place[a] < place[b] for b, before in after.items() for a in before)
+        assert np.cumsum(load[run.order]).max() <= 1
+        assert run.length >= planner.tour(stops[:count], start=0, generations=1).lower_bound
+    for given, words in (({"after": {1: [2], 2: [1]}}, "circle: stop 1 before stop 2 before stop 1"),
+                         ({"after": {7: [0]}}, "no stop 7"), ({"after": {0: [9]}}, "no stop 9"),
+                         ({"load": [1]}, "load has 1 entries"), ({"load": [0] * 4, "capacity": -1}, "capacity is -1")):
+        with pytest.raises(lasius.InvalidParameter, match=words):
+            planner.tour(stops[:4], **given)
+    none = planner.tour(stops[:3], load=[1, 1, 0], capacity=1)
+    assert (none.status, none.error, len(none.order)) == ("unreachable", "no order keeps the capacity of 1", 0)
+
+
 def test_the_same_on_any_threads(planner, stops):
     first, *others = [planner.tour(stops, threads=threads, generations=2) for threads in (1, 2, 5)]
     assert all(first == other for other in others) and pickle.loads(pickle.dumps(first)) == first

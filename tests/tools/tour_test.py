@@ -1,4 +1,5 @@
 """tour: orders stops, names what it leaves out, refuses what is broken, and replays its results."""
+import itertools
 import json
 import math
 import unittest
@@ -40,7 +41,7 @@ class Tour(ProgramTest):
         result = self.check(self.quiet(self.tour("--json")).json)
         self.assertEqual(list(result), [
             "format", "version", "map", "algorithm", "start", "goal", "seed", "threads", "parameters",
-            "status", "error", "stops", "order", "legs", "length", "lower_bound", "gap", "optimal",
+            "status", "error", "stops", "names", "order", "legs", "length", "lower_bound", "gap", "optimal",
             "left_out", "priced", "elapsed_ms"])
         self.assertEqual(result["format"], "lasius-tour/1")
         for ends, length in (([], 34), (["--open"], 22), (["--open", "--start", "14,7"], 22),
@@ -100,7 +101,9 @@ class Tour(ProgramTest):
                 ("a.tsv", "x y\n1 2\n1 nan\n", ["line 3", "y is 'nan'"]), ("a.tsv", "1\n", ["has no y"]),
                 ("a.tsv", "x y\n1.25 2\n", ["line 2", "(1.25, 2) is no middle of a cell", "--frame world"]),
                 ("a.json", "[[1, 2],\n [3]]", ["line 2", "[1] is no [x, y]"]),
-                ("a.json", "[[1, 2],\n3}", ["line 2", "not JSON"]), ("a.json", "[]", ["holds no stop"]),
+                ("a.json", "[[1, 2],\n3}", ["line 2: this is not JSON, in or behind stop 1"]), ("a.json", "[]", ["holds no stop"]),
+                ("a.json", "[[1, 2],\n[3, 4]\n[5, 6]]", ["line 3: this is not JSON, in or behind stop 1"]),
+                ("a.json", '[{"x": 1, "y": 2},\n{"x": 1}]', ["line 2", "[1] is no [x, y]"]),
                 ("a.geojson", '{"type": "Feature",\n"geometry": {"type": "Polygon"}}', ["line 2", "a Polygon, no point"]),
                 ("a.geojson", '{"type": "Feature"}', ["lacks its \"geometry\""]),
                 ("a.geojson", '{"a": 1}', ["no GeoJSON object"])):
@@ -110,14 +113,14 @@ class Tour(ProgramTest):
         self.refused(self.tour(stops="none.tsv"), 3, "none.tsv", "cannot be opened", ".geojson")
 
     def test_usage(self):
-        self.write("after.tsv", "x y after\n1 2 a\n")
-        self.write("load.geojson", json.dumps({"type": "Feature", "properties": {"load": 1}, "geometry": {
+        self.write("group.geojson", json.dumps({"type": "Feature", "properties": {"group": 1}, "geometry": {
             "type": "Point", "coordinates": [1, 2]}}))
         for run, *words in (
                 (self.run_program("tour", "free.map"), "--stops is required"),
-                (self.tour("--capacity", "2"), "loads are not planned yet"),
-                (self.tour(stops="after.tsv"), "\"after\" is not planned yet"),
-                (self.tour(stops="load.geojson"), "\"load\" is not planned yet"),
+                (self.tour("--capacity", "2"), "--capacity 2: no stop has a load"),
+                (self.tour("--capacity", "-1"), "--capacity"),
+                (self.tour(stops="group.geojson"), "\"group\" is not planned yet"),
+                (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
                 (self.tour("--algorithm", "mmas"), "shortest paths, by exact"),
                 (self.tour("--goal-tolerance", "2"), "leaves out what it cannot reach"),
                 (self.tour("--seed", "1-3"), "one tour has one seed"), (self.tour("--generations", "-1"), "--generations"),
@@ -142,6 +145,65 @@ class Tour(ProgramTest):
         # A disc does not come into the corner.
         result = self.tour("--json", "--radius", "1", stops="s.tsv", map_file="small.map").json
         self.assertIn("radius", json.dumps(result["left_out"]) + json.dumps(result["error"]))
+
+    def test_an_end_that_is_no_stop_is_not_left_out(self):
+        self.write("s.tsv", "x y\n0 0\n9 5\n")
+        for ends in (["--start", "3,2"], ["--goal", "30,2"], ["--start", "0,0", "--goal", "4,2"]):
+            run = self.tour(*ends, stops="s.tsv", map_file="small.map")
+            self.assertNotIn("left out", run.err)
+
+    def test_an_order_given_in_part(self):
+        """Against all orders: forms of stops, ends, loads; and replayed."""
+        names, after, load = "abcdefg", {"b": "a", "d": "c, a", "g": "b,d"}, dict(zip("abcd", (1, -1, 1, -1)))
+        cells = [[3 * i % 29, 7 * i % 19] for i in range(7)]
+        rows = [(cell, name, after.get(name, ""), load.get(name, 0)) for cell, name in zip(cells, names)]
+        self.write("p.tsv", "x\ty\tname\tafter\tload\n" + "".join(
+            f"{x}\t{y}\t{name}\t{before}\t{load or ''}\n" for (x, y), name, before, load in rows))
+        self.write("p.json", json.dumps([{"x": x, "y": y, "name": name, "after": before, "load": load}
+                                         for (x, y), name, before, load in rows]))
+        self.write("p.geojson", json.dumps({"type": "FeatureCollection", "features": [
+            {"type": "Feature", "geometry": {"type": "Point", "coordinates": cell},
+             "properties": {"name": name, "after": [one.strip() for one in before.split(",")] if before else None,
+                            "load": load}} for cell, name, before, load in rows]}))
+
+        def best(is_open, capacity, start=None):
+            def length(order):
+                done, carried = set(), 0
+                for i in order:
+                    carried += rows[i][3]
+                    if carried > capacity or not {one.strip() for one in rows[i][2].split(",")} - {""} <= done:
+                        return math.inf
+                    done.add(names[i])
+                ends = order[1:] if is_open else order[1:] + order[:1]
+                return sum(math.dist(cells[a], cells[b]) for a, b in zip(order, ends))
+            return min(length(order) for order in itertools.permutations(range(7)) if start in (None, order[0]))
+        for options, *given in (([], False, 9), (["--open"], True, 9), (["--capacity", "1"], False, 1),
+                                (["--capacity", "1", "--open", "--start", "15,16"], True, 1, 5)):
+            answers = [self.check(self.tour("--json", *options, stops=name).json)
+                       for name in ("p.tsv", "p.json", "p.geojson")]
+            for answer in answers:
+                self.assertEqual(answer["after"], [[], [0], [], [2, 0], [], [], [1, 3]])
+                self.assertEqual((answer["names"], answer["loads"]), (list(names), [1, -1, 1, -1, 0, 0, 0]))
+                self.assertAlmostEqual(answer["length"], best(*given), places=9)
+                self.assertTrue(answer["optimal"])
+            self.ended(self.replay_of(answers[0]), 0)
+        for stops, words in (("x\ty\tname\tafter\n1\t2\ta\tc\n3\t4\tb\ta\n5\t6\tc\tb\n",
+                              ["line 2", "\"after\" is a circle: a before b before c before a"]),
+                             ("x\ty\tname\tafter\n1\t2\ta\ta\n", ["line 2", "circle: a before a"]),
+                             ("x\ty\tname\tafter\n1\t2\talpha\t\n3\t4\tb\talpa\n",
+                              ["line 3", "no stop is named \"alpa\"", "did you mean \"alpha\"?"]),
+                             ("x\ty\tafter\n1\t2\ta\n", ["no stop is named", "give each stop its name"]),
+                             ("x\ty\tname\tafter\n1\t2\ta\t\n3\t4\ta\ta\n", ["stops 0 and 1 are both named \"a\""]),
+                             ("x y name after\n1 2 a\n", ["3 fields", "split columns at tabs"]),
+                             ("x y load\n1 2 0.5\n", ["line 2", "load is '0.5'", "whole number"]),
+                             ('[{"x": 1, "y": 2, "load": "much"}]', ["load is '\"much\"'"]),
+                             ('[{"x": 1, "y": 2, "after": [[]]}]', ["\"after\" is []", "list of names"])):
+            self.write("q.txt", stops)
+            self.refused(self.tour(stops="q.txt"), 3, "q.txt", *words)
+        self.ended(self.tour("--start", "3,7", stops="p.tsv"), 5, "stop 1 is the start, but stop 0 comes before it")
+        self.write("q.tsv", "x y load\n1 2 2\n3 4 2\n5 6 0\n")
+        run = self.ended(self.tour("--capacity", "3", "--json", stops="q.tsv"), 5, "no order keeps the capacity of 3")
+        self.assertEqual((run.json["status"], run.json["order"]), ("unreachable", None))
 
     def test_ends_that_are_none(self):
         for ends, code, *words in (
@@ -237,7 +299,19 @@ class Tour(ProgramTest):
         self.refused(self.run_program("tour", "none.tsp"), 3, "cannot be opened")
         self.write("a.sop", "TYPE: SOP\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
                    "EDGE_WEIGHT_SECTION\n2\n0 5\n-1 0\nEOF\n")
-        self.refused(self.run_program("tour", "a.sop"), 2, "has precedences")
+        run = self.run_program("tour", "a.sop", "--json")
+        self.assertEqual((run.json["order"], run.json["length"], run.json["optimal"]), ([0, 1], 5, True))
+        self.ended(self.replay_of(run.json), 0)
+        # Of more than twelve places no bound is told: up by steps of 1, 13 before 2.
+        rows = [[-1 if b < a and (a == 14 or b == 0) or (a, b) == (1, 12) else abs(a - b) for b in range(15)]
+                for a in range(15)]
+        self.write("b.sop", "TYPE: SOP\nDIMENSION: 15\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
+                   "EDGE_WEIGHT_SECTION\n15\n" + "".join(" ".join(map(str, row)) + "\n" for row in rows))
+        result = self.run_program("tour", "b.sop", "--json").json
+        self.assertEqual((result["length"], result["lower_bound"], result["gap"], result["optimal"]),
+                         (12 + 11 + 13, None, None, False))
+        self.assertLess(result["order"].index(12), result["order"].index(1))
+        self.ended(self.replay_of(result), 0)
         self.refused(self.run_program("tour", "box.tsp", "--stops", "box.tsv"), 2, "--stops is for maps")
         self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures are of tours on maps")
 

@@ -131,13 +131,23 @@ struct DriveCommand : PlanCommand {
   std::int64_t max_ticks = 1'000'000;
 };
 
+/// Stops of a tour, and what is given of their order. The lists are one entry a stop, or empty.
+struct TourStops {
+  std::vector<Point> points = {};            ///< as PlanCommand has its ends
+  std::vector<std::string> names = {};       ///< empty text: without a name
+  std::vector<std::vector<int>> after = {};  ///< stops that come before each
+  std::vector<int> loads = {};
+};
+
 struct TourCommand {
   static constexpr int kMostGenerations = 1'000'000;
+  static constexpr int kMostLoad = 1'000'000;  ///< of a stop; of the capacity
 
   RunOptions run = {};  ///< its map may be a problem of TSPLIB
   std::string stops_file = {};
-  std::vector<Point> stops = {};  ///< without a file: as PlanCommand has its ends
+  TourStops stops = {};  ///< without a file
   bool open = false;
+  std::optional<int> capacity = {};
   std::optional<Point> start = {}, goal = {};
   int generations = 20;
 };

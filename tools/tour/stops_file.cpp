@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/did_you_mean.h"
 #include "core/base/json_place.h"
 #include "core/base/text_lines.h"
+#include "core/tour/order/partial_order.h"
 #include "lasius/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
@@ -21,6 +24,19 @@ namespace {
 constexpr const char* kForms =
     "give a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points";
 
+// Where something is in the file: a line, or the path of a JSON value.
+struct At {
+  std::int64_t line = 1;
+  std::string path = {};
+};
+
+// What a stop has beside its coordinates.
+struct Details {
+  std::string name = {};
+  std::vector<std::string> after = {};
+  std::optional<int> load = {};
+};
+
 class Reader {
  public:
   Reader(const std::string& file, Frame frame) : file_(file), frame_(frame) {
@@ -30,165 +46,290 @@ class Reader {
     end_lines_in_lf(text_);
   }
 
-  std::vector<Point> read() {
+  TourStops read() {
     const auto first = text_.find_first_not_of(" \t\r\n");
-    if (first == text_.npos) fail(1, "is empty", kForms);
+    if (first == text_.npos) fail({}, "is empty", kForms);
     if (text_[first] == '[' || text_[first] == '{')
       read_json();
     else
       read_table();
-    if (stops_.empty()) fail(1, "holds no stop", kForms);
+    if (stops_.points.empty()) fail({}, "holds no stop", kForms);
+    add_details();
     return std::move(stops_);
   }
 
  private:
-  [[noreturn]] void fail(std::int64_t line, const std::string& problem,
+  static constexpr std::string_view kSeparators = " \t\r\v\f,";
+  static std::string bare(std::string_view text) {
+    const auto from = text.find_first_not_of(" \t\r\v\f"), to = text.find_last_not_of(" \t\r\v\f");
+    return from == text.npos ? "" : std::string(text.substr(from, to - from + 1));
+  }
+
+  [[noreturn]] void fail(const At& at, const std::string& problem,
                          const std::string& remedy) const {
+    const auto line = at.path.empty() ? at.line : JsonPlace::line(text_, at.path);
     throw Error(ErrorCode::file_broken, {.file = file_, .line = line}, problem, remedy);
   }
 
-  void refuse(std::string_view name) const {
-    for (const char* unplanned : {"after", "load", "group"})
-      if (name == unplanned)
-        throw UsageError(file_ + ": \"" + unplanned +
-                         "\" is not planned yet: tours have no order given in part, no loads and "
-                         "no groups; leave it out");
+  void refuse_group(std::string_view name) const {
+    if (name == "group")
+      throw UsageError(file_ +
+                       ": \"group\" is not planned yet: tours have no groups; leave it out");
   }
 
   // `whole`: both were written as whole numbers.
-  void add(Point p, bool whole, std::int64_t line) {
-    if (stops_.size() == kMostStops)
-      fail(line, "has more than " + std::to_string(kMostStops) + " stops", "part them in tours");
+  void add(Point p, bool whole, Details details, At at) {
+    if (stops_.points.size() == kMostStops)
+      fail(at, "has more than " + std::to_string(kMostStops) + " stops", "part them in tours");
     if (frame_ == Frame::cell && !whole) {
       const Point cell{p.x - 0.5, p.y - 0.5};
       if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
-        fail(line, "(" + to_text(p.x) + ", " + to_text(p.y) + ") is no middle of a cell",
+        fail(at, "(" + to_text(p.x) + ", " + to_text(p.y) + ") is no middle of a cell",
              "give a cell's column and row, whole numbers, or metres with --frame world");
       p = cell;
     }
-    stops_.push_back(p);
+    stops_.points.push_back(p);
+    details_.push_back(std::move(details));
+    places_.push_back(std::move(at));
   }
 
-  double number(std::string_view name, std::string_view field, std::int64_t line) const {
+  double number(std::string_view name, std::string_view field, const At& at) const {
     const auto value = parse_real(field);
     if (!value || field.find('\0') != field.npos)
-      fail(line, std::string(name) + " is '" + std::string(field) + "'", "give a finite number");
+      fail(at, std::string(name) + " is '" + std::string(field) + "'", "give a finite number");
     return *value;
+  }
+  int load(double value, std::string_view text, const At& at) const {
+    if (value != std::floor(value) || std::abs(value) > TourCommand::kMostLoad)
+      fail(at, "load is '" + std::string(text) + "'",
+           "give a whole number, as 1 where something is picked and -1 where it is delivered");
+    return static_cast<int>(value);
+  }
+  static std::vector<std::string> names_in(std::string_view list) {
+    std::vector<std::string> names;
+    for (const auto part : split(list, ','))
+      if (std::string name = bare(part); !name.empty()) names.push_back(std::move(name));
+    return names;
   }
 
   void read_table() {
     std::vector<std::string> header;
     std::size_t x = 0, y = 1;
+    std::optional<std::size_t> name, after, loads;
     bool tabs = false;
-    std::int64_t line = 0;
+    At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
-      ++line;
-      if (words_of(row, kBlanks).empty()) continue;
+      ++at.line;
+      if (words_of(row, kSeparators).empty()) continue;
       if (header.empty()) tabs = row.find('\t') != row.npos;
-      std::vector<std::string_view> fields;
+      std::vector<std::string> fields;
       if (tabs)
-        for (const auto field : split(row, '\t')) {
-          const auto words = words_of(field, " \r\v\f");
-          fields.push_back(words.empty() ? field.substr(0, 0)
-                                         : field.substr(words.front().data() - field.data(),
-                                                        words.back().data() + words.back().size() -
-                                                            words.front().data()));
-        }
+        for (const auto field : split(row, '\t')) fields.push_back(bare(field));
       else
-        fields = words_of(row, kBlanks);
+        for (const auto field : words_of(row, kSeparators)) fields.emplace_back(field);
       if (header.empty()) {
-        header.assign(fields.begin(), fields.end());
+        header = fields;
         if (!parse_real(fields.front())) {
-          x = column(header, "x", line);
-          y = column(header, "y", line);
-          for (const auto& name : header) refuse(name);
+          x = *column(header, "x", at);
+          y = *column(header, "y", at);
+          name = column(header, "name", at);
+          after = column(header, "after", at);
+          loads = column(header, "load", at);
+          for (const auto& one : header) refuse_group(one);
           continue;
         }
-        if (header.size() < 2) fail(line, "has no y", kForms);
+        if (header.size() < 2) fail(at, "has no y", kForms);
       }
       if (fields.size() != header.size())
-        fail(line,
+        fail(at,
              counted(static_cast<std::int64_t>(fields.size()), "field") +
                  ", but the first line has " + std::to_string(header.size()),
-             "give every column a value");
-      const Point p{number("x", fields[x], line), number("y", fields[y], line)};
-      add(p, parse_whole(fields[x]) && parse_whole(fields[y]), line);
+             after ? "split columns at tabs, each name in \"after\" from the next at a comma"
+                   : "give every column a value");
+      Details details;
+      if (name) details.name = fields[*name];
+      if (after) details.after = names_in(fields[*after]);
+      if (loads && !fields[*loads].empty())
+        details.load = load(number("load", fields[*loads], at), fields[*loads], at);
+      add({number("x", fields[x], at), number("y", fields[y], at)},
+          parse_whole(fields[x]) && parse_whole(fields[y]), std::move(details), at);
     }
   }
 
-  std::size_t column(const std::vector<std::string>& header, const char* name,
-                     std::int64_t line) const {
+  std::optional<std::size_t> column(const std::vector<std::string>& header, const std::string& name,
+                                    const At& at) const {
     const auto found = std::ranges::find(header, name);
-    if (found == header.end()) fail(line, std::string("no column is named ") + name, kForms);
+    if (found == header.end()) {
+      if (name == "x" || name == "y") fail(at, "no column is named " + name, kForms);
+      return std::nullopt;
+    }
     if (std::find(found + 1, header.end(), name) != header.end())
-      fail(line, std::string("two columns are named ") + name, "rename one of them");
+      fail(at, "two columns are named " + name, "rename one of them");
     return static_cast<std::size_t>(found - header.begin());
   }
 
   void read_json() {
-    const Json json = json::read(text_, file_);
+    Json json;
+    try {
+      json = json::read(text_, file_);
+    } catch (const Error& error) {
+      if (text_[text_.find_first_not_of(" \t\r\n")] != '[' || error.place().offset < 0) throw;
+      fail({.line = error.place().line},
+           error.problem() + ", in or behind stop " +
+               std::to_string(stops_up_to(error.place().offset)),
+           error.remedy());
+    }
     if (json.is_array())
-      read_list(json, "");
+      read_list(json, "", {});
     else
-      read_geometry(json, "");
+      read_geometry(json, "", {});
   }
 
-  void read_list(const Json& list, const std::string& at) {
+  // The index of the entry of the list at a byte.
+  std::int64_t stops_up_to(std::int64_t byte) const {
+    std::int64_t index = 0;
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < std::min<std::size_t>(static_cast<std::size_t>(byte), text_.size());
+         ++i) {
+      const char c = text_[i];
+      if (quoted && c == '\\') ++i;
+      if (c == '"') quoted = !quoted;
+      if (quoted) continue;
+      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+      if (c == ',' && depth == 1) ++index;
+    }
+    return index;
+  }
+
+  void read_list(const Json& list, const std::string& path, const Details& details) {
     for (std::size_t i = 0; i < list.size(); ++i)
-      read_pair(list[i], at + "[" + std::to_string(i) + "]");
+      read_pair(list[i], path + "[" + std::to_string(i) + "]", details);
   }
 
-  void read_pair(const Json& pair, const std::string& at) {
+  void read_pair(const Json& pair, const std::string& path, const Details& details) {
     const auto finite = [](const Json& value) {
       return value.is_number() && std::isfinite(value.get<double>());
     };
-    if (!pair.is_array() || pair.size() < 2 || !finite(pair[0]) || !finite(pair[1]))
-      fail(JsonPlace::line(text_, at), at + " is no [x, y] of finite numbers", kForms);
-    add({pair[0].get<double>(), pair[1].get<double>()},
-        pair[0].is_number_integer() && pair[1].is_number_integer(), JsonPlace::line(text_, at));
+    const auto both = [&](const Json& x, const Json& y, Details more) {
+      if (!finite(x) || !finite(y))
+        fail({.path = path}, path + " is no [x, y] of finite numbers", kForms);
+      add({x.get<double>(), y.get<double>()}, x.is_number_integer() && y.is_number_integer(),
+          std::move(more), {.path = path});
+    };
+    if (pair.is_object() && pair.contains("x") && pair.contains("y"))
+      return both(pair["x"], pair["y"], details_of(pair, path));
+    const bool long_enough = pair.is_array() && pair.size() >= 2;
+    both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), details);
   }
 
-  void read_geometry(const Json& json, const std::string& at) {
+  Details details_of(const Json& object, const std::string& path) const {
+    Details details;
+    for (const auto& item : object.items()) refuse_group(item.key());
+    const auto given = [&](const char* key) -> const Json* {
+      return object.contains(key) && !object[key].is_null() ? &object[key] : nullptr;
+    };
+    const auto text_of = [&](const Json& value, const char* key) -> std::string {
+      if (value.is_string()) return value.get<std::string>();
+      if (value.is_number_integer()) return value.dump();
+      fail({.path = path}, std::string("\"") + key + "\" is " + value.dump(),
+           "give a stop's name, or with \"after\" a list of names");
+    };
+    if (const Json* name = given("name")) details.name = bare(text_of(*name, "name"));
+    if (const Json* after = given("after")) {
+      if (after->is_array())
+        for (const Json& one : *after) details.after.push_back(bare(text_of(one, "after")));
+      else
+        details.after = names_in(text_of(*after, "after"));
+    }
+    if (const Json* value = given("load"))
+      details.load =
+          load(value->is_number() ? value->get<double>() : 0.5, value->dump(), {.path = path});
+    return details;
+  }
+
+  void read_geometry(const Json& json, const std::string& path, const Details& details) {
     const std::string type =
         json.is_object() && json.contains("type") && json["type"].is_string() ? json["type"] : "";
-    const std::string in = at.empty() ? "" : at + ".";
+    const std::string in = path.empty() ? "" : path + ".";
     const auto part = [&](const char* key) -> const Json& {
       if (!json.contains(key))
-        fail(JsonPlace::line(text_, at), "a " + type + " lacks its \"" + key + "\"", kForms);
+        fail({.path = path}, "a " + type + " lacks its \"" + key + "\"", kForms);
       return json[key];
     };
     const auto all = [&](const char* key) {
       const Json& parts = part(key);
       for (std::size_t i = 0; i < parts.size(); ++i)
-        read_geometry(parts.is_array() ? parts[i] : parts,
-                      in + key + "[" + std::to_string(i) + "]");
+        read_geometry(parts.is_array() ? parts[i] : parts, in + key + "[" + std::to_string(i) + "]",
+                      details);
     };
     if (type == "FeatureCollection") return all("features");
     if (type == "GeometryCollection") return all("geometries");
     if (type == "Feature") {
-      if (json.contains("properties") && json["properties"].is_object())
-        for (const auto& property : json["properties"].items()) refuse(property.key());
-      return read_geometry(part("geometry"), in + "geometry");
+      const bool more = json.contains("properties") && json["properties"].is_object();
+      return read_geometry(part("geometry"), in + "geometry",
+                           more ? details_of(json["properties"], in + "properties") : Details{});
     }
-    if (type == "Point") return read_pair(part("coordinates"), in + "coordinates");
-    if (type == "MultiPoint") return read_list(part("coordinates"), in + "coordinates");
-    fail(JsonPlace::line(text_, at),
-         (at.empty() ? "the document" : at) + " is " +
+    if (type == "Point") return read_pair(part("coordinates"), in + "coordinates", details);
+    if (type == "MultiPoint") return read_list(part("coordinates"), in + "coordinates", details);
+    fail({.path = path},
+         (path.empty() ? "the document" : path) + " is " +
              (type.empty() ? "no GeoJSON object" : "a " + type + ", no point"),
          kForms);
   }
 
-  static constexpr std::string_view kBlanks = " \t\r\v\f,";
+  // Names become indices, once all are known.
+  void add_details() {
+    const std::size_t n = details_.size();
+    const auto any = [&](const auto& has) { return std::ranges::any_of(details_, has); };
+    if (any([](const Details& one) { return !one.name.empty(); }))
+      for (const Details& one : details_) stops_.names.push_back(one.name);
+    if (any([](const Details& one) { return one.load.has_value(); }))
+      for (const Details& one : details_) stops_.loads.push_back(one.load.value_or(0));
+    if (!any([](const Details& one) { return !one.after.empty(); })) return;
+    std::map<std::string_view, std::vector<int>> named;
+    std::vector<std::string_view> known;
+    for (std::size_t i = 0; i < n; ++i)
+      if (!details_[i].name.empty()) named[details_[i].name].push_back(static_cast<int>(i));
+    for (const auto& [name, stops] : named) known.push_back(name);
+    std::vector<tour::Before> relation;
+    stops_.after.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (const std::string& name : details_[i].after) {
+        const auto found = named.find(name);
+        if (found == named.end())
+          fail(places_[i], "\"after\": no stop is named \"" + name + "\"",
+               known.empty() ? "give each stop its name" : did_you_mean(name, known));
+        if (found->second.size() > 1)
+          fail(places_[i],
+               "\"after\": stops " + std::to_string(found->second[0]) + " and " +
+                   std::to_string(found->second[1]) + " are both named \"" + name + "\"",
+               "give each its own name");
+        stops_.after[i].push_back(found->second.front());
+        relation.emplace_back(found->second.front(), static_cast<int>(i));
+      }
+    const std::vector<int> circle = tour::circle_of(static_cast<int>(n), relation);
+    if (circle.empty()) return;
+    const auto shown = [&](int stop) {
+      const std::string& name = details_[static_cast<std::size_t>(stop)].name;
+      return name.empty() ? "stop " + std::to_string(stop) : name;
+    };
+    std::string text = "\"after\" is a circle: ";
+    for (const int stop : circle) text += shown(stop) + " before ";
+    fail(places_[static_cast<std::size_t>(circle.front())], text + shown(circle.front()),
+         "leave one of these out");
+  }
+
   const std::string& file_;
   Frame frame_;
   std::string text_;
-  std::vector<Point> stops_;
+  TourStops stops_;
+  std::vector<Details> details_;  // of the stops
+  std::vector<At> places_;        // of the stops
 };
 
 }  // namespace
 
-std::vector<Point> read_stops(const std::string& file, Frame frame) {
-  return Reader(file, frame).read();
-}
+TourStops read_stops(const std::string& file, Frame frame) { return Reader(file, frame).read(); }
 
 }  // namespace lasius::tool

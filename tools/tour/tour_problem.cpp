@@ -30,7 +30,10 @@ class TourProblem : public Problem {
     run.inputs.push_back(answer_.map.image);
     check_radius(answer_.map, run);
     if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
-    for (const Point stop : command_.stops)
+    if (command_.capacity && command_.stops.loads.empty())
+      throw UsageError("--capacity " + std::to_string(*command_.capacity) +
+                       ": no stop has a load; give the stops a \"load\", or leave it out");
+    for (const Point stop : command_.stops.points)
       answer_.stops.push_back(to_place(answer_.map, stop, run.frame));
     answer_.start = index_of(command_.start);
     answer_.goal = index_of(command_.goal);
@@ -47,6 +50,10 @@ class TourProblem : public Problem {
     for (const Place& place : answer_.stops) request.stops.push_back(place.cell);
     request.start = answer_.start;
     request.goal = answer_.goal;
+    request.after = command_.stops.after;
+    request.load = command_.stops.loads;
+    if (!request.after.empty()) request.after.resize(request.stops.size());
+    if (!request.load.empty()) request.load.resize(request.stops.size());
     if (request.goal && request.goal == request.start) {  // there and back
       request.open = false;
       request.goal.reset();
@@ -86,7 +93,9 @@ class TourProblem : public Problem {
     if (path.empty() && !tour.order.empty()) path = {centre(place_at(tour.order.front()).cell)};
     record.path = coordinates(in_metres() ? answer_.map.to_world(path) : path);
     if (!command_.run.json)
-      for (const LeftOut& out : tour.left_out) record.remarks.push_back(out.why + ": left out");
+      for (const LeftOut& out : tour.left_out)
+        if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
+          record.remarks.push_back(out.why + ": left out");
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
     if (wants_json(command_.run)) record.answer = answer_of(ends, record);
     return record;
@@ -167,6 +176,10 @@ class TourProblem : public Problem {
       json["start_world"] = answer_.start ? point(ends.start.asked) : Json();
       json["goal_world"] = answer_.goal ? point(ends.goal.asked) : Json();
     }
+    const TourStops& given = command_.stops;
+    if (!given.names.empty()) json["names"] = given.names;
+    if (!given.after.empty()) json["after"] = given.after;
+    if (!given.loads.empty()) json["loads"] = given.loads;
     json.update(order_json(tour));
     json["legs"] = found ? legs_json() : Json();
     json["length"] = number(record.result.length);
@@ -202,7 +215,17 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   const Json& list = value_at(result, stops);
   if (!list.is_array() || list.empty()) throw UsageError("\"" + stops + "\" is no list of stops");
   for (std::size_t i = 0; i < list.size(); ++i)
-    command.stops.push_back(recorded_place(Json{{stops, list[i]}}, stops, !metres));
+    command.stops.points.push_back(recorded_place(Json{{stops, list[i]}}, stops, !metres));
+  const auto given = [&](const char* key, auto& value) {
+    if (result.contains(key))
+      value = recorded<std::remove_reference_t<decltype(value)>>(result, key);
+  };
+  given("names", command.stops.names);
+  given("after", command.stops.after);
+  given("loads", command.stops.loads);
+  if (result.contains("parameters") && result["parameters"].contains("capacity"))
+    command.capacity = static_cast<int>(
+        recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
   for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
     if (!value_at(result, key).is_null())
       *end = recorded_place(result, metres ? key + std::string("_world") : key, !metres);
@@ -223,6 +246,7 @@ TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
   request.open = command.open || command.goal;
   request.seed = command.run.seed;
   request.generations = command.generations;
+  request.capacity = command.capacity;
   request.target_gap = command.run.target_gap;
   request.threads = command.run.threads;
   request.stop = again(stop, command.run.time_limit);
@@ -244,6 +268,7 @@ SearchResult search_result(const TourResult& tour) {
 void add_parameters(Json& json, const TourCommand& command) {
   json["open"] = command.open;
   json["generations"] = command.generations;
+  if (command.capacity) json["capacity"] = *command.capacity;
 }
 
 Json order_json(const TourResult& tour) {

@@ -22,7 +22,7 @@ constexpr const char* kTourOutputs =
 
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
-  for (const char* option : {"--stops", "--start", "--goal", "--frame", "--radius",
+  for (const char* option : {"--stops", "--start", "--goal", "--capacity", "--frame", "--radius",
                              "--unknown-free", "--prepare", "--corners"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
@@ -37,6 +37,7 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
 Subcommand add_tour(CLI::App& app) {
   struct Text : TourCommand {
     std::string start_text, goal_text;
+    int capacity_given = 0;
   };
   auto text = std::make_shared<Text>();
   OptionTable table(
@@ -45,20 +46,24 @@ Subcommand add_tour(CLI::App& app) {
   table.file(
       "--stops", text->stops_file,
       "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, or "
-      "metres with --frame world",
+      "metres with --frame world; with \"name\", \"after\" (names that come before) and \"load\"",
       {".tsv", ".json", ".geojson"});
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
   table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
   table.text("--goal", text->goal_text,
              "Where it ends, open: a stop, or one more; the same as --start: closed", "X,Y");
+  table.integer("--capacity", text->capacity_given, 0, TourCommand::kMostLoad,
+                "The most that is carried at any time, by the stops' loads (default: any load)",
+                "K");
   table.integer("--generations", text->generations, 0, TourCommand::kMostGenerations,
                 "Generations of tours that recombine, above 12 stops (default 20)", "N");
   table
       .file("MAP", text->run.map.file,
-            "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; or a problem of TSPLIB, .tsp",
+            "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; or a problem of TSPLIB, .tsp or .sop",
             [] {
               auto endings = map_endings(false);
               endings.emplace_back(".tsp");
+              endings.emplace_back(".sop");
               return endings;
             }())
       ->required();
@@ -71,10 +76,6 @@ Subcommand add_tour(CLI::App& app) {
                    .endings = kTourEndings});
   table["--gap"]->description("No effect: a tour always tells its certified gap");
   table["--goal-tolerance"]->group(kRefused);
-  const auto refuse = [](const std::string&) {
-    throw UsageError("--capacity: loads are not planned yet; leave it out");
-  };
-  table.add("--capacity", "", "K", refuse)->group(kRefused);
   return table.command(
       {.examples = {{"lasius tour maps/grid30a.map --stops stops.tsv -o tour.png",
                      "a closed tour, and a picture of it"},
@@ -83,7 +84,9 @@ Subcommand add_tour(CLI::App& app) {
        .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
-                 {kUnreachable, "the goal cannot be reached from the start"},
+                 {kUnreachable,
+                  "the goal cannot be reached from the start, or no order keeps what is given"},
+                 {kNoPath, "no order was found that keeps the capacity"},
                  kOutput,
                  {kInterrupted, "interrupted, the best so far written"}},
        .json = "tours/JSON of a tour"},
@@ -97,13 +100,14 @@ Subcommand add_tour(CLI::App& app) {
           throw UsageError(
               "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
         if (run.algorithm.empty()) run.algorithm = kTourAlgorithm;
-        if (run.algorithm != kTourAlgorithm)
+        if (algorithm_of(bitmaps(), run.algorithm) != kTourAlgorithm)
           throw UsageError("--algorithm " + run.algorithm +
                            ": legs of tours are shortest paths, by exact; leave it out");
         if (is_tsplib(run.map.file))
           check_tsplib(table, run);
         else
           require("", "--stops", tour.stops_file);
+        if (table.given("--capacity")) tour.capacity = text->capacity_given;
         finish_run(run);
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +

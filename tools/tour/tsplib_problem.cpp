@@ -15,10 +15,9 @@ class TsplibProblem : public Problem {
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     const std::string& file = command_.run.map.file;
-    auto in = opened(file, "name a problem of TSPLIB, .tsp");
+    auto in = opened(file, "name a problem of TSPLIB, .tsp or .sop");
     problem_ = read_tsplib(in, file);
-    if (problem_.ordered)
-      throw UsageError(file + " has precedences, which are not planned yet: give TYPE: TSP");
+    command_.open = command_.open || problem_.ordered;
     hash_ = file_hash(file);
     return std::nullopt;
   }

@@ -9,6 +9,7 @@
 #include "core/tour/order/one_more.h"
 #include "core/tour/order/recombine.h"
 #include "core/tour/order/subset_dp.h"
+#include "core/tour/order/window_search.h"
 #include "lasius/error.h"
 
 namespace lasius::tour {
@@ -135,16 +136,18 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
                       const OrderOptions& options) {
   check_ends(costs.size(), ends);
   OrderFound result;
+  const PartialOrder any, &given = options.given != nullptr ? *options.given : any;
   const auto tell = [&] {
     return !options.observer || options.observer(result.order, result.cost);
   };
   if (costs.size() <= kMostBySubsets) {
-    result.order = subset_order(costs, ends);
+    result.order = subset_order(costs, ends, given);
     result.cost = cost_of(costs, result.order, ends.open);
     result.optimal = true;
-    tell();
+    if (!result.order.empty()) tell();
     return result;
   }
+  if (!given.any_order()) return find_partial_order(costs, ends, given, options);
   const std::optional<OneMore> more =
       ends.open ? std::optional<OneMore>(std::in_place, costs, ends) : std::nullopt;
   const Costs& closed = more ? more->costs() : costs;

@@ -8,6 +8,7 @@
 
 #include "core/tour/order/candidates.h"
 #include "core/tour/order/costs.h"
+#include "core/tour/order/partial_order.h"
 #include "lasius/stop.h"
 
 namespace lasius::tour {
@@ -18,6 +19,8 @@ struct OrderOptions {
   std::int64_t kicks = -1;  ///< of the first tour; -1: one a stop
   int generations = -1;     ///< of the colony that recombines, in all; -1: until stopped
   std::int64_t target = 0;  ///< a cost that ends the search
+  /// What is given of the order; null: nothing. Costs may then differ with their direction.
+  const PartialOrder* given = nullptr;
   StopCondition stop = {};
   /// Told each cheaper order. False ends the search.
   std::function<bool(std::span<const int> order, std::int64_t cost)> observer = {};
@@ -25,9 +28,10 @@ struct OrderOptions {
 
 /// What came of it.
 struct OrderFound {
-  std::vector<int> order;  ///< every stop once; from the start, where one is given
+  std::vector<int>
+      order;  ///< every stop once; from the start; empty where none keeps what is given
   std::int64_t cost = 0;
-  bool optimal = false;                                     ///< proven, by subsets
+  bool optimal = false;  ///< proven, by subsets, or where there is no order
   StopCondition::Cause cause = StopCondition::Cause::none;  ///< what ended it early
 };
 

@@ -8,7 +8,9 @@
 #include <sstream>
 
 #include "core/base/number_text.h"
+#include "core/base/text_lines.h"
 #include "core/tour/order/costs.h"
+#include "core/tour/order/partial_order.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -19,6 +21,7 @@ using tour::Cost;
 using tour::kLargest;
 
 constexpr int kMostStops = 20'000;
+constexpr const char* kTypes = "give EUC_2D, CEIL_2D, MAN_2D, MAX_2D, ATT, GEO or EXPLICIT";
 
 double radians(double degrees_and_minutes) {
   constexpr double kPi = 3.141592;  // TSPLIB's own
@@ -74,18 +77,33 @@ class Reader {
         coordinates();
       } else if (key == "EDGE_WEIGHT_SECTION") {
         weights();
+      } else if (number_of<double>(key.substr(0, key.find_first_of(" \t")))) {
+        too_many();
       } else {
         fail(ErrorCode::file_unsupported, "'" + key + "' is not read",
              "give a symmetric problem (TSP) or one of sequential ordering (SOP)");
       }
     }
+    if (line_ == 0) line_ = 1;
+    need_size();
     if (result_.matrix.empty()) by_rule();
+    if (result_.ordered) check_circle();
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void fail(ErrorCode code, const std::string& problem, const char* remedy) const {
-    throw Error(code, {file_, line_}, problem, remedy);
+  [[noreturn]] void fail(ErrorCode code, const std::string& problem,
+                         const std::string& remedy) const {
+    fail_at(line_, code, problem, remedy);
+  }
+  [[noreturn]] void fail_at(std::int64_t line, ErrorCode code, const std::string& problem,
+                            const std::string& remedy) const {
+    throw Error(code, {file_, line}, problem, remedy);
+  }
+  std::string dimension() const { return "DIMENSION, " + number_text(result_.size); }
+  [[noreturn]] void too_many() const {
+    fail(ErrorCode::file_broken, "there are more data than " + dimension() + ", asks for",
+         "correct DIMENSION, or leave the rest out");
   }
   static std::string trimmed(const std::string& text) {
     const auto from = text.find_first_not_of(" \t\r"), to = text.find_last_not_of(" \t\r");
@@ -104,9 +122,18 @@ class Reader {
       if (!value.starts_with("TSP") && !result_.ordered)
         fail(ErrorCode::file_unsupported, "TYPE " + value + " is not read", "give a TSP or a SOP");
     }
-    if (key == "EDGE_WEIGHT_TYPE") rule_ = value;
-    if (key == "EDGE_WEIGHT_FORMAT") format_ = value;
+    if (key == "EDGE_WEIGHT_TYPE") {
+      if (value != "EXPLICIT" && !kRules.contains(value))
+        fail(ErrorCode::file_unsupported, "EDGE_WEIGHT_TYPE '" + value + "' is not read", kTypes);
+      rule_ = value;
+    }
+    if (key == "EDGE_WEIGHT_FORMAT") {
+      format_ = value;
+      format_line_ = line_;
+    }
     if (key != "DIMENSION") return;
+    if (result_.size > 0)
+      fail(ErrorCode::file_broken, "DIMENSION is given again", "leave one of the two out");
     const auto size = number_of<int>(value);
     if (!size || *size < 1 || *size > kMostStops)
       fail(ErrorCode::file_broken, "DIMENSION is '" + value + "'", "give 1 to 20000 stops");
@@ -114,16 +141,20 @@ class Reader {
   }
   void need_size() const {
     if (result_.size == 0)
-      fail(ErrorCode::file_broken, "the data come before DIMENSION",
-           "tell the number of stops first");
+      fail(ErrorCode::file_broken, "there is no DIMENSION up to here",
+           "tell the number of stops before their data");
+  }
+  // What a section lacks, at its end.
+  [[noreturn]] void too_few() const {
+    fail(ErrorCode::file_broken,
+         "the data end before there are as many as " + dimension() + ", asks for",
+         "correct DIMENSION, or add what is missing");
   }
   double number() {
     std::string word;
     while (!(words_ >> word)) {
       std::string line;
-      if (!next(line))
-        fail(ErrorCode::file_broken, "the file ends among its data",
-             "give as many as DIMENSION says");
+      if (!next(line) || line == "EOF" || line.ends_with("_SECTION")) too_few();
       words_ = std::istringstream(line);
     }
     if (word.starts_with('+')) word.erase(0, 1);
@@ -132,13 +163,49 @@ class Reader {
       fail(ErrorCode::file_broken, "'" + word + "' is not a number", "give numbers here");
     return *value;
   }
+  // A section's numbers begin and end with lines.
+  void end_of_line() {
+    std::string word;
+    if (words_ >> word) too_many();
+  }
+  // Nodes 1 to DIMENSION, each once, a line each, in any order.
   void coordinates() {
     need_size();
-    std::vector<Point> places(result_.size);
-    for (Point& place : places) {
-      number();
-      place.x = number();
-      place.y = number();
+    const int n = result_.size;
+    std::vector<Point> places(n);
+    node_lines_.assign(n, 0);
+    std::string line;
+    for (int left = n; left > 0;) {
+      const bool more = next(line);
+      if (more && line.empty()) continue;
+      if (!more || line == "EOF" || line.ends_with("_SECTION")) {
+        const auto missing = std::find(node_lines_.begin(), node_lines_.end(), 0);
+        fail(ErrorCode::file_broken,
+             "node " + number_text(missing - node_lines_.begin() + 1) + " is missing of " +
+                 dimension(),
+             "add its coordinates, or correct DIMENSION");
+      }
+      const auto fields = words_of(line, " \t");
+      if (fields.size() != 3)
+        fail(ErrorCode::file_broken,
+             "a node has " + number_text(fields.size()) + " numbers in place of 3",
+             "give its own number, x and y");
+      words_ = std::istringstream(line);
+      const double node = number();
+      if (!(node >= 1 && node <= n) || node != std::floor(node))
+        fail(ErrorCode::file_broken,
+             "node " + number_text(node) + " is none of 1 to " + dimension(),
+             "number the nodes from 1, or correct DIMENSION");
+      const auto i = static_cast<std::size_t>(node) - 1;
+      if (node_lines_[i] > 0)
+        fail(ErrorCode::file_broken,
+             "node " + number_text(node) + " is given again, first on line " +
+                 number_text(node_lines_[i]),
+             "give each node its own number");
+      node_lines_[i] = line_;
+      places[i].x = number();
+      places[i].y = number();
+      --left;
     }
     result_.places = std::move(places);
   }
@@ -161,7 +228,8 @@ class Reader {
     };
     if (result_.ordered) {
       if (number() != n)
-        fail(ErrorCode::file_broken, "the matrix has another size", "repeat DIMENSION");
+        fail(ErrorCode::file_broken, "the matrix has another size than " + dimension(),
+             "tell the same size before it");
       format_ = "FULL_MATRIX";
     }
     result_.matrix.assign(static_cast<std::size_t>(n) * n, 0);
@@ -177,9 +245,11 @@ class Reader {
       else if (format_ == "LOWER_DIAG_ROW" || format_ == "UPPER_DIAG_COL")
         row(a, 0, a + 1);
       else
-        fail(ErrorCode::file_unsupported, "EDGE_WEIGHT_FORMAT '" + format_ + "' is not read",
-             "give a matrix, full or one half of it");
+        fail_at(format_line_ > 0 ? format_line_ : line_, ErrorCode::file_unsupported,
+                "EDGE_WEIGHT_FORMAT '" + format_ + "' is not read",
+                "give a matrix, full or one half of it");
     }
+    end_of_line();
     if (format_ != "FULL_MATRIX" || result_.ordered) return;
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < a; ++b)
@@ -190,19 +260,38 @@ class Reader {
   }
   void by_rule() {
     need_size();
-    const auto rule = kRules.find(rule_);
-    if (rule == kRules.end())
-      fail(ErrorCode::file_unsupported, "EDGE_WEIGHT_TYPE '" + rule_ + "' is not read",
-           "give EUC_2D, CEIL_2D, MAN_2D, MAX_2D, ATT, GEO or EXPLICIT");
+    if (rule_.empty()) fail(ErrorCode::file_broken, "there is no EDGE_WEIGHT_TYPE", kTypes);
+    if (rule_ == "EXPLICIT" || result_.ordered)
+      fail(ErrorCode::file_broken, "there is no EDGE_WEIGHT_SECTION", "give the matrix");
     if (result_.places.empty())
       fail(ErrorCode::file_broken, "there are no coordinates", "give a NODE_COORD_SECTION");
+    const auto rule = kRules.find(rule_);
     const int n = result_.size;
     result_.matrix.assign(static_cast<std::size_t>(n) * n, 0);
     for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b) {
+        const double value = a == b ? 0 : rule->second(result_.places[a], result_.places[b]);
+        if (!(value >= 0 && value <= kLargest))
+          fail_at(node_lines_[b], ErrorCode::file_broken,
+                  "from node " + number_text(a + 1) + " to node " + number_text(b + 1) + " it is " +
+                      number_text(value),
+                  "give coordinates that are at most 500000000 apart");
+        result_.matrix[static_cast<std::size_t>(a) * n + b] = static_cast<Cost>(value);
+      }
+  }
+  void check_circle() const {
+    const int n = result_.size;
+    std::vector<tour::Before> relation;
+    for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
-        if (a != b)
-          result_.matrix[static_cast<std::size_t>(a) * n + b] =
-              cost(rule->second(result_.places[a], result_.places[b]));
+        if (a != b && result_.matrix[static_cast<std::size_t>(a) * n + b] < 0)
+          relation.emplace_back(b, a);
+    const std::vector<int> circle = tour::circle_of(n, relation);
+    if (circle.empty()) return;
+    std::string text = "the order is a circle: ";
+    for (const int node : circle) text += "node " + number_text(node + 1) + " before ";
+    fail(ErrorCode::file_broken, text + "node " + number_text(circle.front() + 1),
+         "give one of these a cost in place of -1");
   }
 
   std::istream& in_;
@@ -210,6 +299,8 @@ class Reader {
   std::int64_t line_ = 0;
   std::istringstream words_;
   std::string rule_, format_;
+  std::int64_t format_line_ = 0;
+  std::vector<std::int64_t> node_lines_;  // 0: not given
   Tsplib result_;
 };
 

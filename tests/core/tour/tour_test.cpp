@@ -11,6 +11,8 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius {
 namespace {
@@ -57,6 +59,38 @@ TEST(Distances, AreThoseOfPlans) {
       }
     }
   EXPECT_THROW(static_cast<void>(planner.distances(stops, std::vector<Cell>{{30, 0}})), Error);
+}
+
+TEST(Distances, OfAPreparedMapAreByOneSearchASource) {
+  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::random}) {
+    const Planner planner(generate(kind, {.width = 60, .height = 40, .seed = 3})),
+        prepared = planner.prepared({.threads = 1});
+    std::vector<Cell> stops = {{0, 0}};
+    for (int i = 0; i < 2400 && stops.size() < 60; i += 37)
+      if (planner.grid().free({i % 60, i / 60})) stops.push_back({i % 60, i / 60});
+    if (!planner.grid().free(stops[0])) stops.erase(stops.begin());
+    const auto one = prepared.distances(stops, stops, 1),
+               three = prepared.distances(stops, stops, 3);
+    const auto few = prepared.distances(std::span(stops).first(2), stops);
+    ASSERT_TRUE(one && three && few);
+    EXPECT_EQ(*one, *three);
+    const std::size_t n = stops.size();
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        const Result best = planner.plan({stops[a], stops[b]}, Params("exact"));
+        const double length =
+            best.path.empty() ? std::numeric_limits<double>::infinity() : best.length;
+        EXPECT_TRUE(length == (*one)[a * n + b] ||
+                    std::abs((*one)[a * n + b] - length) <= 1e-9 * length)
+            << a << " to " << b;
+        EXPECT_EQ((*one)[a * n + b], (*one)[b * n + a]);
+        if (a < 2) {
+          EXPECT_TRUE(length == (*few)[a * n + b] ||
+                      std::abs((*few)[a * n + b] - length) <= 1e-9 * length);
+        }
+      }
+    EXPECT_FALSE(prepared.distances(stops, stops, 1, fired()));
+  }
 }
 
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
@@ -109,6 +143,12 @@ TEST(Tours, AStoppedPricerMakesNoLegCheaper) {
   tour::MapPricer pricer(planner, stops, {.token = source.get_token()}), asked(planner, stops, {});
   for (int a = 0; a < 30; ++a)
     for (int b = 0; b < a; ++b) EXPECT_GE(pricer.price(a, b), asked.price(a, b));
+  // Those that nobody priced are told apart by straight distances.
+  for (int a = 0; a < 30; ++a)
+    for (int b = 0; b < a; ++b)
+      EXPECT_EQ(pricer.price(a, b) - pricer.price(1, 0),
+                tour::grains(std::hypot(stops[a].x - stops[b].x, stops[a].y - stops[b].y)) -
+                    tour::grains(std::hypot(stops[1].x - stops[0].x, stops[1].y - stops[0].y)));
   EXPECT_LT(pricer.priced(), asked.priced());
 }
 
@@ -206,8 +246,198 @@ TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
   EXPECT_EQ(tour.order.back(), 0);
   request.goal = 4;
   EXPECT_THROW(plan_tour(problem, request), Error);
-  problem.ordered = true;
-  EXPECT_THROW(plan_tour(problem, {}), Error);
+}
+
+// A signal that comes at the n-th look at the clock.
+class Signal final : public TimeSource {
+ public:
+  explicit Signal(int looks) : left_(looks) {}
+  Clock::time_point now() const noexcept override {
+    if (--left_ == 0) source_.request_stop();
+    return {};
+  }
+  StopCondition stop() const {
+    return {.token = source_.get_token(),
+            .deadline = Clock::time_point::max() - std::chrono::hours(1),
+            .time = this};
+  }
+
+ private:
+  mutable std::atomic<int> left_;
+  mutable std::stop_source source_;
+};
+
+// Legs are the disc's shortest curves, walls that it does not pass part the stops.
+TEST(Tours, OfADiscGoWhereItFits) {
+  Grid grid = rooms();
+  for (int x = 5; x <= 15; ++x) grid.set_blocked({x, 12}, x == 5 || x == 15);
+  for (int y = 17; y <= 23; ++y) grid.set_blocked({30, y}, y == 17 || y == 23);
+  for (const double radius : {0.4, 1.5, 2.5})
+    for (const bool prepared : {false, true}) {
+      const Planner planner =
+          prepared ? Planner(grid, Disc{radius}, {.threads = 1}) : Planner(grid, Disc{radius});
+      for (const int count : {9, 20}) {
+        TourRequest request = ask(some_stops(grid, count));
+        request.generations = 1;
+        request.after.resize(count);
+        request.after[1] = {2};
+        const TourResult tour = plan_tour(planner, request);
+        ASSERT_EQ(tour.status, Status::solved);
+        EXPECT_EQ(tour.order.size() + tour.left_out.size(), static_cast<std::size_t>(count));
+        for (const LeftOut& out : tour.left_out)
+          EXPECT_FALSE(planner.clear(request.stops[out.stop]) &&
+                       planner.joined(request.stops[out.stop], request.stops[tour.order[0]]));
+        double sum = 0;
+        for (const TourLeg& leg : tour.legs) {
+          const Result best =
+              planner.plan({request.stops[leg.from], request.stops[leg.to]}, Params("exact"));
+          EXPECT_NEAR(leg.length, best.length, 1e-9 * best.length);
+          EXPECT_LE(leg.length, path_length(leg.path) * (1 + 1e-12));
+          EXPECT_LE(path_length(leg.path), leg.length * 1.001);
+          sum += leg.length;
+        }
+        EXPECT_EQ(tour.length, sum);
+        ASSERT_TRUE(tour.lower_bound);
+        EXPECT_LE(*tour.lower_bound, tour.length);
+        const auto at = [&](int stop) { return std::ranges::find(tour.order, stop); };
+        EXPECT_TRUE(at(1) == tour.order.end() || at(2) == tour.order.end() || at(2) < at(1));
+        if (radius > 1) {
+          EXPECT_FALSE(tour.left_out.empty());
+        }
+      }
+    }
+}
+
+TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
+  const Planner planner = Planner(rooms()).prepared({});
+  int cut = 0;
+  for (const int count : {40, 120})
+    for (const bool given : {false, true})
+      for (const int look : {1, 2, 3, 5, 20, 100}) {
+        TourRequest request = ask(some_stops(planner.grid(), count));
+        request.generations = 2;
+        if (given) {
+          request.after.resize(count);
+          request.after[3] = {5, 7};
+        }
+        const Signal signal(look);
+        const CountingTime time(look);
+        for (const Status status : {Status::interrupted, Status::limit}) {
+          request.stop = status == Status::limit ? time.is_up() : signal.stop();
+          const TourResult tour = plan_tour(planner, request);
+          EXPECT_TRUE(tour.status == status || tour.status == Status::solved);
+          cut += tour.status == status;
+          ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count)) << look;
+          ASSERT_EQ(tour.legs.size(), tour.order.size());
+          double sum = 0;
+          for (const TourLeg& leg : tour.legs) sum += path_length(leg.path);
+          EXPECT_NEAR(tour.length, sum, 1e-9 * sum);
+          EXPECT_GT(tour.length, 0);
+          EXPECT_FALSE(tour.optimal);
+        }
+      }
+  EXPECT_GT(cut, 24);
+  TourRequest request = ask(some_stops(planner.grid(), 40));
+  request.stop = fired();  // before there is any order
+  EXPECT_EQ(plan_tour(planner, request).status, Status::interrupted);
+  EXPECT_TRUE(plan_tour(planner, request).order.empty());
+}
+
+// Picks, each before the stop where it is delivered.
+TEST(Tours, KeepAnOrderGivenInPart) {
+  const Planner planner(rooms());
+  for (const int count : {8, 12, 14, 40, 120})
+    for (const int kind : {0, 1, 2, 3}) {
+      TourRequest request = ask(some_stops(planner.grid(), count));
+      request.open = kind > 1;
+      if (kind % 2 == 1) request.start = 0;
+      if (kind == 3) request.goal = count - 1;
+      request.after.resize(count);
+      request.load.assign(count, 0);
+      for (int pick = 1; pick + 2 < count; pick += 2) {
+        request.after[pick + 1] = {pick};
+        request.load[pick] = 1;
+        request.load[pick + 1] = -1;
+      }
+      request.capacity = 2;
+      request.generations = 1;
+      request.threads = 1;
+      const TourResult tour = plan_tour(planner, request);
+      ASSERT_EQ(tour.status, Status::solved);
+      ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count));
+      EXPECT_TRUE(kind % 2 == 0 || tour.order.front() == 0);
+      EXPECT_TRUE(kind != 3 || tour.order.back() == count - 1);
+      std::vector<char> done(count, 0);
+      int carried = 0;
+      for (const int stop : tour.order) {
+        for (const int before : request.after[stop]) EXPECT_TRUE(done[before]);
+        EXPECT_LE(carried += request.load[stop], 2);
+        done[stop] = 1;
+      }
+      EXPECT_EQ(tour.optimal, count <= 12);
+      ASSERT_TRUE(tour.lower_bound);
+      request.threads = 3;
+      EXPECT_EQ(plan_tour(planner, request).order, tour.order);
+      request.after.clear();
+      request.capacity.reset();
+      if (count <= 12) {
+        EXPECT_LE(plan_tour(planner, request).length, tour.length);
+      }
+    }
+}
+
+TEST(Tours, TellWhyNoOrderKeepsWhatIsGiven) {
+  const Planner planner(rooms());
+  TourRequest request = ask({{0, 0}, {20, 20}, {50, 30}, {40, 30}});
+  request.open = true;
+  request.start = 0;
+  request.goal = 3;
+  const auto why = [&](std::vector<std::vector<int>> after, std::vector<int> load) {
+    request.after = std::move(after);
+    request.load = std::move(load);
+    const TourResult tour = plan_tour(planner, request);
+    EXPECT_TRUE(tour.order.empty());
+    EXPECT_EQ(tour.status, Status::unreachable);
+    return tour.error;
+  };
+  EXPECT_EQ(why({{2}, {}, {}, {}}, {}), "stop 0 is the start, but stop 2 comes before it");
+  EXPECT_EQ(why({{}, {3}, {}, {}}, {}), "stop 3 is the goal, but stop 1 comes after it");
+  request.capacity = 2;
+  EXPECT_EQ(why({}, {0, 3, 0, 0}), "stop 1 alone exceeds the capacity of 2");
+  EXPECT_EQ(why({}, {0, 2, 2, 0}), "no order keeps the capacity of 2");
+  // What is left out still parts what comes before it from what comes behind.
+  request.stops[1] = {30, 0};
+  request.load.clear();
+  request.start.reset();
+  request.goal.reset();
+  request.after = {{1}, {2}, {}, {}};
+  const TourResult tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.order.size(), 3u);
+  EXPECT_LT(std::ranges::find(tour.order, 2), std::ranges::find(tour.order, 0));
+  for (const auto& [after, load, capacity, words] :
+       {std::tuple(std::vector<std::vector<int>>{{1}, {2}, {0}, {}}, std::vector<int>{}, 1,
+                   "the order is a circle: stop 0 before stop 2 before stop 1 before stop 0"),
+        {{{0}, {}, {}, {}}, {}, 1, "the order is a circle: stop 0 before stop 0"},
+        {{{4}, {}, {}, {}}, {}, 1, "there is no stop 4"},
+        {{{0}}, {}, 1, "after has 1 entries"},
+        {{}, {1, 2}, 1, "load has 2 entries"},
+        {{}, {}, -1, "capacity is -1"}}) {
+    request.after = after;
+    request.load = load;
+    request.capacity = capacity;
+    expect_says(refusal([&] { (void)plan_tour(planner, request); }), words);
+  }
+}
+
+TEST(Tours, OfSequentialOrderingGoFromTheFirstPlaceToTheLast) {
+  // 1 before 2; the way over 2 first would be cheaper.
+  Tsplib problem{.name = "s", .size = 4, .ordered = true};
+  problem.matrix = {0, 9, 1, 100, -1, 0, 8, 7, -1, -1, 0, 3, -1, -1, -1, 0};
+  const TourResult tour = plan_tour(problem, {});
+  EXPECT_EQ(tour.order, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(tour.length, 9 + 8 + 3);
+  EXPECT_TRUE(tour.optimal);
+  EXPECT_EQ(tour.lower_bound, 20);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "core/tour/order/search.h"
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius::tour {
 namespace {
@@ -50,22 +51,43 @@ TEST(Tsplib, ReadsHalvesOfAMatrixAlike) {
 }
 
 TEST(Tsplib, NamesTheLineOfWhatIsBroken) {
-  const std::pair<const char*, int> broken[] = {
-      {"DIMENSION: 0\n", 1},
-      {"DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 x\n", 4},
-      {"DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 1\n", 4},
-      {"DIMENSION: 2\nNODE_COORD_SECTION\n1 0 1\n2 0 1e30\nEDGE_WEIGHT_TYPE: EUC_2D\n", 5},
-      {"NODE_COORD_SECTION\n1 0 1\n", 1},
-      {"TYPE: CVRP\n", 1},
-      {"DIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
-       "EDGE_WEIGHT_SECTION\n0 1\n2 0\n",
-       6}};
-  for (const auto& [text, line] : broken) try {
-      read(text);
-      ADD_FAILURE() << text;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.place().line, line) << text;
-    }
+  const std::string two = "DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n";
+  const std::string full =
+      "DIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
+      "EDGE_WEIGHT_SECTION\n";
+  const std::string sop = "TYPE: SOP\n" + full + "2\n";
+  const std::tuple<std::string, int, const char*> broken[] = {
+      {"", 1, "no DIMENSION"},
+      {"NAME: x\n\n", 2, "no DIMENSION"},
+      {"DIMENSION: 0\n", 1, "1 to 20000"},
+      {"DIMENSION: 2\nDIMENSION: 3\n", 2, "given again"},
+      {two + "1 0 x\n", 4, "'x' is not a number"},
+      {two + "1 0 1\n", 4, "node 2 is missing of DIMENSION, 2"},
+      {two + "2 0 1\nEOF\n", 5, "node 1 is missing"},
+      {two + "1 0 1\n\n1 0 2\n", 6, "node 1 is given again, first on line 4"},
+      {two + "1 0 1\n3 0 2\n", 5, "node 3 is none of 1 to DIMENSION, 2"},
+      {two + "0 0 1\n1 0 2\n", 4, "node 0 is none"},
+      {two + "1.5 0 1\n", 4, "node 1.5 is none"},
+      {two + "1 0 1 0\n", 4, "4 numbers in place of 3"},
+      {two + "1 0 1\n2 0 2\n3 0 3\nEOF\n", 6, "more data than DIMENSION, 2"},
+      {two + "2 0 1e30\n1 0 1\n", 4, "from node 1 to node 2 it is 1e+30"},
+      {"DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC2D\nNODE_COORD_SECTION\n1 0 0\n2 1 1\n", 2, "'EUC2D'"},
+      {"DIMENSION: 2\nNODE_COORD_SECTION\n1 0 0\n2 1 1\n", 4, "no EDGE_WEIGHT_TYPE"},
+      {"DIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEOF\n", 3, "no EDGE_WEIGHT_SECTION"},
+      {"NODE_COORD_SECTION\n1 0 1\n", 1, "no DIMENSION"},
+      {"TYPE: CVRP\n", 1, "CVRP"},
+      {full + "0 1\n2 0\n", 6, "not symmetric"},
+      {full + "0 1\n1\nEOF\n", 7, "DIMENSION, 2"},
+      {full + "0 1\n1 0 3\nEOF\n", 6, "more data"},
+      {"DIMENSION: 2\nEDGE_WEIGHT_FORMAT: HALF\nEDGE_WEIGHT_SECTION\n0 1\n", 2, "'HALF'"},
+      {sop + "0 -1\n-1 0\n", 8, "circle: node 1 before node 2 before node 1"},
+      {"TYPE: SOP\n" + two + "1 0 0\n2 1 1\n", 6, "no EDGE_WEIGHT_SECTION"}};
+  for (const auto& [text, line, words] : broken) {
+    const Error error = error_of([&] { return read(text).size; }, text);
+    EXPECT_EQ(error.place().line, line) << text;
+    expect_says(error, words);
+  }
+  EXPECT_EQ(read(two + "2 3 4\n1 0 0\n").places, (std::vector<Point>{{0, 0}, {3, 4}}));
 }
 
 TEST(Tsplib, ProblemsUpTo280StopsAreSolved) {

@@ -1,0 +1,221 @@
+// lasius_bench tours: how far above the best a tour is by time, against textbooks.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/peers/textbook_tours.h"
+#include "bench/query_set.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "core/tour/map_pricer.h"
+#include "core/tour/order/search.h"
+#include "kernels/base/random_stream.h"
+#include "lasius/error.h"
+#include "lasius/tsplib.h"
+
+namespace lasius::bench {
+namespace {
+
+struct TourBenchOptions {
+  MapOptions maps = {};
+  std::vector<std::string> files = {};
+  int stops = 200, seeds = 3;
+  double seconds = 1;
+};
+
+constexpr std::array<double, 4> kShares{0.03, 0.1, 0.3, 1};  // of the time of a run
+
+struct TourInstance {
+  std::string name;
+  std::vector<tour::Cost> matrix;
+  std::vector<Point> places;
+  std::int64_t known = 0;  // an optimum from elsewhere; 0: none
+  int size() const { return static_cast<int>(places.size()); }
+};
+
+// The costs that a run had at the marks; 0: none yet.
+using Marks = std::array<std::int64_t, kShares.size()>;
+
+// Processor time of this thread, as what a search's deadline is told by.
+class TourTime final : public TimeSource {
+ public:
+  explicit TourTime(double seconds) : seconds_(seconds) {}
+  Clock::time_point now() const noexcept override {
+    return Clock::time_point{} +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(used()));
+  }
+  double used() const noexcept { return watch_.seconds(); }
+  StopCondition stop() const {
+    return {.deadline = deadline_in(std::chrono::duration<double>(seconds_), {}), .time = this};
+  }
+  void tell(std::int64_t cost, Marks& marks) const {
+    for (std::size_t i = 0; i < kShares.size(); ++i)
+      if (used() <= kShares[i] * seconds_ && (marks[i] == 0 || cost < marks[i])) marks[i] = cost;
+  }
+
+ private:
+  double seconds_;
+  ThreadStopwatch watch_;
+};
+
+Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint64_t seed,
+               const TourTime& time) {
+  Marks marks{};
+  tour::OrderOptions options;
+  options.seed = seed;
+  options.stop = time.stop();
+  options.target = instance.known;
+  options.observer = [&](std::span<const int>, std::int64_t cost) {
+    time.tell(cost, marks);
+    return true;
+  };
+  (void)tour::find_order(costs, {}, instance.places, options);
+  return marks;
+}
+
+Marks textbook(const TourInstance& instance, peers::TourMethod method, std::uint64_t seed,
+               const TourBenchOptions& options) {
+  Marks marks{};
+  const TourTime time(options.seconds);
+  const auto watch = [&](std::int64_t cost) {
+    time.tell(cost, marks);
+    return cost > instance.known;
+  };
+  (void)peers::textbook_tour(instance.size(), instance.matrix, method, seed, watch,
+                             [&] { return time.used() > options.seconds; });
+  return marks;
+}
+
+// Rows of one instance: contenders, each the means over the seeds of what it is above the best.
+void write_rows(const TourInstance& instance,
+                const std::vector<std::pair<std::string, std::vector<Marks>>>& runs, Table& table) {
+  std::int64_t best = instance.known;
+  for (const auto& [name, marks] : runs)
+    for (const Marks& one : marks)
+      if (best == 0 || (one.back() > 0 && one.back() < best)) best = one.back();
+  for (const auto& [name, marks] : runs) {
+    std::vector<double> figures;
+    for (std::size_t i = 0; i < kShares.size(); ++i) {
+      std::vector<double> above;
+      for (const Marks& one : marks)
+        above.push_back(one[i] == 0 ? kUnknown
+                                    : 100.0 * static_cast<double>(one[i] - best) /
+                                          static_cast<double>(best));
+      figures.push_back(std::accumulate(above.begin(), above.end(), 0.0) /
+                        static_cast<double>(above.size()));
+      if (i + 1 == kShares.size()) figures.push_back(*std::max_element(above.begin(), above.end()));
+    }
+    table.row(instance.name + ", " + name, figures);
+  }
+}
+
+std::vector<std::pair<std::string, std::vector<Marks>>> matrix_runs(
+    const TourInstance& instance, const TourBenchOptions& options) {
+  std::vector<std::pair<std::string, std::vector<Marks>>> runs{
+      {"lasius", {}}, {"2-opt", {}}, {"2-opt and Or-opt, kicked", {}}, {"the same, restarted", {}}};
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    const auto number = static_cast<std::uint64_t>(seed);
+    const TourTime time(options.seconds);
+    runs[0].second.push_back(
+        searched({instance.size(), instance.matrix.data()}, instance, number, time));
+    runs[1].second.push_back(textbook(instance, peers::TourMethod::two_opt, number, options));
+    runs[2].second.push_back(textbook(instance, peers::TourMethod::ils, number, options));
+    runs[3].second.push_back(textbook(instance, peers::TourMethod::restarts, number, options));
+  }
+  return runs;
+}
+
+// A problem of TSPLIB, and its optimum where an optima.txt beside it tells: "name : length".
+TourInstance tsplib_instance(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw Error(ErrorCode::file_missing, {file}, "cannot be opened", "name a file .tsp");
+  Tsplib problem = read_tsplib(in, file);
+  const std::filesystem::path path(file);
+  TourInstance instance{path.stem().string(), std::move(problem.matrix), std::move(problem.places)};
+  instance.places.resize(static_cast<std::size_t>(problem.size));
+  std::ifstream optima(path.parent_path() / "optima.txt");
+  std::string name, colon;
+  for (std::int64_t length = 0; optima >> name >> colon >> length;)
+    if (name == instance.name) instance.known = length;
+  return instance;
+}
+
+// Random stops of a map: lengths from a matrix that is ready, and priced as the search asks.
+void measure_stops(const QuerySource& source, const TourBenchOptions& options, Table& table,
+                   std::string& notes) {
+  const QuerySet set = load(source, 1);
+  const Stopwatch preparing;
+  const Planner planner = Planner(set.grid).prepared({.threads = 1});
+  const double prepared = preparing.seconds();
+  kernels::RandomStream random(options.maps.seed, 0, 0, 0x73746f70);
+  std::vector<Cell> stops{set.queries.front().start};
+  TourInstance instance{set.name, {}, {centre(stops.front())}};
+  while (instance.size() < options.stops) {
+    const Cell cell{random.below(set.grid.width()), random.below(set.grid.height())};
+    if (!set.grid.free(cell) || !planner.joined(stops.front(), cell)) continue;
+    stops.push_back(cell);
+    instance.places.push_back(centre(cell));
+  }
+  const ThreadStopwatch pricing;
+  const auto lengths = planner.distances(stops, stops, 1);
+  const double priced = pricing.seconds();
+  for (const double length : *lengths) instance.matrix.push_back(tour::grains(length));
+  auto runs = matrix_runs(instance, options);
+  runs.emplace_back("lasius, legs priced when asked for", std::vector<Marks>{});
+  std::int64_t legs = 0;
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    const TourTime time(options.seconds);  // prices count
+    tour::MapPricer pricer(planner, stops, time.stop());
+    runs.back().second.push_back(
+        searched({instance.size(), pricer}, instance, static_cast<std::uint64_t>(seed), time));
+    legs = pricer.priced();
+  }
+  write_rows(instance, runs, table);
+  const double all = 0.5 * options.stops * (options.stops - 1);
+  notes += set.name + ": prepared in " + short_number(prepared) + " s; the matrix takes " +
+           short_number(priced) + " s; of all legs " +
+           short_number(100 * static_cast<double>(legs) / all) + "% were priced when asked for.\n";
+}
+
+void run_tours(const TourBenchOptions& options) {
+  std::vector<Table::Column> columns{"closed tours"};
+  for (const double share : kShares)
+    columns.emplace_back(short_number(share * options.seconds) + " s");
+  columns.emplace_back("worst");
+  Table table(
+      "Per cent above the best known (of TSPLIB its optimum, else the best of these runs), mean "
+      "of " +
+          std::to_string(options.seeds) +
+          " seeds, by processor time of one thread. Matrices are ready before; what they took "
+          "stands below.",
+      columns);
+  for (const std::string& file : options.files) {
+    const TourInstance instance = tsplib_instance(file);
+    write_rows(instance, matrix_runs(instance, options), table);
+  }
+  MapOptions maps = options.maps;
+  if (options.files.empty() && maps.maps.empty() && maps.sides.empty() && maps.noise.empty())
+    maps.sides = {512};
+  std::string notes;
+  if (!maps.maps.empty() || !maps.sides.empty() || !maps.noise.empty())
+    for (const QuerySource& source : sources_of(maps)) measure_stops(source, options, table, notes);
+  if (!notes.empty()) table.close(notes);
+}
+
+}  // namespace
+
+void add_tours_command(CLI::App& app) {
+  const auto [command, options] = add_command(
+      app, "tours", "Tours of many stops by time, against textbook searches", run_tours);
+  add_map_options(command, options.maps);
+  command.add_option("--files", options.files,
+                     "Problems of TSPLIB, .tsp; an optima.txt beside them is read");
+  add_number(command, "--stops", options.stops, "Random stops of a map", 13, 5000);
+  add_number(command, "--seeds", options.seeds, "Runs of each", 1, 1000);
+  add_number(command, "--seconds", options.seconds, "Processor time of a run", 0.01, 1000);
+}
+
+}  // namespace lasius::bench

@@ -1,0 +1,69 @@
+#include "core/plan/cost_paths.h"
+
+#include "core/disc/disc_search.h"
+#include "core/grid/grid_view.h"
+
+namespace lasius {
+
+cost::Terrain narrowed(const cost::Terrain& terrain, const Grid& grid) {
+  std::vector<double> weights;
+  weights.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
+  Grid free = grid;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      weights.push_back(terrain.weight(x, y));
+      if (!terrain.free(x, y)) free.set_blocked({x, y});
+    }
+  }
+  return cost::Terrain(free, weights);
+}
+
+Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal) {
+  Grid wide = space.blocked_cells();
+  for (int y = 0; y < wide.height(); ++y)
+    for (int x = 0; x < wide.width(); ++x)
+      if (space.in_band({x, y})) wide.set_blocked({x, y});
+  for (const Cell end : {start, goal})
+    for (int y = end.y - 1; y <= end.y + 1; ++y)
+      for (int x = end.x - 1; x <= end.x + 1; ++x)
+        if (!passable.blocked({x, y})) wide.set_blocked({x, y}, false);
+  return wide;
+}
+
+std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
+                            const StopCondition& stop) {
+  std::vector<Point> made{path.front()};
+  disc::DiscSearch search;
+  disc::DiscAnswer way;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    while (!space.clear(path[i])) ++i;
+    if (space.reaches(made.back(), path[i])) {
+      made.push_back(path[i]);
+      continue;
+    }
+    search.search(space, nullptr, made.back(), path[i], {}, stop, way);
+    if (way.path.empty()) return {};
+    made.insert(made.end(), way.path.begin() + 1, way.path.end());
+  }
+  return made;
+}
+
+void move_end(std::vector<Point>& path, Point to) {
+  if (path.size() > 1) {
+    const Point from = path[0], next = path[1];
+    const Cell cell = cell_at(from);
+    const auto share = [](double at, double step, int low) {
+      return step == 0 ? kInfinity : ((step > 0 ? low + 1 : low) - at) / step;
+    };
+    const double t =
+        std::min(share(from.x, next.x - from.x, cell.x), share(from.y, next.y - from.y, cell.y));
+    if (t < 1)
+      path.insert(path.begin() + 1,
+                  {from.x + t * (next.x - from.x), from.y + t * (next.y - from.y)});
+    path[0] = to;
+  } else if (!path.empty() && path[0] != to) {
+    path.insert(path.begin(), to);
+  }
+}
+
+}  // namespace lasius

@@ -1,0 +1,77 @@
+// Paths over costs: where a disc can go, and what is kept of what a search finds.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/base/special_values.h"
+#include "core/cost/merged.h"
+#include "core/cost/path_cost.h"
+#include "core/cost/terrain.h"
+#include "core/disc/disc_space.h"
+#include "core/plan/exact_view.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/progress.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// The terrain where a grid is free as well.
+cost::Terrain narrowed(const cost::Terrain& terrain, const Grid& grid);
+
+/// The cells all of whose points are clear, and those about the ends whose centres are.
+Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal);
+
+/// The path with a disc's shortest ways in place of the pieces that it cannot go; empty when
+/// stopped, or where there is none. The path's ends are clear.
+std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
+                            const StopCondition& stop);
+
+/// Lets a path begin at another point of its first vertex's cell: straight to where it leaves that.
+void move_end(std::vector<Point>& path, Point to);
+
+/// The cheapest path so far that a robot can go, and who is told of it.
+class Kept {
+ public:
+  Kept(const cost::Terrain& terrain, const disc::DiscSpace* space, const Observer& observer)
+      : terrain_(terrain), space_(space), observer_(observer) {}
+
+  /// False where whoever looks on asks to end.
+  bool offer(std::vector<Point> path, double cost, double bound) {
+    if (!(cost < cost_) || !can_go(path)) return true;
+    std::vector<Point> fewer = cost::merged(terrain_, path);
+    const double less = cost::cost_of(terrain_, fewer);
+    if (less <= cost * (1 + 1e-12) && can_go(fewer)) {
+      path = std::move(fewer);
+      cost = less;
+    }
+    path_ = std::move(path);
+    cost_ = cost;
+    if (!observer_) return true;
+    const ExactView view(path_, improvements_++, cost_, std::min(bound, cost_));
+    observer_(view);
+    return !view.stopped();
+  }
+  std::vector<Point>& path() noexcept { return path_; }
+  bool any() const noexcept { return !path_.empty(); }
+  double cost() const noexcept { return cost_; }
+
+ private:
+  bool can_go(const std::vector<Point>& path) const {
+    if (space_ == nullptr) return true;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (!space_->reaches(path[i - 1], path[i])) return false;
+    return true;
+  }
+
+  const cost::Terrain& terrain_;
+  const disc::DiscSpace* space_;
+  const Observer& observer_;
+  std::vector<Point> path_;
+  double cost_ = kInfinity;
+  int improvements_ = 0;
+};
+
+}  // namespace lasius

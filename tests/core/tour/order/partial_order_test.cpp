@@ -1,0 +1,183 @@
+#include "core/tour/order/partial_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/tour/order/search.h"
+#include "core/tour/order/subset_dp.h"
+#include "core/tour/order/window_search.h"
+#include "tests/core/tour/order/instances.h"
+
+namespace lasius::tour {
+namespace {
+
+// Some of the pairs of a random order, and loads where there is a capacity.
+struct Given {
+  std::vector<Before> relation;
+  std::vector<int> loads;
+  std::int64_t capacity = PartialOrder::kUnlimited;
+  PartialOrder order(int size) const { return {size, relation, loads, capacity}; }
+};
+
+Given random_given(int size, std::uint32_t seed, const Ends& ends) {
+  kernels::RandomStream random(seed, 1, 0);
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  for (int i = size; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  Given given;
+  const auto any_end = [&](int v) { return v == ends.start || v == ends.goal; };
+  const int dense = 1 + random.below(size);
+  for (int a = 0; a < size; ++a)
+    for (int b = a + 1; b < size; ++b)
+      if (random.below(2 * size) < dense && !any_end(order[a]) && !any_end(order[b]))
+        given.relation.emplace_back(order[a], order[b]);
+  if (random.chance(0.5)) {
+    given.capacity = 1 + random.below(3);
+    for (int v = 0; v < size; ++v) given.loads.push_back(random.below(4) - 2);
+  }
+  return given;
+}
+
+// Told by the relation itself.
+bool kept(const std::vector<int>& order, const Given& given, const Ends& ends) {
+  std::vector<std::size_t> position(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = p;
+  for (const auto& [a, b] : given.relation)
+    if (position[a] >= position[b]) return false;
+  std::int64_t carried = 0;
+  for (const int v : order)
+    if (!given.loads.empty() && (carried += given.loads[v]) > given.capacity) return false;
+  return (ends.start < 0 || order.front() == ends.start) &&
+         (ends.goal < 0 || order.back() == ends.goal);
+}
+
+TEST(PartialOrder, NamesACircle) {
+  EXPECT_TRUE(circle_of(4, std::vector<Before>{{0, 1}, {1, 2}, {0, 2}, {3, 2}}).empty());
+  EXPECT_EQ(circle_of(6, std::vector<Before>{{5, 0}, {4, 2}, {2, 1}, {1, 4}, {1, 3}, {3, 5}}),
+            (std::vector<int>{1, 4, 2}));
+  EXPECT_EQ(circle_of(2, std::vector<Before>{{1, 1}}), (std::vector<int>{1}));
+}
+
+TEST(PartialOrder, IsReducedToWhatFollowsAtOnce) {
+  const PartialOrder given(70, std::vector<Before>{{0, 69}, {69, 3}, {0, 3}, {0, 69}, {5, 3}});
+  EXPECT_TRUE(given.before(0, 3));
+  EXPECT_FALSE(given.before(3, 0));
+  ASSERT_EQ(given.next(0).size(), 1u);
+  EXPECT_EQ(given.next(0).front(), 69);
+  EXPECT_EQ(given.previous(3).size(), 2u);
+  EXPECT_TRUE(given.parted(0, 3));
+  EXPECT_TRUE(given.parted(69, 0));
+  EXPECT_FALSE(given.parted(0, 69));
+  EXPECT_FALSE(given.parted(0, 5));
+}
+
+// Against all orders; every kind of ends, with and without a capacity; also the search for many
+// stops, of as few.
+TEST(PartialOrder, GivesTheBestOfAllOrdersThatKeepIt) {
+  int none = 0, cases = 0, equal = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed)
+    for (int size = 2; size <= 8; ++size)
+      for (const Ends& ends : kEnds) {
+        if (std::max(ends.start, ends.goal) >= size) continue;
+        const Instance stops = random_instance(size, seed, seed % 2);
+        const Given given = random_given(size, seed, ends);
+        std::vector<int> order(size);
+        std::iota(order.begin(), order.end(), 0);
+        std::int64_t best = std::numeric_limits<std::int64_t>::max();
+        do {
+          if (kept(order, given, ends))
+            best = std::min(best, cost_of(stops.costs(), order, ends.open));
+        } while (std::next_permutation(order.begin(), order.end()));
+        const PartialOrder partial = given.order(size);
+        OrderOptions options;
+        options.given = &partial;
+        options.generations = 1;
+        const OrderFound exact = find_order(stops.costs(), ends, stops.places, options),
+                         found = find_partial_order(stops.costs(), ends, partial, options);
+        ++cases;
+        ASSERT_EQ(exact.order.empty(), best == std::numeric_limits<std::int64_t>::max())
+            << size << " stops, seed " << seed;
+        ASSERT_EQ(found.order.empty(), exact.order.empty()) << size << " stops, seed " << seed;
+        EXPECT_TRUE(exact.optimal);
+        if (exact.order.empty()) {
+          EXPECT_TRUE(found.optimal);
+          ++none;
+          continue;
+        }
+        EXPECT_TRUE(kept(exact.order, given, ends));
+        EXPECT_EQ(exact.cost, best) << size << " stops, seed " << seed;
+        EXPECT_EQ(exact.cost, cost_of(stops.costs(), exact.order, ends.open));
+        EXPECT_TRUE(kept(found.order, given, ends)) << size << " stops, seed " << seed;
+        EXPECT_EQ(found.cost, cost_of(stops.costs(), found.order, ends.open));
+        equal += found.cost == best;
+      }
+  EXPECT_GT(none, 5);
+  EXPECT_GE(equal, (cases - none) * 98 / 100) << none << " of " << cases << " without an order";
+}
+
+TEST(PartialOrder, IsKeptByEveryOrderThatIsTold) {
+  int cases = 0;
+  for (std::uint32_t seed = 1; cases < 2000; ++seed)
+    for (const Ends& ends : kEnds) {
+      const int size = 13 + static_cast<int>(seed % 40);
+      const Instance stops = random_instance(size, seed, seed % 3 == 0);
+      const Given given = random_given(size, seed, ends);
+      const PartialOrder partial = given.order(size);
+      OrderOptions options;
+      options.given = &partial;
+      options.seed = seed;
+      options.generations = seed % 10 == 0;
+      options.observer = [&](std::span<const int> order, std::int64_t) {
+        EXPECT_TRUE(kept({order.begin(), order.end()}, given, ends)) << "seed " << seed;
+        return true;
+      };
+      const OrderFound found = find_order(stops.costs(), ends, stops.places, options);
+      if (found.order.empty()) continue;  // of a capacity
+      std::vector<int> sorted = found.order;
+      std::sort(sorted.begin(), sorted.end());
+      for (int v = 0; v < size; ++v) ASSERT_EQ(sorted[v], v);
+      ASSERT_TRUE(kept(found.order, given, ends)) << "seed " << seed;
+      ASSERT_EQ(found.cost, cost_of(stops.costs(), found.order, ends.open));
+      ++cases;
+    }
+}
+
+TEST(PartialOrder, OfAsymmetricCostsIsThatOfSubsets) {
+  int equal = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const int size = 13;
+    Instance stops = random_instance(size, seed);
+    kernels::RandomStream random(seed, 2, 0);
+    for (Cost& cost : stops.matrix) cost += random.below(60);
+    const Ends ends{true, 0, size - 1};
+    const PartialOrder partial = random_given(size, seed, ends).order(size);
+    OrderOptions options;
+    options.given = &partial;
+    options.generations = 2;
+    const OrderFound found = find_order(stops.costs(), ends, {}, options);
+    const auto best = subset_order(stops.costs(), ends, partial);
+    ASSERT_EQ(found.order.empty(), best.empty());
+    equal += best.empty() || found.cost == cost_of(stops.costs(), best, true);
+  }
+  EXPECT_GE(equal, 19);
+}
+
+TEST(PartialOrder, StoppedGivesTheBestSoFar) {
+  const Instance stops = random_instance(120, 7);
+  const Given given = random_given(120, 7, {});
+  const PartialOrder partial = given.order(120);
+  std::stop_source source;
+  source.request_stop();
+  OrderOptions options;
+  options.given = &partial;
+  options.stop.token = source.get_token();
+  const OrderFound found = find_order(stops.costs(), {}, stops.places, options);
+  EXPECT_TRUE(kept(found.order, given, {}));
+  EXPECT_EQ(found.cause, StopCondition::Cause::token);
+}
+
+}  // namespace
+}  // namespace lasius::tour
