@@ -48,33 +48,76 @@ LASIUS_WIDE void reach_all(const double* foot, const double* off, int count, dou
   }
 }
 
-/// An interval's values as a plane wave that goes on beyond it: at a place they are
-/// base + slope * foot on its line and rise by `rise` with the distance from it. No way from the
-/// interval costs less than the wave rises, or falls.
-struct Wave {
-  double base, slope, rise;
+/// What is looked up of a cell's values. An interval's are a plane wave that goes on beyond it: at
+/// a place base + slope * foot on its line, and no way from the interval costs less than `rise`
+/// times the place's distance from that line makes the wave rise, or fall.
+struct Waves {
+  static constexpr std::size_t kMost = std::size_t{4} * CellChords::kMostIntervals;
+  double base[kMost], slope[kMost], rise[kMost];
+  double low[kMost], high[kMost];  // values of the interval
+  double values[2 * kMost + 4];    // of places, twice over; 0 beyond
 };
 
-/// Says of each interval whether the value at some place is farther from what its wave is on its
-/// line than the wave rises on the way. `values` holds the places twice over; `count`, of places
-/// off an edge, is a multiple of 4.
-LASIUS_WIDE void find_beyond(const double* values, const Wave* waves, const double* foot,
-                             const double* off, int k, int count, double tolerance,
-                             std::uint8_t* found) noexcept {
-  for (int edge = 0; edge < 4; ++edge) {
-    const double* after = values + static_cast<std::ptrdiff_t>(edge + 1) * k + 1;
-    for (int e = edge * k; e < (edge + 1) * k; ++e) {
-      const Wave wave = waves[e];
-      double most[4] = {-1e300, -1e300, -1e300, -1e300};
-      for (int i = 0; i < count; i += 4) {
-        for (int j = 0; j < 4; ++j) {
-          const double apart = std::abs(after[i + j] - (wave.base + wave.slope * foot[i + j])) -
-                               wave.rise * off[i + j];
-          most[j] = apart > most[j] ? apart : most[j];
-        }
-      }
-      found[e] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) > tolerance;
+LASIUS_WIDE void find_waves(const double* values, int k, double weight, Waves& waves) noexcept {
+  const int places = 4 * k;
+  const double share = 1.0 / k;
+  std::copy(values, values + places, waves.values);
+  std::copy(values, values + places, waves.values + places);
+  std::fill_n(waves.values + static_cast<std::ptrdiff_t>(2) * places, 4, 0.0);
+  for (int edge = 0; edge < places; edge += k) {
+    for (int along = 0; along < k; ++along) {
+      const int e = edge + along;
+      const double a = waves.values[e], b = waves.values[e + 1];
+      const double slope = (b - a) * k, left = weight * weight - slope * slope;
+      const double rise = std::sqrt(left > 0 ? left : 0);
+      waves.slope[e] = slope;
+      waves.base[e] = a - slope * (along * share);
+      waves.rise[e] = left < 0 ? -kSteep : rise;
+      waves.low[e] = a < b ? a : b;
+      waves.high[e] = a < b ? b : a;
     }
+  }
+}
+
+/// Says of each interval whether some place's value may be too far from its values: farther than
+/// the wave rises, and than the cheapest straight way of all, `apart` long. `count`, of places off
+/// an edge, is a multiple of 4.
+LASIUS_WIDE void find_beyond(const Waves& waves, const double* foot, const double* off,
+                             const double* apart, int k, int count, double weight, double tolerance,
+                             std::uint8_t* found) noexcept {
+  for (int e = 0; e < 4 * k; ++e) {
+    const double* after = waves.values + static_cast<std::ptrdiff_t>(e / k + 1) * k + 1;
+    const double* shortest = apart + static_cast<std::ptrdiff_t>(e % k) * count;
+    const double base = waves.base[e], slope = waves.slope[e], rise = waves.rise[e];
+    const double low = waves.low[e], high = waves.high[e];
+    double most[4] = {-1e300, -1e300, -1e300, -1e300};
+    for (int i = 0; i < count; i += 4) {
+      for (int j = 0; j < 4; ++j) {
+        const double value = after[i + j];
+        const double wave = std::abs(value - (base + slope * foot[i + j])) - rise * off[i + j];
+        const double above = value - low, below = high - value;
+        const double range = (above > below ? above : below) - weight * shortest[i + j];
+        const double least = wave < range ? wave : range;
+        most[j] = least > most[j] ? least : most[j];
+      }
+    }
+    found[e] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) > tolerance;
+  }
+}
+
+/// By how much each place's value is too far from those of an interval: where it is above the wave,
+/// too high for the cheapest way there, else too low for the dearest place of the interval.
+LASIUS_WIDE void miss_all(const double* after, const double* foot, const double* off, int count,
+                          double base, double slope, double leaning, double first, double begin,
+                          double end, double weight, double* out) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const double over = after[i] - (base + slope * foot[i]);
+    double t = foot[i] + (over > 0 ? -off[i] : off[i]) * leaning;
+    t = t < begin ? begin : t;
+    t = t > end ? end : t;
+    const double along = t - foot[i];
+    const double apart = after[i] - (first + slope * (t - begin));
+    out[i] = (over > 0 ? apart : -apart) - weight * std::sqrt(off[i] * off[i] + along * along);
   }
 }
 
@@ -95,6 +138,12 @@ CellChords::CellChords(int intervals)
   while (foot_.size() % 4 != 0) {
     foot_.push_back(0);
     off_.push_back(kSteep);
+  }
+  for (int along = 0; along < k_; ++along) {
+    for (std::size_t i = 0; i < foot_.size(); ++i) {
+      const double beside = foot_[i] - std::clamp(foot_[i], along * share_, (along + 1) * share_);
+      apart_.push_back(std::sqrt(off_[i] * off_[i] + beside * beside) * (1 - 1e-12));
+    }
   }
 }
 
@@ -153,55 +202,46 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     if (by > tolerance) found(high, by, over > 0 ? by / (weight * over) : share_);
   }
   // Of a chord between two intervals that do not touch, one end is a place.
-  std::array<double, std::size_t{8} * kMostIntervals + 4> twice{};
-  std::array<Wave, std::size_t{4} * kMostIntervals> waves{};
-  std::array<std::uint8_t, std::size_t{4} * kMostIntervals> beyond;
-  const auto wave_of = [&](int interval) {
-    const double low = values[interval], slope = (values[next(interval)] - low) * k_;
-    const double left = weight * weight - slope * slope;
-    return Wave{low - slope * (interval % k_ * share_), slope,
-                left >= 0 ? std::sqrt(left) : -kSteep};
-  };
-  const auto take = [&](int place) { twice[place] = twice[place + places_] = values[place]; };
-  double most = 0;
-  for (int p = 0; p < places_; ++p) {
-    take(p);
-    waves[p] = wave_of(p);
-    most = std::max(most, values[p]);
-  }
-  const int off_edge = 3 * k_ - 1;
+  Waves waves;
+  std::array<std::uint8_t, Waves::kMost> beyond;
+  std::array<double, Waves::kMost> miss;
+  find_waves(values, k_, weight, waves);
+  const int off_edge = 3 * k_ - 1, count = static_cast<int>(foot_.size());
   // So that rounding hides nothing from what follows.
-  const double least = tolerance - 1e-15 * most;
-  find_beyond(twice.data(), waves.data(), foot_.data(), off_.data(), k_,
-              static_cast<int>(foot_.size()), least, beyond.data());
+  const double most = *std::max_element(values, values + places_);
+  find_beyond(waves, foot_.data(), off_.data(), apart_.data(), k_, count, weight,
+              tolerance - 1e-15 * most, beyond.data());
   for (int e = 0; e < places_; ++e) {
     if (beyond[e] == 0) continue;
     const int e1 = next(e), first = (e / k_ + 1) * k_ + 1;
     const double begin = e % k_ * share_, end = begin + share_;
-    Wave wave = wave_of(e);
+    double slope = (values[e1] - values[e]) * k_, leaning = lean(slope, weight);
+    miss_all(waves.values + first, foot_.data(), off_.data(), off_edge, values[e] - slope * begin,
+             slope, leaning, values[e], begin, end, weight, miss.data());
     for (int i = 0; i < off_edge; ++i) {
-      const double foot = foot_[i], off = off_[i];
-      const double over = twice[first + i] - (wave.base + wave.slope * foot);
-      if (std::abs(over) - wave.rise * off <= least) continue;
+      if (!(miss[i] > tolerance)) continue;
+      // The same again: values may have been lowered since.
       const int place = first + i < places_ ? first + i : first + i - places_;
-      const double leaning = (over > 0 ? -off : off) * lean(wave.slope, weight);
-      const double t = std::clamp(foot + leaning, begin, end);
+      const double foot = foot_[i], off = off_[i];
+      const bool over = values[place] > values[e] + slope * (foot - begin);
+      const double t = std::clamp(foot + (over ? -off : off) * leaning, begin, end);
       const double way = weight * std::sqrt(off * off + (t - foot) * (t - foot));
-      const double there = values[e] + wave.slope * (t - begin);
-      const double by = (over > 0 ? values[place] - there : there - values[place]) - way;
+      const double apart = values[place] - (values[e] + slope * (t - begin));
+      const double by = (over ? apart : -apart) - way;
       if (!(by > tolerance)) continue;
-      const double beside = foot - std::clamp(foot, begin, end);
-      const double apart = std::sqrt(off * off + beside * beside);
-      if (over > 0)
-        found(place, by, apart);
+      const double least = apart_[static_cast<std::size_t>(e % k_) * count + i];
+      if (over)
+        found(place, by, least);
       else if (t == begin)
-        found(e, by, apart);
+        found(e, by, least);
       else if (t == end)
-        found(e1, by, apart);
+        found(e1, by, least);
       else
-        found.between(e, (t - begin) * k_, by, apart);
-      for (const int changed : {place, e, e1}) take(changed);
-      wave = wave_of(e);
+        found.between(e, (t - begin) * k_, by, least);
+      for (const int changed : {place, e, e1})
+        waves.values[changed] = waves.values[changed + places_] = values[changed];
+      slope = (values[e1] - values[e]) * k_;
+      leaning = lean(slope, weight);
     }
   }
 }
@@ -289,7 +329,7 @@ bool CellChords::lower(double* values, double weight, double tolerance,
 
 double CellChords::excess(const double* values, double weight) const {
   Excess excess{weight};
-  double kept[4 * kMostIntervals];
+  double kept[4 * kMostIntervals] = {};
   std::copy(values, values + places_, kept);
   each_violation(kept, weight, 0, excess);
   return excess.most;

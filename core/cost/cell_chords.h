@@ -63,8 +63,9 @@ class CellChords {
   int places_;
   double share_;  // of an edge, one interval
   std::vector<Point> at_;
-  std::vector<double> foot_;  // of the places after an edge: along it; a multiple of 4
-  std::vector<double> off_;   // from its line
+  std::vector<double> foot_;   // of the places after an edge: along it; a multiple of 4
+  std::vector<double> off_;    // from its line
+  std::vector<double> apart_;  // from each interval of the edge: no more than that
 };
 
 }  // namespace lasius::cost
