@@ -19,8 +19,12 @@
 #include "lasius/path.h"
 
 namespace lasius {
+namespace {
+
 using cost::CostAnswer;
 using cost::Terrain;
+
+}  // namespace
 
 struct CostPlanner::Impl {
   Impl(Planner p, const DiscMap* disc, const CostField& costs)
