@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -82,6 +83,9 @@ class PreparedSearch {
   };
   static_assert(sizeof(Node) == 32);
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
+  static constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
+  // Work of an expansion beside its edges, in words as scans count them.
+  static constexpr std::int64_t kWordsPerNode = 4;
   enum class Mode {
     first_few,  // corners are asked whether they see the goal; straight estimates
     near_line,  // corners that the goal sees are known; up to the horizon; straight estimates
