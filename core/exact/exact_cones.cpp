@@ -156,11 +156,11 @@ bool ExactSearch::scan_around_start(int down) {
   return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
 }
 
-// As far as the map goes: nothing is left behind a horizon.
+// Looks at what paths up to the horizon may turn at first.
 void ExactSearch::look_around_start() {
   const auto way = [this](int x, int y) { return distance(start_.x, start_.y, 2 * x, 2 * y); };
   const auto worth = [&](int x, int y) {
-    return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < upper_;
+    return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < horizon_;
   };
   exact::EndView(map_, start_, *poller_).run(worth, [&](const exact::SeenCorner& seen) {
     const bool column = seen.side == exact::kColumn;
@@ -173,7 +173,7 @@ void ExactSearch::look_around_start() {
 bool ExactSearch::scan_around_start() {
   if (!start_.is_centre()) {
     look_around_start();
-    return false;
+    return true;  // what lies behind the horizon was not looked at
   }
   const Corner& start = corners_[CornerTable::kStart];
   root_ = {CornerTable::kStart, start.x, start.y, 0};

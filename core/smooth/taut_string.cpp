@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <string>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
@@ -115,10 +116,14 @@ void TautString::run(const Grid& grid, Point from, std::span<const HalfPoint> pa
 
 std::vector<Point> pull_taut(const Grid& grid, std::span<const Point> path, Corners corners,
                              const StopCondition& stop) {
-  if (const auto fault = path_fault(grid, path, corners)) {
-    throw invalid_parameter("the path cannot be pulled taut: " + *fault,
-                            "give a path that path_fault() accepts");
-  }
+  const auto refuse = [](const std::string& fault) {
+    throw invalid_parameter("the path cannot be pulled taut: " + fault,
+                            "give a path that path_fault() accepts, its ends at multiples of 0.5");
+  };
+  if (const auto fault = path_fault(grid, path, corners)) refuse(*fault);
+  for (const Point p : {path.front(), path.back()})
+    if (2 * p.x != std::floor(2 * p.x) || 2 * p.y != std::floor(2 * p.y))
+      refuse("its end " + pair_text(p.x, p.y) + " is not at multiples of 0.5");
   std::vector<HalfPoint> points;
   points.reserve(path.size());
   for (const Point p : path)

@@ -125,8 +125,8 @@ def path_length(path: npt.ArrayLike) -> float:
 
 @explained
 def path_fault(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> Optional[str]:
-    """Why a polyline (n, 2) breaks the rule of the plane, or None if it obeys; exact. Vertices are
-    multiples of 0.5."""
+    """Why a polyline (n, 2) breaks the rule of the plane, or None if it obeys; exact. Vertices but
+    the first and the last are multiples of 0.5."""
     return _lasius.path_fault(grid, unmasked(path, "path"), corners)
 
 

@@ -33,7 +33,8 @@ TEST(PathFault, NamesTheFault) {
   EXPECT_EQ(fault(grid, {{0.5, 0.5}, {0.5, 0.5}}), "");
   EXPECT_EQ(fault(grid, {{1.5, 1.5}}), "the only vertex (1.5, 1.5) touches no free cell");
   EXPECT_EQ(fault(grid, {{0.5, 0.5}, {5.5, 0.5}}), "vertex 1 (5.5, 0.5) is outside the map");
-  EXPECT_EQ(fault(grid, {{0.25, 0.5}}), "vertex 0 (0.25, 0.5) is not at multiples of 0.5");
+  EXPECT_EQ(fault(grid, {{0.5, 0.5}, {0.75, 0.5}, {0.5, 0.5}}),
+            "vertex 1 (0.75, 0.5) is not at multiples of 0.5");
   EXPECT_EQ(fault(grid, {{std::nan(""), 0.5}}), "vertex 0 (nan, 0.5) is outside the map");
   EXPECT_EQ(fault(grid, {{0.5, 1.5}, {4.5, 1.5}}),
             "segment (0.5, 1.5) - (4.5, 1.5) enters the blocked cell (1, 1)");

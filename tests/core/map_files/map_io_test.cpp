@@ -117,8 +117,8 @@ TEST_F(MapIo, FilesDoNotDependOnTheLocale) {
     write_map(grid, path(name));
     EXPECT_EQ(read_map(path(name)).grid, grid) << name;
   }
-  EXPECT_EQ(path_fault(Grid(2000, 1), std::vector<Point>{{1500.25, 0.5}}),
-            "vertex 0 (1500.25, 0.5) is not at multiples of 0.5");
+  EXPECT_EQ(path_fault(Grid(2000, 1), std::vector<Point>{{1.5, 0.5}, {1500.25, 0.5}, {1.5, 0.5}}),
+            "vertex 1 (1500.25, 0.5) is not at multiples of 0.5");
 }
 
 struct Broken {

@@ -119,6 +119,7 @@ TEST(Tauten, RefusesAPathThatIsNotValid) {
               }),
               "enters the blocked cell (1, 0)");
   EXPECT_THROW(pull_taut(grid, Path{}), Error);
+  EXPECT_THROW(pull_taut(grid, Path{{0.25, 0.5}, {0.5, 0.5}}), Error);
 }
 
 TEST(Tauten, KeepsSqueezesWhenTheyAreAllowed) {

@@ -1,0 +1,74 @@
+// Lengths from one place to many, by one search of a prepared map.
+#include <algorithm>
+
+#include "core/base/poller.h"
+#include "core/base/special_values.h"
+#include "core/exact/prepared_search.h"
+#include "kernels/sight/sight.h"
+
+namespace lasius::exact {
+
+bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start, double grain,
+                           const StopCondition& stop, std::vector<double>& lengths) {
+  Poller poller(stop);
+  grain_ = grain;
+  begin(grid, graph, centre(start), poller);
+  mode_ = Mode::flood;
+  reach_all();
+  lengths.clear();
+  lengths.reserve(graph.size());
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+    lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
+  }
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
+void PreparedSearch::reach_all() {
+  horizon_ = kInfinity;
+  straight_ = 0;
+  lower_ = 0;
+  scan_start_view();
+  restart();
+  reach_start_corners();
+  improvements_.begin({});
+  run(0, kNoBudget);
+}
+
+bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Cell cell,
+                          const StopCondition& stop, Target& target) {
+  Poller poller(stop);
+  begin(grid, graph, centre(cell), poller);
+  horizon_ = kInfinity;
+  scan_start_view();
+  target = {{2 * cell.x + 1, 2 * cell.y + 1}, start_corners_};
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
+bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Cell start,
+                                std::span<const Target> targets, const StopCondition& stop,
+                                std::span<double> lengths) {
+  Poller poller(stop);
+  begin(grid, graph, centre(start), poller);
+  const kernels::HalfPoint from{2 * start.x + 1, 2 * start.y + 1};
+  mode_ = Mode::all;
+  reach_all();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto& [at, corners] = targets[i];
+    lengths[i] =
+        kernels::sees(map_, from, at) ? exact::distance(from.x, from.y, at.x, at.y) : kInfinity;
+    for (const std::uint32_t index : corners) {
+      const Node& node = nodes_[index];
+      if (node.stamp != stamp_) continue;
+      const kernels::HalfPoint corner{2 * graph_->corner(index).x(), 2 * graph_->corner(index).y()};
+      lengths[i] =
+          std::min(lengths[i], node.length + exact::distance(corner.x, corner.y, at.x, at.y));
+    }
+    if (poller.stop_after(kWordsPerNode + static_cast<std::int64_t>(corners.size()))) break;
+  }
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
+}  // namespace lasius::exact
