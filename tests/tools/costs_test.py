@@ -3,6 +3,7 @@ import heapq
 import itertools
 import json
 import math
+import os
 import random
 import unittest
 
@@ -187,6 +188,61 @@ class Costs(ProgramTest):
     def layer_of(self, weights):
         return self.write("same.npy", npy([[w - 1 for w in row] for row in weights.weights]))
 
+    def run_in(self, folder, *arguments):
+        """Run by who stands in another folder."""
+        own, self.folder = self.folder, folder
+        try:
+            return self.run_program(*arguments)
+        finally:
+            self.folder = own
+
+    def test_points(self):
+        """A path between points of cells, whose bound is that of cells less what the ends may save."""
+        rng = random.Random(6)
+        for _ in range(6):
+            rows = random_map(rng, 20, 16, 0.1)
+            rows[5] = rows[5][:3] + "." + rows[5][4:]
+            rows[12] = rows[12][:17] + "." + rows[12][18:]
+            weights = Weights(rows)
+            weights.inflate(4, 0.5, 3)
+            ends = dict(start=(3, 5), goal=(17, 12))
+            cells = self.over(rows, "--inflation", "4,0.5,3", **ends).json
+            if cells["status"] != "solved":
+                continue
+            points = self.plan("--inflation", "4,0.5,3", "--json", start="3.2,5.9", goal="17.5,12.25", map_file="m.map").json
+            self.assertEqual((points["path"][0], points["path"][-1]), ([3.2, 5.9], [17.5, 12.25]))
+            self.assertAlmostEqual(weights.cost(points["path"]), points["cost"], delta=1e-6 * points["cost"])
+            self.assertLessEqual(points["lower_bound"], points["cost"])
+            room = weights.at(3, 5) * math.hypot(0.3, 0.4) + weights.at(17, 12) * 0.25
+            self.assertLessEqual(abs(points["cost"] - cells["cost"]), room + cells["cost"] * cells["gap"])
+            same = self.plan("--inflation", "4,0.5,3", "--json", start="3.5,5.5", goal="17.5,12.5", map_file="m.map").json
+            self.assertEqual(same["path"], cells["path"])
+
+    def test_colonies(self):
+        rng, found = random.Random(9), 0
+        rows = random_map(rng, 24, 18, 0.08)
+        weights = Weights(rows)
+        weights.inflate(5, 0.5, 4)
+        best = self.over(rows, "--inflation", "5,0.5,4").json
+        for name in ("as", "acs", "mmas", "fan2004", "cong2009", "terminal-index"):
+            run = self.over(rows, "--inflation", "5,0.5,4", "--algorithm", name, "--iterations", "10", "-o", "c.json").json
+            if run["status"] != "solved":
+                continue
+            found += 1
+            self.assertAlmostEqual(weights.cost(run["path"]), run["cost"], delta=1e-6 * run["cost"])
+            self.assertGreaterEqual(run["cost"], best["lower_bound"])
+            self.assertAlmostEqual(run["best"][-1], run["cost"], delta=1e-6 * run["cost"])
+            self.assertEqual((run["lower_bound"], run["gap"], run["optimal"]), (None, None, False))
+            self.quiet(self.run_program("verify", "c.json"))
+            for threads in (1, 5):
+                again = self.over(rows, "--inflation", "5,0.5,4", "--algorithm", name, "--iterations", "10",
+                                  "--threads", threads).json
+                self.assertEqual((again["path"], again["mean"]), (run["path"], run["mean"]))
+            # The control: by length alone its way is dearer, or the same.
+            plain = self.plan("--algorithm", name, "--iterations", "10", "--json", start="0,0", goal="23,17", map_file="m.map").json
+            self.assertLessEqual(run["cost"], weights.cost(plain["path"]) * 1.001)
+        self.assertGreaterEqual(found, 4)
+
     def test_no_costs_are_lengths(self):
         zeros = self.write("zero.pgm", pgm([[0] * 10] * 6))
         plain = self.plan("--json").json
@@ -195,6 +251,10 @@ class Costs(ProgramTest):
             self.assertEqual(over[field], plain[field])
         self.assertEqual(over["cost"], over["length"])
         self.assertEqual(list(plain).count("cost"), 0)
+        proven = self.plan("--cost", zeros, "-o", "z.proof.json", "-o", "z.json")
+        self.assertEqual(json.loads(self.read("z.json"))["path"], plain["path"])
+        self.quiet(self.run_program("verify", "z.json"))
+        self.quiet(self.run_program("check-proof", "small.map", "z.proof.json", "--cost", zeros))
 
     def test_results_replay_and_proofs_hold(self):
         self.write("a.pgm", pgm([[(7 * x + 5 * y) % 11 for x in range(10)] for y in range(6)], 10))
@@ -213,6 +273,17 @@ class Costs(ProgramTest):
         for seed_threads in (1, 5):
             again = self.run_program("batch", "small.map", "q.tsv", *options, "--threads", seed_threads).lines
             self.assertEqual([line["path"] for line in again], [line["path"] for line in lines])
+        self.run_program("batch", "small.map", "q.tsv", *options, "-o", "b.csv")
+        rows = self.rows("b.csv")
+        self.assertEqual([row["cost"] for row in rows[2:]], ["", ""])
+        self.assertAlmostEqual(float(rows[0]["cost"]), one["cost"])
+        self.assertAlmostEqual(float(rows[0]["gap"]), float(rows[0]["cost"]) / float(rows[0]["lower_bound"]) - 1)
+        parts = [self.write(f"p{i}", self.run_program("batch", "small.map", "q.tsv", *options, "--radius", "0.5",
+                                                      "--part", f"{i}/2").out) for i in (1, 2)]
+        self.assertEqual(len(self.quiet(self.run_program("merge", *parts)).lines), 4)
+        elsewhere = os.path.join(self.folder, "elsewhere")
+        os.mkdir(elsewhere)
+        self.quiet(self.run_in(elsewhere, "verify", self.path("r.json")))
         self.write("lines.jsonl", "".join(json.dumps(line) + "\n" for line in lines))
         self.quiet(self.run_program("verify", "lines.jsonl"))
         self.write("a.pgm", pgm([[1] * 10] * 6, 10))
@@ -256,13 +327,18 @@ class Costs(ProgramTest):
                 (("--inflation", "3,1,2,4"), ("--inflation",)),
                 (("--moves", "4"), ("--moves",)),
                 (("--inflatoin", "3,1"), ("--inflation",)),
-                (("--cost", "a.pgm", "--algorithm", "fan2004"), ("--cost is for exact", "fan2004")),
+                (("--cost", "a.pgm", "--algorithm", "grid-ga"), ("--cost is for exact", "grid-ga")),
+                (("--cost", "a.pgm", "--algorithm", "acs", "--corners", "allow"), ("squeeze",)),
+                (("--cost", "a.pgm", "--via", "3,3"), ("--via",)),
+                (("--cost", "*2"), ("names no file",)),
                 (("--cost", "a.pgm", "--gap"), ("--gap",)),
                 (("--moves", "8", "--radius", "1"), ("--moves is for a point",)),
                 (("-o", "x.proof.json"), (".proof.json",)),
                 (("--moves", "8", "-o", "x.proof.json"), (".proof.json",))):
             self.refused(self.plan(*options), 2, *words)
         self.refused(self.plan("--cost", "a.pgm", "-o", "a.pgm"), 2, "a.pgm")
+        self.ended(self.plan("--cost", "a.pgm", "-o", "none.proof.json", goal="4,2"), 4, "nothing is proven")
+        self.assertFalse(os.path.exists(self.path("none.proof.json")))
         self.refused(self.plan("--cost", "full.pgm*1e6"), 2, "use a smaller factor")
 
 

@@ -152,7 +152,14 @@ int run_bitmap_batch(const PlanCommand& command) {
     write_batch_picture(picture, map, run, paths, caption);
   };
   const std::string unit = run.frame == Frame::world ? "m" : "";
-  return run_batch({run, unit, queries.size(), command.queries.empty(), answer_all, draw}, signals);
+  return run_batch({.options = run,
+                    .unit = unit,
+                    .queries = queries.size(),
+                    .costs = map.costs.has_value(),
+                    .is_plan = command.queries.empty(),
+                    .answer = answer_all,
+                    .draw = draw},
+                   signals);
 }
 
 }  // namespace lasius::tool

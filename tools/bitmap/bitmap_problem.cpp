@@ -1,6 +1,7 @@
 #include "tools/bitmap/bitmap_problem.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lasius/io_json.h"
 #include "tools/bitmap/bitmap_report.h"
@@ -109,6 +110,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
 /// What plans over costs tell beside.
 void add_costs(Record& record, Json& findings, const LoadedCosts& costs, const Answer& answer) {
   record.gap = answer.over_costs ? answer.over_costs->gap() : std::nullopt;
+  record.cost = answer.over_costs ? answer.over_costs->cost : std::nan("");
   Json& layers = findings["layers"] = Json::array();
   for (std::size_t i = 0; i < costs.hashes.size(); ++i)
     layers.push_back({{"file", costs.asked.layers[i].file},

@@ -48,7 +48,8 @@ Subcommand add_check_proof(CLI::App& app) {
         const CostField costs =
             load_costs(*map.grid_alone, map.frame, asked->costs, unit, map.radius).field;
         const CostProof proof = proof_from_json(
-            read_text(asked->proof, std::numeric_limits<std::int64_t>::max()), asked->proof);
+            read_text(asked->proof, std::int64_t{1000} * map.width * map.height + (1 << 20)),
+            asked->proof);
         if (const auto fault = check_proof(map.as_read(), costs, proof)) {
           print("does not hold: " + *fault + "\n");
           return static_cast<int>(kInternal);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -19,7 +20,7 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 33;
+constexpr bool kBigHost = std::endian::native == std::endian::big;
 
 /// Values row by row from the top.
 struct LayerValues {
@@ -30,8 +31,8 @@ struct LayerValues {
 [[noreturn]] void refuse_layer(const std::string& file, const std::string& problem,
                                ErrorCode code = ErrorCode::file_broken) {
   throw Error(code, {.file = file}, problem,
-              "give a PNG, a PGM, a PFM of one channel or a .npy of rows of float32, float64 or "
-              "uint8, of the map's size");
+              "give a PNG, a PGM, a PFM of one channel or a .npy of whole numbers, float32 or "
+              "float64, of the map's size");
 }
 
 template <class Number>
@@ -51,7 +52,7 @@ void read_values(const std::string& file, std::string_view bytes, bool big, Laye
     refuse_layer(file, "it has " + number_text(bytes.size()) + " bytes of values, " +
                            size_text(to.width, to.height) + " take " +
                            number_text(count * sizeof(Number)));
-  const bool swapped = big != (std::endian::native == std::endian::big);
+  const bool swapped = big != kBigHost;
   to.values.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
     to.values.push_back(static_cast<double>(number_at<Number>(bytes, i, swapped)));
@@ -91,33 +92,52 @@ std::string_view behind(std::string_view head, std::string_view key) {
   return at == head.npos ? std::string_view() : head.substr(at + key.size() + 3);
 }
 
+/// Column by column as row by row.
+void transpose(LayerValues& raster) {
+  std::vector<double> rows;
+  rows.reserve(raster.values.size());
+  for (int y = 0; y < raster.height; ++y)
+    for (int x = 0; x < raster.width; ++x)
+      rows.push_back(raster.values[static_cast<std::size_t>(x) * raster.height + y]);
+  raster.values = std::move(rows);
+}
+
 LayerValues read_npy(const std::string& file, std::string_view bytes) {
-  constexpr std::size_t kBefore = 10;  // magic, version, length of the head in two bytes
-  if (bytes.size() < kBefore || bytes[6] != 1) refuse_layer(file, "it is no .npy of version 1");
-  const std::size_t length = static_cast<unsigned char>(bytes[8]) +
-                             256 * static_cast<std::size_t>(static_cast<unsigned char>(bytes[9]));
-  if (bytes.size() < kBefore + length) refuse_layer(file, "it ends in its head");
-  const std::string_view head = bytes.substr(kBefore, length);
-  const std::string_view values = bytes.substr(kBefore + length);
+  // Magic, version, length of the head in two bytes, or from version 2 on in four.
+  const std::size_t before = bytes.size() > 6 && bytes[6] > 1 ? 12 : 10;
+  if (bytes.size() < before || bytes[6] < 1 || bytes[6] > 3)
+    refuse_layer(file, "it is no .npy of version 1 to 3");
+  const std::size_t length = before == 10 ? number_at<std::uint16_t>(bytes.substr(8), 0, kBigHost)
+                                          : number_at<std::uint32_t>(bytes.substr(8), 0, kBigHost);
+  if (bytes.size() < before + length) refuse_layer(file, "it ends in its head");
+  const std::string_view head = bytes.substr(before, length);
+  const std::string_view values = bytes.substr(before + length);
   std::istringstream shape{std::string(behind(head, "shape"))};
   char open = 0, comma = 0, close = 0;
   std::int64_t width = 0, height = 0;
   shape >> open >> height >> comma >> width >> close;
-  if (open != '(' || comma != ',' || close != ')' ||
-      !behind(head, "fortran_order").starts_with(" False"))
-    refuse_layer(file, "it is not of two dimensions, row by row");
+  if (open != '(' || comma != ',' || close != ')')
+    refuse_layer(file, "it is not of two dimensions");
   LayerValues raster;
   set_size(file, width, height, raster);
   const std::string_view type = behind(head, "descr").substr(0, 6);
   const bool big = type.starts_with(" '>");
-  if (type.ends_with("f8'"))
-    read_values<double>(file, values, big, raster);
-  else if (type.ends_with("f4'"))
-    read_values<float>(file, values, big, raster);
-  else if (type.ends_with("u1'"))
-    read_values<std::uint8_t>(file, values, big, raster);
-  else
+  const auto read = [&]<class Number>(const char* ending, Number) {
+    if (type.ends_with(ending)) read_values<Number>(file, values, big, raster);
+  };
+  read("f8'", double{});
+  read("f4'", float{});
+  read("b1'", std::uint8_t{});
+  read("u1'", std::uint8_t{});
+  read("u2'", std::uint16_t{});
+  read("u4'", std::uint32_t{});
+  read("i1'", std::int8_t{});
+  read("i2'", std::int16_t{});
+  read("i4'", std::int32_t{});
+  read("i8'", std::int64_t{});
+  if (raster.values.empty())
     refuse_layer(file, "its numbers are of another type", ErrorCode::file_unsupported);
+  if (behind(head, "fortran_order").starts_with(" True")) transpose(raster);
   return raster;
 }
 
@@ -163,10 +183,14 @@ LayerValues read_ros_layer(const std::string& file, const std::optional<WorldFra
   return raster;
 }
 
-LayerValues read_layer(const std::string& file) {
-  const std::string bytes = read_text(file, kMostBytes);
-  if (bytes.starts_with("\x93NUMPY")) return read_npy(file, bytes);
-  if (bytes.starts_with("Pf")) return read_pfm(file, bytes);
+LayerValues read_layer(const std::string& file, const Grid& grid) {
+  constexpr std::int64_t kHead = 1 << 16;  // bytes, at most
+  const std::int64_t most = kHead + std::int64_t{8} * grid.width() * grid.height();
+  char magic[6] = {};
+  std::ifstream(file, std::ios::binary).read(magic, sizeof magic);
+  const std::string_view kind(magic, sizeof magic);
+  if (kind == "\x93NUMPY") return read_npy(file, read_text(file, most));
+  if (kind.starts_with("Pf")) return read_pfm(file, read_text(file, most));
   return read_grey(file);
 }
 
@@ -183,7 +207,7 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
       raster = read_ros_layer(file, frame, grid, image);
       hash = file_hash(image, hash);
     } else {
-      raster = read_layer(file);
+      raster = read_layer(file, grid);
     }
     if (raster.width != grid.width() || raster.height != grid.height())
       refuse_size(file, raster.width, raster.height, grid);
@@ -218,6 +242,8 @@ void add_cost_options(OptionTable& table, CostLayers& to) {
       "FILE[*FACTOR]", [&to](const std::string& text) {
         const auto star = text.rfind('*');
         CostLayers::Layer layer{.file = text.substr(0, star)};
+        if (layer.file.empty())
+          throw UsageError("--cost " + text + " names no file; as in terrain.pgm*2");
         if (star != text.npos)
           layer.factor = real_value("--cost", text.substr(star + 1), 0, CostField::kMost);
         to.layers.push_back(std::move(layer));

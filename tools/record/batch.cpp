@@ -16,11 +16,11 @@
 namespace lasius::tool {
 namespace {
 
-std::string header(const std::string& unit) {
+std::string header(const std::string& unit, bool costs) {
   const std::string m = unit.empty() ? "" : "_" + unit;
   std::string row = "index";
   for (const char* column : {"sx", "sy", "gx", "gy"}) row += std::string(",") + column + m;
-  return row + ",status,length" + m + ",lower_bound" + m +
+  return row + ",status,length" + m + (costs ? ",cost,lower_bound" : ",lower_bound" + m) +
          ",gap,iterations,elapsed_ms,seed,optimum" + m + ",optimum_gap\n";
 }
 
@@ -37,7 +37,12 @@ std::string row(const Record& run, const std::vector<std::string>& ends) {
   for (const std::string& end : ends) row << "," << end;
   row << "," << to_string(result.status);
   shown(result.length);
-  shown(result.lower_bound);
+  if (run.cost) {
+    add(run.cost);
+    add(result.lower_bound);
+  } else {
+    shown(result.lower_bound);
+  }
   add(run.gap);
   row << "," << result.iterations << "," << to_text(run.elapsed_ms) << "," << run.seed;
   shown(run.optimum);
@@ -54,7 +59,7 @@ class BatchOutput {
         total_(static_cast<std::int64_t>(batch.queries) * batch.options.seeds),
         delivery_(batch.options.outputs),
         bar_(std::in_place, wants_progress(batch.options.messages), total_),
-        rows_(header(batch.unit)) {
+        rows_(header(batch.unit, batch.costs)) {
     for (const auto& file : batch.options.outputs) {
       csv_ |= is_table(file);
       paths_ |= is_picture(file);

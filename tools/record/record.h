@@ -34,6 +34,7 @@ struct Record {
 
   SearchResult result = {};
   std::optional<double> gap = result.gap();  ///< certified
+  std::optional<double> cost = {};           ///< over costs, NaN without a path: the bound's
   std::string error = result.error;
   std::optional<double> optimum = {};  ///< found for --gap
   Json answer = {};                    ///< what came of it, from "length" on
