@@ -95,7 +95,8 @@ class CostContest {
       }
       Poller poller(never_);
       const ThreadStopwatch watch;
-      const auto walk = moves_.search(terrain_, query.start, query.goal, Corners::one_side, poller);
+      const auto walk =
+          moves_.search(terrain_, query.start, query.goal, Corners::one_side, poller, false);
       cost::Polish polish(terrain_);
       path = polish.polish(centre(query.start), cost::legs_of(walk), poller);
       judge("8 moves, polished", 1e3 * watch.seconds(), path);
@@ -122,7 +123,7 @@ class CostContest {
         median_microseconds(rounds, [&] { plain_.plan(query.start, query.goal, path); });
     const double weighted = median_microseconds(rounds, [&] {
       Poller poller(never_);
-      moves_.search(terrain_, query.start, query.goal, Corners::forbid, poller);
+      moves_.search(terrain_, query.start, query.goal, Corners::forbid, poller, false);
     });
     sample.moves.push_back(weighted / 1000);
     sample.ratio.push_back(weighted / plain);

@@ -19,7 +19,7 @@ namespace {
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Cells on either side of the walk by eight moves where the first path of any angle may be: a path
+/// Cells on either side of the first walk where the first path of any angle may be: a path
 /// is seldom farther from it but on another way around something.
 constexpr int kTubeReach = 8;
 
@@ -105,7 +105,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   Best best(terrain, options);
   double lower = StraightBound(terrain, centre(start)).proven(goal);
   bool go_on = true;
-  const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller);
+  const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller, true);
   const CellChords two(2);
   auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   if (!walk.empty()) {
@@ -113,8 +113,13 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     const Tube tube(terrain, walk, kTubeReach);
     now->begin(two, start, 0, nullptr);
     if (go_on && now->march(tube, best.cost(), poller)) {
-      const auto legs = now->trace(goal);
-      go_on = best.offer(centre(start), legs ? *legs : legs_of(walk), lower, poller);
+      auto legs = now->trace(goal);
+      if (!legs) {
+        const auto steps =
+            eight_moves_.search(terrain, start, goal, Corners::one_side, poller, false);
+        if (!steps.empty()) legs = legs_of(steps);
+      }
+      if (legs) go_on = best.offer(centre(start), *legs, lower, poller);
     }
   }
   levels_.push_back({1, 0, 0, lower, best.cost(), 1, processor_seconds() - began});
@@ -212,7 +217,7 @@ void CostSearch::search_eight_moves(const Terrain& terrain, Cell start, Cell goa
   Poller poller(stop);
   const ExactOptions options;
   Best best(terrain, options);
-  const auto walk = eight_moves_.search(terrain, start, goal, corners, poller);
+  const auto walk = eight_moves_.search(terrain, start, goal, corners, poller, false);
   answer.cause = poller.cause();
   answer.end = poller.stopped() ? ExactEnd::stopped : ExactEnd::unreachable;
   if (walk.empty()) return;

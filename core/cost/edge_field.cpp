@@ -251,7 +251,8 @@ void EdgeField::fill(double* values, double weight) const {
 bool EdgeField::certify(Poller& poller) {
   const int places = chords_->places();
   double most = 0;
-  for (std::size_t i = 0; i < value_.size(); ++i) marched_.push_back(value_[i]);
+  marched_.append(value_.size(), 0);
+  for (std::size_t i = 0; i < value_.size(); ++i) marched_[i] = value_[i];
   for (const std::uint32_t at : cells_) {
     std::uint32_t nodes[kMostPlaces];
     double values[kMostPlaces];

@@ -8,25 +8,29 @@ namespace lasius::cost {
 namespace {
 
 constexpr double kDiagonal = 1.4142135623730951;
-constexpr int kDx[8] = {1, 0, -1, 0, 1, -1, -1, 1};
-constexpr int kDy[8] = {0, 1, 0, -1, 1, 1, -1, -1};
+// Along axes, between them, and as a knight moves: first into the cell that move kOver leads to.
+constexpr int kDx[16] = {1, 0, -1, 0, 1, -1, -1, 1, 2, 2, -2, -2, 1, -1, 1, -1};
+constexpr int kDy[16] = {0, 1, 0, -1, 1, 1, -1, -1, 1, -1, 1, -1, 2, 2, -2, -2};
+constexpr int kOver[8] = {0, 0, 2, 2, 1, 1, 3, 3};
+constexpr double kKnight = 2.23606797749979;
 
 }  // namespace
 
 std::vector<Cell> EightMoves::search(const Terrain& terrain, Cell start, Cell goal, Corners corners,
-                                     Poller& poller) {
+                                     Poller& poller, bool knights) {
   const std::size_t cells = static_cast<std::size_t>(terrain.stride()) * (terrain.height() + 2);
   cost_.grow(cells);
   from_.grow(cells);
   double* const cost = cost_.data();
   std::uint8_t* const from = from_.data();
   std::fill(cost, cost + cells, kInfinity);
-  std::ptrdiff_t step[8];
-  for (int i = 0; i < 8; ++i) step[i] = std::ptrdiff_t{kDy[i]} * terrain.stride() + kDx[i];
+  std::ptrdiff_t step[16];
+  for (int i = 0; i < 16; ++i) step[i] = std::ptrdiff_t{kDy[i]} * terrain.stride() + kDx[i];
   // Less than any walk costs, by more than rounding.
   const double least = terrain.least() * (1 - 1e-12);
   const auto left = [&](Cell c) {
     const int dx = std::abs(goal.x - c.x), dy = std::abs(goal.y - c.y);
+    if (knights) return least * std::sqrt(static_cast<double>(dx * dx + dy * dy));
     return least * (std::max(dx, dy) + (kDiagonal - 1) * std::min(dx, dy));
   };
   const std::size_t first = terrain.index(start.x, start.y), last = terrain.index(goal.x, goal.y);
@@ -53,16 +57,28 @@ std::vector<Cell> EightMoves::search(const Terrain& terrain, Cell start, Cell go
       open[i] = terrain.at(at + step[i]) < kInfinity &&
                 (corners == Corners::allow || sides >= (corners == Corners::forbid ? 2 : 1));
     }
-    for (int i = 0; i < 8; ++i) {
-      if (!open[i]) continue;
+    const auto offer = [&](int i, double there) {
       const std::size_t to = at + step[i];
-      const double there = here + (i < 4 ? 0.5 : 0.5 * kDiagonal) * (weight + terrain.at(to));
-      if (!(there < std::abs(cost[to]))) continue;
+      if (!(there < std::abs(cost[to]))) return;
       const double key = there + left({c.x + kDx[i], c.y + kDy[i]});
-      if (key > cost[last]) continue;
+      if (key > cost[last]) return;
       cost[to] = there;
       from[to] = static_cast<std::uint8_t>(i);
       queue_.push(static_cast<std::uint32_t>(to), key);
+    };
+    for (int i = 0; i < 8; ++i) {
+      if (!open[i]) continue;
+      offer(i, here + (i < 4 ? 0.5 : 0.5 * kDiagonal) * (weight + terrain.at(at + step[i])));
+    }
+    if (!knights) continue;
+    for (int i = 8; i < 16; ++i) {
+      const std::ptrdiff_t major = step[kOver[i - 8]];
+      if (!open[kOver[i - 8]]) continue;
+      const double first_beside = terrain.at(at + major);
+      const double beside = terrain.at(at + step[i] - major);
+      if (!(beside < kInfinity)) continue;
+      const double end = terrain.at(at + step[i]);
+      if (end < kInfinity) offer(i, here + 0.25 * kKnight * (weight + first_beside + beside + end));
     }
   }
   std::vector<Cell> walk;

@@ -19,8 +19,9 @@ class EightMoves {
  public:
   /// The cells of a cheapest walk, start to goal, both free; empty where there is none, or when
   /// stopped.
+  /// @param knights  moves of a knight, too, straight through the two cells between
   std::vector<Cell> search(const Terrain& terrain, Cell start, Cell goal, Corners corners,
-                           Poller& poller);
+                           Poller& poller, bool knights);
   std::int64_t bytes() const noexcept { return cost_.bytes() + from_.bytes() + queue_.bytes(); }
 
  private:
