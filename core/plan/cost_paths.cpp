@@ -1,7 +1,7 @@
 #include "core/plan/cost_paths.h"
 
 #include "core/disc/disc_search.h"
-#include "core/grid/grid_view.h"
+#include "core/grid/cell_distance.h"
 
 namespace lasius {
 
