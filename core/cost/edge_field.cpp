@@ -169,7 +169,7 @@ bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
   marched_.clear();
   std::size_t kept = 0;
   for (const std::uint32_t node : waiting_) {
-    if (spread_[node] != 0) continue;
+    if (is_spread(node)) continue;
     if (value_[node] + left(node) <= limit)
       queue_.push(node, value_[node]);
     else
@@ -178,12 +178,12 @@ bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
   waiting_.resize(kept);
   while (queue_.advance(poller)) {
     const std::uint32_t node = queue_.pop();
-    if (spread_[node] != 0) continue;
+    if (is_spread(node)) continue;
     if (value_[node] > limit || value_[node] + left(node) > limit) {
       waiting_.push_back(node);
       continue;
     }
-    spread_[node] = 1;
+    ++spread_[node];
     spread(node);
     if (poller.stop_after(16)) return false;
   }
@@ -210,7 +210,7 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   bool from_interval = false;
   for (const int interval : {before, place}) {
     const int low = interval, high = interval + 1 < places ? interval + 1 : 0;
-    if (spread_[nodes[low]] == 0 || spread_[nodes[high]] == 0) continue;
+    if (!is_spread(nodes[low]) || !is_spread(nodes[high])) continue;
     from_interval = true;
     const double a = value_[nodes[low]], b = value_[nodes[high]];
     const double least = std::min(a, b);
@@ -232,8 +232,15 @@ void EdgeField::offer(std::uint32_t node, double value) {
   const double gain = value_[node] - value;
   if (!(gain > 0)) return;
   value_[node] = value;
-  if (spread_[node] != 0 && gain < static_cast<double>(least_gain_[node / per_block_])) return;
-  spread_[node] = 0;
+  if (is_spread(node)) {
+    // What comes back again and again must gain more each time: where weights differ a lot,
+    // intervals around a lattice point improve each other by little for long.
+    constexpr int kFree = 4, kMost = 250;
+    const int times = spread_[node] / 2;
+    const double least = static_cast<double>(least_gain_[node / per_block_]);
+    if (times >= kMost / 2 || gain < std::ldexp(least, std::max(0, times - kFree))) return;
+    ++spread_[node];
+  }
   queue_.push(node, value);
 }
 

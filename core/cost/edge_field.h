@@ -83,6 +83,7 @@ class EdgeField {
   double left(std::uint32_t node) noexcept;
   void spread(std::uint32_t node);
   void spread_into(Cell cell, int place, std::uint32_t node);
+  bool is_spread(std::uint32_t node) const noexcept { return spread_[node] % 2 != 0; }
   void offer(std::uint32_t node, double value);
   void reach(Cell cell);
   void fill(double* values, double weight) const;
@@ -105,8 +106,8 @@ class EdgeField {
   GrowingList<float> least_gain_;       // by block: improvements below it are not spread
   GrowingList<double> left_;            // by block: to the other end, by `rest`; below 0: not known
   GrowingList<double> value_;
-  GrowingList<double> marched_;        // as before certify, from where marching goes on
-  GrowingList<std::uint8_t> spread_;   // by node: has been spread from
+  GrowingList<double> marched_;       // as before certify, from where marching goes on
+  GrowingList<std::uint8_t> spread_;  // by node: odd where it has been spread from; half: how often
   std::vector<std::uint8_t> reached_;  // by cell
   std::vector<std::uint32_t> cells_;
   std::vector<std::uint32_t> waiting_;  // nodes beyond the limit
