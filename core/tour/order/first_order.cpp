@@ -12,8 +12,14 @@ constexpr std::size_t kMostStates = 20'000;
 // Stops put one behind another, and taken back where the capacity lets none follow.
 class Builder {
  public:
-  Builder(const Costs& costs, const Ends& ends, const PartialOrder& given)
-      : costs_(costs), ends_(ends), given_(given), done_(costs.size(), 0), waits_(costs.size()) {
+  /// `tries`: choices are taken back; else the nearest that may follow is taken, whatever comes.
+  Builder(const Costs& costs, const Ends& ends, const PartialOrder& given, bool tries)
+      : costs_(costs),
+        ends_(ends),
+        given_(given),
+        tries_(tries),
+        done_(costs.size(), 0),
+        waits_(costs.size()) {
     for (int v = 0; v < costs.size(); ++v) waits_[v] = static_cast<int>(given.previous(v).size());
   }
 
@@ -58,7 +64,7 @@ class Builder {
     for (;;) {
       if (order_.size() == done_.size()) return true;
       std::vector<int> stops = following();
-      if (given_.limited() && stops.size() > 1) {
+      if (stops.size() > 1) {
         if (seen.size() == kMostStates) return !(given_up_ = true);
         if (!seen.insert({done_.begin(), done_.end()}).second) stops.clear();
       }
@@ -86,12 +92,12 @@ class Builder {
     for (int v = 0; v < costs_.size(); ++v) {
       if (done_[v] || waits_[v] > 0 || !fits(v)) continue;
       if (v == ends_.goal && order_.size() + 1 < done_.size()) continue;
-      const bool takes_none = given_.limited() && given_.load(v) <= 0;
+      const bool takes_none = tries_ && given_.load(v) <= 0;
       if (takes_none && !light) near.clear();
       light = light || takes_none;
       if (takes_none == light) near.emplace_back(last < 0 ? v : costs_.lower(last, v), v);
     }
-    if (light || !given_.limited()) {
+    if (light || !tries_) {
       if (!near.empty()) near = {*std::min_element(near.begin(), near.end())};
     } else {
       std::sort(near.rbegin(), near.rend());
@@ -104,6 +110,7 @@ class Builder {
   const Costs& costs_;
   const Ends& ends_;
   const PartialOrder& given_;
+  bool tries_;
   std::vector<char> done_;
   std::vector<int> waits_;
   std::vector<int> order_;
@@ -114,7 +121,8 @@ class Builder {
 }  // namespace
 
 FirstOrder first_order(const Costs& costs, const Ends& ends, const PartialOrder& given) {
-  return Builder(costs, ends, given).build();
+  FirstOrder near = Builder(costs, ends, given, false).build();
+  return near.order.empty() && given.limited() ? Builder(costs, ends, given, true).build() : near;
 }
 
 }  // namespace lasius::tour

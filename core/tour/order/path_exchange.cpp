@@ -169,11 +169,16 @@ bool PathExchange::carries(const Exchange& exchange) const {
       if (!pass(p)) return false;
     return true;
   }
-  for (int p = exchange.i + 1; p <= exchange.j; ++p)
-    if (!pass(p)) return false;
-  for (int p = exchange.h + 1; p <= exchange.i; ++p)
-    if (!pass(p)) return false;
-  return true;
+  // Each piece keeps its loads, but for what the other one adds before it.
+  const auto& all = now_.carried;
+  const std::int64_t first = all[exchange.i] - all[exchange.h],
+                     second = all[exchange.j] - all[exchange.i];
+  const auto fits = [&](int from, int to, std::int64_t more) {
+    for (int p = from + 1; p <= to && more > 0; ++p)
+      if (all[p] + more > path_.given().capacity()) return false;
+    return true;
+  };
+  return fits(exchange.i, exchange.j, -first) && fits(exchange.h, exchange.i, second);
 }
 
 bool PathExchange::may_reverse(int h, int j) const {

@@ -19,7 +19,7 @@ constexpr int kShortestWindow = 8;
 constexpr int kPieces = 10;           // of a kick: nodes of the longest, and how far off they are
 constexpr double kDrawn = 3;          // of a window, in the mean
 constexpr std::size_t kFewOpen = 10;  // nodes, of which all are drawn from
-constexpr int kRoots = 4;             // of closed tours without a start
+constexpr int kRoots = 8;             // that closed tours without a start try, in half of the time
 constexpr int kStepsOfGeneration = 1000, kStepsOfStop = 10;
 
 double unit(kernels::RandomStream& random) { return (random.next() + 0.5) * 0x1p-32; }
@@ -193,7 +193,7 @@ class WindowSearch {
   std::int64_t carried_ = 0;
 };
 
-// The same closed tour, begun at another stop where what is given allows it.
+// The same closed tour, begun at another stop where what is given allows it; else empty.
 std::vector<int> begun_elsewhere(const std::vector<int>& order, const PartialOrder& given,
                                  kernels::RandomStream& random) {
   const int n = static_cast<int>(order.size());
@@ -210,7 +210,32 @@ std::vector<int> begun_elsewhere(const std::vector<int>& order, const PartialOrd
     std::rotate(turned.begin(), turned.begin() + cuts[left - 1], turned.end());
     if (given.carries(turned)) return turned;
   }
-  return order;
+  return {};
+}
+
+// The stop is put first, where what is given allows it; else empty.
+std::vector<int> begun_with(int stop, std::vector<int> order, const PartialOrder& given) {
+  if (!given.previous(stop).empty()) return {};
+  const auto at = std::find(order.begin(), order.end(), stop);
+  std::rotate(order.begin(), at, at + 1);
+  return given.carries(order) ? order : std::vector<int>{};
+}
+
+// Where another round may begin: at a stop where none began yet.
+std::vector<int> next_root(const std::vector<int>& best, const PartialOrder& given, bool as_it_is,
+                           std::vector<char>& tried, kernels::RandomStream& random) {
+  if (as_it_is) {
+    std::vector<int> turned = begun_elsewhere(best, given, random);
+    if (!turned.empty() && !tried[turned.front()]) return turned;
+  }
+  const int n = static_cast<int>(best.size()), from = random.below(n);
+  for (int i = 0; i < n; ++i) {
+    const int stop = (from + i) % n;
+    if (tried[stop]) continue;
+    std::vector<int> order = begun_with(stop, best, given);
+    if (!order.empty()) return order;
+  }
+  return best;
 }
 
 }  // namespace
@@ -221,7 +246,8 @@ OrderFound find_partial_order(const Costs& costs, const Ends& ends, const Partia
   FirstOrder first = first_order(costs, ends, given);
   found.optimal = first.proven;
   if (first.order.empty()) return found;
-  const int roots = ends.open || ends.start >= 0 ? 1 : kRoots;
+  const int roots = ends.open || ends.start >= 0 ? 1 : kRoots + 1;
+  std::vector<char> tried(costs.size(), 0);
   const Horizon horizon(options, costs.size());
   Poller poller(options.stop, 1 << 12);
   bool more = true;
@@ -236,16 +262,20 @@ OrderFound find_partial_order(const Costs& costs, const Ends& ends, const Partia
   bool over = false;
   for (int root = 0; root < roots && more; ++root) {
     kernels::RandomStream random(options.seed, static_cast<std::uint32_t>(root), 0, kUse);
-    if (root > 0) first.order = begun_elsewhere(found.order, given, random);
+    if (root > 0 && root < kRoots)
+      first.order = next_root(found.order, given, root % 2 == 1, tried, random);
+    else if (root == kRoots)
+      first.order = found.order;
+    tried[first.order.front()] = 1;
     Ends fixed = ends;
     if (!ends.open) fixed.start = first.order.front();
     const StopPath path(costs, fixed, given, poller);
     WindowSearch search(path, random, poller);
     more = search.begin(path.path_of(first.order));
     more = offer(path, search.current()) && more && path.size() > 3;
-    const double share = 1.0 / roots;
+    const double share = roots == 1 ? 1 : root < kRoots ? 0.5 / kRoots : 0.5;
     while (more) {
-      const double passed = (horizon.passed(step++) - root * share) / share;
+      const double passed = (horizon.passed(step++) - std::min(0.5, root * share)) / share;
       over = passed >= 1;
       if (over) break;
       more = search.step(1 - passed);
