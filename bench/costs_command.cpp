@@ -162,7 +162,26 @@ std::vector<std::string> row_of(const std::string& name, const CostSample& sampl
           three(sample.ratio)};
 }
 
+void write_peers(const std::string& text, const CostFigures& costs, Table& table) {
+  table.next(text,
+             {"peer", "ms", "no path", "% dearer than ours, mean", "worst", "cheaper than ours"});
+  for (const auto& [name, peer] : costs.peers) {
+    double sum = 0;
+    for (const double dearer : peer.dearer) sum += dearer;
+    const bool any = !peer.dearer.empty();
+    table.row({name, three(peer.times), std::to_string(peer.without),
+               any ? short_number(sum / static_cast<double>(peer.dearer.size())) : "",
+               any ? short_number(largest(peer.dearer)) : "", std::to_string(peer.cheaper)});
+  }
+  table.close("");
+}
+
 void run_costs(const CostsOptions& options) {
+  MapOptions maps = options.maps;
+  if (sources_of(maps).empty()) {
+    maps.sides = {512, 256};
+    maps.kinds = {"blobs"};
+  }
   Table table("Paths over weights, " + std::to_string(options.count) +
                   " long queries a map and kind of weight, seed " +
                   std::to_string(options.maps.seed) +
@@ -171,7 +190,7 @@ void run_costs(const CostsOptions& options) {
                "gap 0.07%", "8 moves", "/ plain A*"},
               options.markdown);
   CostFigures costs;
-  for (const QuerySource& source : sources_of(options.maps, {options.markdown})) {
+  for (const QuerySource& source : sources_of(maps, {options.markdown})) {
     const Grid grid = load(source, 1).grid;
     const auto queries = long_queries(grid, options.count, options.maps.seed);
     for (const std::string& kind : options.weights) {
@@ -184,19 +203,13 @@ void run_costs(const CostsOptions& options) {
   }
   for (const auto& [side, sample] : costs.by_side)
     table.row(row_of("all of side " + std::to_string(side), sample));
-  table.next(
+  const std::string faults =
       "Answers whose cost the judge does not confirm, or whose bound is above a path's cost: " +
-          std::to_string(costs.faults) + " of " + std::to_string(costs.queries) + ".",
-      {"peer", "ms", "no path", "% dearer than ours, mean", "worst", "cheaper than ours"});
-  for (const auto& [name, peer] : costs.peers) {
-    double sum = 0;
-    for (const double dearer : peer.dearer) sum += dearer;
-    const bool any = !peer.dearer.empty();
-    table.row({name, three(peer.times), std::to_string(peer.without),
-               any ? short_number(sum / static_cast<double>(peer.dearer.size())) : "",
-               any ? short_number(largest(peer.dearer)) : "", std::to_string(peer.cheaper)});
-  }
-  table.close("");
+      std::to_string(costs.faults) + " of " + std::to_string(costs.queries) + ".";
+  if (options.no_peers)
+    table.close(faults);
+  else
+    write_peers(faults, costs, table);
   if (costs.faults > 0) throw CLI::RuntimeError(1);
 }
 
@@ -205,8 +218,6 @@ void run_costs(const CostsOptions& options) {
 void add_costs_command(CLI::App& app) {
   const auto [command, options] =
       add_command(app, "costs", "Paths over weights, with peers", run_costs);
-  options.maps.sides = {512, 256};
-  options.maps.kinds = {"blobs"};
   add_map_options(command, options.maps);
   command.add_option("--weights", options.weights, "Kinds of weight")
       ->delimiter(',')

@@ -67,9 +67,15 @@ class FieldDStar final : public QueryPlanner {
   }
   double value(int x, int y) const noexcept { return value_[index(x, y)]; }
 
+  /// Two blocked cells meet: a corner for either side alone. It has no cost, so that none leaks.
+  bool squeeze(int x, int y) const noexcept {
+    return map_->free(x, y) == map_->free(x - 1, y - 1) &&
+           map_->free(x - 1, y) == map_->free(x, y - 1) && map_->free(x, y) != map_->free(x - 1, y);
+  }
+
   void offer(int x, int y, double cost, Point start) {
     double& known = value_[index(x, y)];
-    if (!(cost < known)) return;
+    if (!(cost < known) || squeeze(x, y)) return;
     known = cost;
     const double key = cost + map_->least() * std::hypot(x - start.x, y - start.y);
     heap_.push_back({key, cost, static_cast<std::uint32_t>(index(x, y))});

@@ -153,6 +153,36 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
   }
 }
 
+TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
+  std::mt19937 random(17);
+  int cheaper = 0;
+  double dearer = 0;
+  for (int i = 0; i < 60; ++i) {
+    const WeightedWorld world = random_weights(random, 30, 50);
+    const auto& [grid, costs, start, goal] = world;
+    const Terrain terrain(grid, costs);
+    double walked[2] = {};
+    for (const bool knights : {false, true}) {
+      EightMoves moves;
+      const StopCondition never;
+      Poller poller(never);
+      std::vector<Point> path;
+      for (const Cell c : moves.search(terrain, start, goal, Corners::one_side, poller, knights))
+        path.push_back(centre(c));
+      walked[knights ? 1 : 0] = path_cost(grid, costs, path).value_or(kInfinity);
+    }
+    EXPECT_LE(walked[1], walked[0] * (1 + 1e-12)) << i;
+    cheaper += walked[1] < walked[0] * (1 - 1e-9) ? 1 : 0;
+    CostSearch search;
+    CostAnswer answer;
+    search.search(terrain, start, goal, {.target_gap = 0.001}, {}, answer);
+    EXPECT_LE(search.levels().front().upper, walked[1]);
+    dearer += search.levels().front().upper / answer.length - 1;
+  }
+  EXPECT_GT(cheaper, 30);
+  EXPECT_LT(dearer / 60, 0.001);
+}
+
 TEST(CostSearch, StopsAtTheTargetGap) {
   std::mt19937 random(11);
   const WeightedWorld world = random_weights(random, 40, 60);
