@@ -51,8 +51,9 @@ py::tuple costmap(const Bytes& values, double weight, bool unknown_is_free) {
 
 /// (error, (fields of Result), cost, gap, proof as JSON or None)
 py::tuple plan_over(const CostPlanner& planner, Cell start, Cell goal, bool eight_moves,
-               const std::string& corners, bool proof, double target_gap, double goal_tolerance,
-               std::optional<double> time_limit, const py::object& callback) {
+                    const std::string& corners, bool proof, double target_gap,
+                    double goal_tolerance, std::optional<double> time_limit,
+                    const py::object& callback) {
   Call call(time_limit);
   const Observer observe = observer<GridProgress>(call, callback);
   const CostOptions options{
@@ -64,7 +65,8 @@ py::tuple plan_over(const CostPlanner& planner, Cell start, Cell goal, bool eigh
     if (found.proof) proven = proof_to_json(*found.proof);
     return found;
   });
-  return py::make_tuple(call.error(), lasius::python::fields(result), result.cost, result.gap(), proven);
+  return py::make_tuple(call.error(), lasius::python::fields(result), result.cost, result.gap(),
+                        proven);
 }
 
 }  // namespace

@@ -47,12 +47,12 @@ double all_pairs(const Grid& grid, Cell start, Cell goal) {
 
 TEST(Oracle, KnowsALengthWorkedByHand) {
   const Grid grid = drawn({".....", ".###.", "....."});
-  const auto way = VisibilityGraph(grid).shortest({0, 1}, {4, 1});
+  const auto way = VisibilityGraph(grid).shortest(Cell{0, 1}, Cell{4, 1});
   ASSERT_TRUE(way.has_value());
   EXPECT_EQ(way->path.size(), 4u);
   EXPECT_NEAR(way->length, 3 + 2 * std::sqrt(0.5), 1e-12);
-  EXPECT_EQ(VisibilityGraph(grid).shortest({0, 1}, {0, 1})->length, 0);
-  EXPECT_FALSE(VisibilityGraph(grid).shortest({0, 1}, {2, 1}));
+  EXPECT_EQ(VisibilityGraph(grid).shortest(Cell{0, 1}, Cell{0, 1})->length, 0);
+  EXPECT_FALSE(VisibilityGraph(grid).shortest(Cell{0, 1}, Cell{2, 1}));
 }
 
 TEST(Oracle, EqualsAllPairsOnSmallGrids) {

@@ -98,77 +98,78 @@ void finish_costs(RunOptions& run, bool batch) {
   }
   for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
   costs.proof = proof;
-  void add_spacing(OptionTable & table, RunOptions & to) {
-    constexpr double kLeast = 1e-4;
-    table.real(
-        "--spacing", to.spacing, kLeast, kNoLimit,
-        "Add poses to the JSON: x, y and yaw of places along the path that are at most S "
-        "apart, its vertices among them; in cells, metres with --frame world (a file of poses "
-        "takes half a cell without)",
-        "S");
-  }
+}
 
-  /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
-  struct PlanText {
-    RunOptions run;
-    WorldOptions world;
-    std::string start, goal, queries;
-    std::vector<std::string> via;
-  };
+void add_spacing(OptionTable& table, RunOptions& to) {
+  constexpr double kLeast = 1e-4;
+  table.real("--spacing", to.spacing, kLeast, kNoLimit,
+             "Add poses to the JSON: x, y and yaw of places along the path that are at most S "
+             "apart, its vertices among them; in cells, metres with --frame world (a file of poses "
+             "takes half a cell without)",
+             "S");
+}
 
-  void add_via(OptionTable & table, PlanText & to) {
-    table.repeatable("--via", to.via,
-                     "Go through this cell or point on the way (repeatable, in order)", "X,Y");
-  }
+/// What is typed of `plan` and `batch`, on bitmaps and among polygons.
+struct PlanText {
+  RunOptions run;
+  WorldOptions world;
+  std::string start, goal, queries;
+  std::vector<std::string> via;
+};
 
-  /// `plan` among polygons.
-  PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
-    PolygonCommand command{text.run, text.world, {}, {}, text.queries};
-    finish_search(command);
-    command.world.file = text.run.map.file;
-    command.inputs = {command.world.file, text.queries};
-    if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
-    if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
-    command.with_optimum = true;  // it is found beside
-    if (text.run.frame == Frame::world)
-      throw UsageError("--frame world: " + command.world.file +
-                       " gives no frame, a polygon world is in its own coordinates; leave it out");
-    refuse_radius(table);
-    for (const char* option : {"--cost", "--inflation", "--moves"})
-      if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
-    if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
-        file != command.outputs.end())
-      throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
-    for (const char* option :
-         {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing", "--via"})
-      if (table.given(option))
-        command.notes.push_back(option + std::string(" has no effect") +
-                                (option == std::string_view("--unknown-free")
-                                     ? ": a polygon world has no unknown part"
-                                     : " on a polygon world"));
-    return command;
-  }
+void add_via(OptionTable& table, PlanText& to) {
+  table.repeatable("--via", to.via,
+                   "Go through this cell or point on the way (repeatable, in order)", "X,Y");
+}
 
-  int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
-    RunOptions& asked = text.run;
-    asked.called = call.line;
-    if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
-    refuse_world_options(table);
-    asked.via.clear();
-    for (const std::string& via : text.via)
-      asked.via.push_back(point_value("--via", via, asked.frame));
-    if (!text.queries.empty()) {
-      finish_run(asked);
-      finish_costs(asked, true);
-      asked.inputs.push_back(text.queries);
-      return run_bitmap_batch({asked, {}, {}, text.queries});
-    }
-    PlanCommand plan = plan_command(asked, text.start, text.goal);
-    finish_costs(plan.run, plan.run.ranged);
-    if (plan.run.ranged) return run_bitmap_batch(plan);
-    BitmapProblem problem(plan);
-    return run(problem);
+/// `plan` among polygons.
+PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
+  PolygonCommand command{text.run, text.world, {}, {}, text.queries};
+  finish_search(command);
+  command.world.file = text.run.map.file;
+  command.inputs = {command.world.file, text.queries};
+  if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
+  if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
+  command.with_optimum = true;  // it is found beside
+  if (text.run.frame == Frame::world)
+    throw UsageError("--frame world: " + command.world.file +
+                     " gives no frame, a polygon world is in its own coordinates; leave it out");
+  refuse_radius(table);
+  for (const char* option : {"--cost", "--inflation", "--moves"})
+    if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
+  if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
+      file != command.outputs.end())
+    throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
+  for (const char* option :
+       {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing", "--via"})
+    if (table.given(option))
+      command.notes.push_back(option + std::string(" has no effect") +
+                              (option == std::string_view("--unknown-free")
+                                   ? ": a polygon world has no unknown part"
+                                   : " on a polygon world"));
+  return command;
+}
+
+int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
+  RunOptions& asked = text.run;
+  asked.called = call.line;
+  if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
+  refuse_world_options(table);
+  asked.via.clear();
+  for (const std::string& via : text.via)
+    asked.via.push_back(point_value("--via", via, asked.frame));
+  if (!text.queries.empty()) {
+    finish_run(asked);
+    finish_costs(asked, true);
+    asked.inputs.push_back(text.queries);
+    return run_bitmap_batch({asked, {}, {}, text.queries});
   }
+  PlanCommand plan = plan_command(asked, text.start, text.goal);
+  finish_costs(plan.run, plan.run.ranged);
+  if (plan.run.ranged) return run_bitmap_batch(plan);
+  BitmapProblem problem(plan);
+  return run(problem);
+}
 
 }  // namespace
 

@@ -236,7 +236,13 @@ int run_polygon_batch(PolygonCommand plan) {
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_paths_picture(picture, world, paths, caption);
   };
-  return run_batch({plan, "", queries.size(), plan.queries.empty(), answer_all, draw}, signals);
+  return run_batch({.options = plan,
+                    .unit = "",
+                    .queries = queries.size(),
+                    .is_plan = plan.queries.empty(),
+                    .answer = answer_all,
+                    .draw = draw},
+                   signals);
 }
 
 }  // namespace

@@ -29,12 +29,12 @@ void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture(file);
   if (is_proof(file) && !forms.proof)
     return message(file + " is not written: there is no path, and nothing is proven");
-  write_file(file, is_table(file)                  ? forms.csv
-                   : is_yaml(file) && forms.yaml   ? forms.yaml
-                   : is_film(file) && forms.film   ? forms.film
-                   : is_page(file) && forms.page   ? forms.page
-                   : is_proof(file)                ? forms.proof
-                                                   : forms.json);
+  write_file(file, is_table(file)                ? forms.csv
+                   : is_yaml(file) && forms.yaml ? forms.yaml
+                   : is_film(file) && forms.film ? forms.film
+                   : is_page(file) && forms.page ? forms.page
+                   : is_proof(file)              ? forms.proof
+                                                 : forms.json);
 }
 
 void Delivery::print(const std::string& text) {

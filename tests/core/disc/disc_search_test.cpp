@@ -95,7 +95,9 @@ TEST(DiscSearch, MeetsGoalsAtWalls) {
           const DiscAnswer answer = solve(search, *space, with, *start, *goal);
           bent += answer.curve.size() > 1;
           ASSERT_EQ(std::isnan(answer.length), std::isnan(back)) << radius << ' ' << i;
-          if (!std::isnan(back)) EXPECT_NEAR(answer.length, back, 2e-9) << radius << ' ' << i;
+          if (!std::isnan(back)) {
+            EXPECT_NEAR(answer.length, back, 2e-9) << radius << ' ' << i;
+          }
         }
       }
     }
