@@ -8,10 +8,9 @@
 namespace lasius::cost {
 namespace {
 
-/// Of the least cost of one interval: a smaller improvement of what has been spread is kept, but
-/// not spread again, since values on a ring of intervals improve each other by less and less.
-/// `certify` asks nothing of how values were made.
+/// Of an interval's least cost: a smaller improvement of what was spread is not spread again.
 constexpr double kImprovement = 1e-3;
+constexpr int kFreeTimes = 4, kMost = 240;
 
 }  // namespace
 
@@ -232,13 +231,9 @@ void EdgeField::offer(std::uint32_t node, double value) {
   const double gain = value_[node] - value;
   if (!(gain > 0)) return;
   value_[node] = value;
-  if (is_spread(node)) {
-    // What comes back again and again must gain more each time: where weights differ a lot,
-    // intervals around a lattice point improve each other by little for long.
-    constexpr int kFree = 4, kMost = 250;
-    const int times = spread_[node] / 2;
-    const double least = static_cast<double>(least_gain_[node / per_block_]);
-    if (times >= kMost / 2 || gain < std::ldexp(least, std::max(0, times - kFree))) return;
+  if (is_spread(node)) {  // what comes back must gain more each time, else little goes round long
+    const int doubled = std::max(0, spread_[node] / 2 - kFreeTimes);
+    if (spread_[node] > kMost || gain < std::ldexp(least_gain_[node / per_block_], doubled)) return;
     ++spread_[node];
   }
   queue_.push(node, value);

@@ -16,7 +16,7 @@ class Polishing : public testing::Test {
  protected:
   Polishing() {
     request_.stop.token = source_.get_token();
-    polisher_.reset(grid_, request_, moves_, params_, 2);
+    polisher_.reset(grid_, request_, moves_, params_, 2, nullptr, TourMeasure(moves_, nullptr));
   }
 
   /// An ant that arrived by these moves.
