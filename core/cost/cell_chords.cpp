@@ -246,35 +246,38 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
   }
 }
 
-// found(interval, by, way): somewhere on the interval the value is too great by `by`.
+// found(interval, by): somewhere on the interval the value is too great by `by`.
 template <class Found>
-void CellChords::each_violation_from_centre(double* values, double weight,
-                                            const Found& found) const {
+void CellChords::each_violation_from(Point from, double* values, double weight,
+                                     const Found& found) const {
+  // By edge: where the point is along it, and how far from it.
+  const double along[] = {from.x, from.y, 1 - from.x, 1 - from.y};
+  const double apart[] = {from.y, 1 - from.x, 1 - from.y, from.x};
   for (int interval = 0; interval < places_; ++interval) {
+    const double a = along[interval / k_], d = apart[interval / k_];
     const double low = values[interval], high = values[(interval + 1) % places_];
     const double begin = interval % k_ * share_, slope = (high - low) * k_;
-    const double t = std::clamp(0.5 + 0.5 * lean(slope, weight), begin, begin + share_);
-    const double way = weight * std::sqrt(0.25 + (t - 0.5) * (t - 0.5));
-    const double by = low + slope * (t - begin) - way;
-    if (by > 0) found(interval, by, way);
+    const double t = std::clamp(a + d * lean(slope, weight), begin, begin + share_);
+    const double by = low + slope * (t - begin) - weight * std::sqrt(d * d + (t - a) * (t - a));
+    if (by > 0) found(interval, by);
   }
 }
 
-void CellChords::lower_from_centre(double* values, double weight) const {
-  each_violation_from_centre(values, weight, [&](int interval, double by, double) {
+void CellChords::lower_from(Point from, double* values, double weight) const {
+  each_violation_from(from, values, weight, [&](int interval, double by) {
     values[interval] -= by;
     values[(interval + 1) % places_] -= by;
   });
 }
 
-double CellChords::excess_from_centre(const double* values, double weight) const {
+double CellChords::excess_from(Point from, const double* values, double weight) const {
   double most = 1;
+  const double least = weight * std::min({from.x, from.y, 1 - from.x, 1 - from.y});
   std::array<double, std::size_t{4} * kMostIntervals> kept;
   std::copy(values, values + places_, kept.begin());
   // By least way: what is too great at one place is nowhere more than that.
-  each_violation_from_centre(kept.data(), weight, [&](int, double by, double) {
-    most = std::max(most, 1 + by / (0.5 * weight));
-  });
+  each_violation_from(from, kept.data(), weight,
+                      [&](int, double by) { most = std::max(most, 1 + by / least); });
   return most;
 }
 

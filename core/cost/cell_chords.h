@@ -44,10 +44,10 @@ class CellChords {
   /// at b minus that at a, up to `tolerance`. Returns whether any was lowered; each that was is
   /// marked in `lowered`.
   bool lower(double* values, double weight, double tolerance, std::uint8_t* lowered) const;
-  /// Lowers values until none on the boundary is more than the way there from the centre costs.
-  void lower_from_centre(double* values, double weight) const;
+  /// Lowers values until none on the boundary is more than the way there from a point inside costs.
+  void lower_from(Point from, double* values, double weight) const;
   /// How many times that way the value is at most, over the boundary; at least 1.
-  double excess_from_centre(const double* values, double weight) const;
+  double excess_from(Point from, const double* values, double weight) const;
 
   /// The least factor by which the weight would have to be greater for all chords to cost enough;
   /// at least 1.
@@ -55,7 +55,7 @@ class CellChords {
 
  private:
   template <class Found>
-  void each_violation_from_centre(double* values, double weight, const Found& found) const;
+  void each_violation_from(Point from, double* values, double weight, const Found& found) const;
   template <class Found>
   void each_violation(double* values, double weight, double tolerance, Found& found) const;
 

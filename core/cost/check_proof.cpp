@@ -78,7 +78,7 @@ class Field {
   Fault check(Cell source) {
     const double* around = find(terrain_.index(source.x, source.y));
     if (around == nullptr) return "the cell that it begins in is missing";
-    const double from = chords_.excess_from_centre(around, terrain_.weight(source.x, source.y));
+    const double from = chords_.excess_from(cost::kMiddle, around, terrain_.weight(source.x, source.y));
     if (from > 1 + kMostExcess) return "values around its end are above what they cost from there";
     double most = from, greatest = 0;
     for (const std::size_t at : cells_) {
@@ -105,7 +105,7 @@ class Field {
   double at_centre(Cell cell) const noexcept {
     const double* values = find(terrain_.index(cell.x, cell.y));
     if (values == nullptr) return kInfinity;
-    return chords_.cheapest({0.5, 0.5}, values, terrain_.weight(cell.x, cell.y)).cost / excess_;
+    return chords_.cheapest(cost::kMiddle, values, terrain_.weight(cell.x, cell.y)).cost / excess_;
   }
 
   /// visit(cell, its index, edge): edges to free cells, of `before` where there is one, that the
@@ -167,7 +167,7 @@ double leaving(const Field& field, const Field& blocks, const Terrain& terrain,
       beyond = std::min(beyond, blocks.along(at, edge, share));
   });
   beyond /= blocks.excess();
-  const double saved = Blocks::saved(block_terrain, start);
+  const double saved = Blocks::saved(block_terrain, start, centre(start));
   const int points = cost::EdgeField::kRestPoints * field.chords().intervals();
   const cost::StraightBound straight(terrain, centre(start));
   double least = kInfinity;
@@ -219,7 +219,7 @@ std::optional<std::string> check_proof(const Grid& grid, const CostField& costs,
   }
   if (Fault fault = check_order(proof.levels)) return fault;
   const cost::StraightBound straight(terrain, centre(proof.start));
-  double proven = straight.proven(proof.goal);
+  double proven = straight.proven(centre(proof.goal), proof.goal);
   if (proof.levels.size() > 1) {
     const Terrain blocks = cost::blocks_of(terrain);
     std::unique_ptr<const Field> before;

@@ -19,8 +19,8 @@ class StraightBound : public EdgeField::Bound {
     const double dx = p.x - from_.x, dy = p.y - from_.y;
     return least_ * std::sqrt(dx * dx + dy * dy);
   }
-  /// To the centre of a cell, less what rounding may add.
-  double proven(Cell cell) const { return at(centre(cell), cell) / (1 + 1e-12); }
+  /// The same, less what rounding may add.
+  double proven(Point p, Cell cell) const { return at(p, cell) / (1 + 1e-12); }
 
  private:
   double least_;
@@ -40,9 +40,9 @@ struct Blocks {
   }
   /// The field is of the centre of the block that the start is in: what may be saved by starting
   /// where the start is.
-  static double saved(const Terrain& blocks, Cell start) noexcept {
+  static double saved(const Terrain& blocks, Cell start, Point from) noexcept {
     const Cell block = of(start);
-    const Point at = inside(centre(start), block);
+    const Point at = inside(from, block);
     return blocks.weight(block.x, block.y) * std::hypot(at.x - 0.5, at.y - 0.5);
   }
   /// What a path costs at least to a point of a block, from the values around it.
@@ -57,13 +57,14 @@ struct Blocks {
 class CoarseBound final : public StraightBound {
  public:
   /// @param blocks  of the map, by blocks_of; outlives the bound, as `chords` does
-  CoarseBound(const Terrain& terrain, const Terrain& blocks, const CellChords& chords, Cell start)
-      : StraightBound(terrain, centre(start)),
+  CoarseBound(const Terrain& terrain, const Terrain& blocks, const CellChords& chords, Cell start,
+              Point from)
+      : StraightBound(terrain, from),
         blocks_(blocks),
         chords_(chords),
         block_(Blocks::of(start)),
         field_(blocks),
-        saved_(Blocks::saved(blocks, start)) {}
+        saved_(Blocks::saved(blocks, start, from)) {}
   /// False when stopped. @param most  costs above it need not be known
   bool make(double most, Poller& poller) {
     const NoBound none;

@@ -96,30 +96,37 @@ std::vector<Point> centres_of(std::span<const Cell> walk) {
 
 void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
                         const StopCondition& stop, CostAnswer& answer,
-                        std::vector<CostProof::Level>* proof) {
+                        std::vector<CostProof::Level>* proof, Point from, Point to) {
   const double began = processor_seconds();
   levels_.clear();
   most_bytes_ = 0;
   answer = {};
   Poller poller(stop);
   Best best(terrain, options);
-  double lower = StraightBound(terrain, centre(start)).proven(goal);
+  const Point begin{start.x + from.x, start.y + from.y}, end{goal.x + to.x, goal.y + to.y};
+  double lower = StraightBound(terrain, begin).proven(end, goal);
   bool go_on = true;
   const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller, true);
   const CellChords two(2);
   auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
   if (!walk.empty()) {
-    go_on = best.offer(centres_of(walk), lower);
+    std::vector<Point> centres = centres_of(walk);
+    centres.front() = begin;
+    centres.back() = end;
+    go_on = best.offer(std::move(centres), lower);
     const Tube tube(terrain, walk, kTubeReach);
-    now->begin(two, start, 0, nullptr);
+    now->begin(two, start, 0, nullptr, from);
     if (go_on && now->march(tube, best.cost(), poller)) {
-      auto legs = now->trace(goal);
+      auto legs = now->trace(goal, to);
       if (!legs) {
         const auto steps =
             eight_moves_.search(terrain, start, goal, Corners::one_side, poller, false);
-        if (!steps.empty()) legs = legs_of(steps);
+        if (!steps.empty()) {
+          legs = legs_of(steps);
+          legs->back().to = end;
+        }
       }
-      if (legs) go_on = best.offer(centre(start), *legs, lower, poller);
+      if (legs) go_on = best.offer(begin, *legs, lower, poller);
     }
   }
   levels_.push_back({1, 0, 0, lower, best.cost(), 1, processor_seconds() - began});
@@ -133,7 +140,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   std::optional<CoarseBound> rest;
   if (go_on && !poller.stopped()) {
     coarse.emplace(blocks_of(terrain));
-    rest.emplace(terrain, *coarse, two, start);
+    rest.emplace(terrain, *coarse, two, start, begin);
     rest->make(best.cost(), poller);
   }
   // Levels that are done, how many of them the bound rests on, and the one above them.
@@ -146,30 +153,31 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     if (k > (options.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals)) break;
     const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
     const Cell source = backward ? goal : start, target = backward ? start : goal;
+    const Point source_at = backward ? to : from, target_at = backward ? from : to;
     chords = std::make_unique<const CellChords>(k);
-    now->begin(*chords, source, slack_of(k), chords_before ? before.get() : nullptr);
+    now->begin(*chords, source, slack_of(k), chords_before ? before.get() : nullptr, source_at);
     Level level{.intervals = k};
     double margin = margin_of(k);
     for (level.rounds = 1;; ++level.rounds) {
       const double limit = best.cost() * (1 + margin);
       if (!now->march(*rest, limit, poller)) break;
       if (level.rounds == 1) {
-        if (const auto legs = now->trace(target)) {
+        if (const auto legs = now->trace(target, target_at)) {
           std::vector<Leg> path = *legs;
           if (backward) {
             // Traced from the start: the same pieces the other way.
             std::vector<Leg> turned;
             for (std::size_t i = path.size(); i-- > 0;)
-              turned.push_back({path[i].cell, i > 0 ? path[i - 1].to : centre(source)});
+              turned.push_back({path[i].cell, i > 0 ? path[i - 1].to : end});
             path.assign(turned.begin(), turned.end());
           }
-          go_on = best.offer(centre(start), path, lower, poller);
+          go_on = best.offer(begin, path, lower, poller);
           if (!go_on) break;
         }
       }
       if (!now->certify(poller)) break;
       level.excess = now->excess();
-      const double within = now->bound(target);
+      const double within = now->bound(target, target_at);
       const double out = now->bound_of_leaving();
       level.cells = static_cast<std::int64_t>(now->cells().size());
       if (const double proven = std::min({within, out, leaving}); proven > lower) {

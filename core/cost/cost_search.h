@@ -27,10 +27,13 @@ class CostSearch {
   static constexpr int kMostIntervals = 16;
 
   /// Start and goal are free, differ and are joined; the terrain outlives the call.
-  /// @param proof  where it is not null: becomes the levels that prove the lower bound
+  /// @param proof  where it is not null: becomes the levels that prove the lower bound, between
+  /// the cells' centres alone
+  /// @param from, to  where in the cells it begins and ends, inside of them: as in [0, 1] x [0, 1]
   void search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
               const StopCondition& stop, CostAnswer& answer,
-              std::vector<CostProof::Level>* proof = nullptr);
+              std::vector<CostProof::Level>* proof = nullptr, Point from = kMiddle,
+              Point to = kMiddle);
   /// The cheapest walk by eight moves, from centre to centre; `optimal` means of those.
   void search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,
                           const StopCondition& stop, CostAnswer& answer);

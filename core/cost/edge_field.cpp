@@ -14,11 +14,12 @@ constexpr int kFreeTimes = 4, kMost = 240;
 
 }  // namespace
 
-void EdgeField::begin(const CellChords& chords, Cell source, double slack,
-                      const EdgeField* before) {
+void EdgeField::begin(const CellChords& chords, Cell source, double slack, const EdgeField* before,
+                      Point at) {
   chords_ = &chords;
   before_ = before;
   source_ = source;
+  source_at_ = at;
   scale_ = 1 / (1 + slack);
   per_block_ = 2 * chords.intervals();
   blocks_.assign(static_cast<std::size_t>(terrain_.width() + 1) * (terrain_.height() + 1),
@@ -39,7 +40,7 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack,
   places_of(source, nodes);
   const double weight = terrain_.weight(source.x, source.y) * scale_;
   for (int place = 0; place < chords.places(); ++place)
-    offer(nodes[place], weight * distance({0.5, 0.5}, chords.at(place)));
+    offer(nodes[place], weight * distance(source_at_, chords.at(place)));
 }
 
 std::int32_t EdgeField::block(int x, int y) {
@@ -272,7 +273,7 @@ bool EdgeField::certify(Poller& poller) {
     double values[kMostPlaces];
     places_of(source_, nodes);
     values_of(source_, values);
-    chords_->lower_from_centre(values, terrain_.weight(source_.x, source_.y));
+    chords_->lower_from(source_at_, values, terrain_.weight(source_.x, source_.y));
     for (int i = 0; i < places; ++i) value_[nodes[i]] = values[i];
   }
   std::vector<std::uint32_t> now = cells_, next;
@@ -324,18 +325,19 @@ double EdgeField::measured_excess(Poller& poller) const {
     for (int i = 0; i < chords_->places(); ++i) greatest = std::max(greatest, values[i]);
     poller.stop_after(chords_->places());
   }
-  // The source's cell: what its boundary costs from the centre.
+  // The source's cell: what its boundary costs from there.
   values_of(source_, values);
-  most = std::max(most, chords_->excess_from_centre(values, terrain_.weight(source_.x, source_.y)));
+  most = std::max(most,
+                  chords_->excess_from(source_at_, values, terrain_.weight(source_.x, source_.y)));
   // Differences of values are rounded, too.
   return most + 1e-12 + 4e-16 * chords_->intervals() * greatest / terrain_.least();
 }
 
-double EdgeField::bound(Cell target) const {
+double EdgeField::bound(Cell target, Point at) const {
   if (!has(terrain_.index(target.x, target.y))) return kInfinity;
   double values[kMostPlaces];
   values_of(target, values);
-  return chords_->cheapest({0.5, 0.5}, values, terrain_.weight(target.x, target.y)).cost / excess_;
+  return chords_->cheapest(at, values, terrain_.weight(target.x, target.y)).cost / excess_;
 }
 
 double EdgeField::bound_of_leaving() const {

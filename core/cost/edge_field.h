@@ -36,8 +36,10 @@ class EdgeField {
   explicit EdgeField(const Terrain& terrain) : terrain_(terrain) {}
 
   /// Forgets everything. Marching goes into cells of `before` alone, unless it is null. Weights are
-  /// divided by 1 + slack while marching, so that less is left to lower.
-  void begin(const CellChords& chords, Cell source, double slack, const EdgeField* before);
+  /// divided by 1 + slack while marching, so that less is left to lower. `at`: where in the cell,
+  /// inside of it, as in [0, 1] x [0, 1].
+  void begin(const CellChords& chords, Cell source, double slack, const EdgeField* before,
+             Point at = kMiddle);
 
   /// Goes on until every value that is left, together with a lower bound of what it costs from
   /// there to the other end, is above `limit`. The bound is that of `before`, or where that is null
@@ -51,14 +53,14 @@ class EdgeField {
   /// The same, of all chords of all cells, and of rounding.
   double measured_excess(Poller& poller) const;
 
-  /// After certify: no path from the source to the centre of a cell that stays in these cells
+  /// After certify: no path from the source to a point inside a cell that stays in these cells
   /// costs less. Infinite where they do not reach it.
-  double bound(Cell target) const;
+  double bound(Cell target, Point at = kMiddle) const;
   /// After certify: no path from the source to the other end costs less that leaves these cells,
   /// but stays in those of `before`.
   double bound_of_leaving() const;
-  /// A path from the target's centre back to the source, as legs; nothing where none was found.
-  std::optional<std::vector<Leg>> trace(Cell target) const;
+  /// A path from the source to a point inside the target, as legs; nothing where none was found.
+  std::optional<std::vector<Leg>> trace(Cell target, Point at = kMiddle) const;
 
   /// Marched cells, as indices of the terrain, in the order in which they were reached.
   const std::vector<std::uint32_t>& cells() const noexcept { return cells_; }
@@ -94,6 +96,7 @@ class EdgeField {
   const CellChords* chords_ = nullptr;
   const EdgeField* before_ = nullptr;
   Cell source_;
+  Point source_at_;
   const Bound* rest_ = nullptr;
   double scale_ = 1;  // of weights while marching
   double excess_ = 1;

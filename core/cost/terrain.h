@@ -21,6 +21,9 @@ inline double distance(Point a, Point b) noexcept {
   return std::sqrt(dx * dx + dy * dy);
 }
 
+/// The middle of a cell, seen from its upper left corner.
+inline constexpr Point kMiddle{0.5, 0.5};
+
 /// Weights with a border of one cell; infinite where nothing goes. Immutable, 8 bytes a cell.
 class Terrain {
  public:

@@ -48,6 +48,13 @@ std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Poin
   return made;
 }
 
+Point inside(Cell cell, Point p, bool centre_alone) {
+  constexpr double kOff = 1e-4;
+  if (centre_alone) return centre(cell);
+  return {std::clamp(p.x, cell.x + kOff, cell.x + 1 - kOff),
+          std::clamp(p.y, cell.y + kOff, cell.y + 1 - kOff)};
+}
+
 void move_end(std::vector<Point>& path, Point to) {
   if (path.size() > 1) {
     const Point from = path[0], next = path[1];

@@ -29,6 +29,16 @@ Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, 
 std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
                             const StopCondition& stop);
 
+/// May a disc go along it, whose first point is clear? Null: a point may.
+inline bool can_go(const disc::DiscSpace* space, const std::vector<Point>& path) {
+  for (std::size_t i = 1; space != nullptr && i < path.size(); ++i)
+    if (!space->reaches(path[i - 1], path[i])) return false;
+  return true;
+}
+
+/// The point of a cell, a little off its border; or its centre.
+Point inside(Cell cell, Point p, bool centre_alone);
+
 /// Lets a path begin at another point of its first vertex's cell: straight to where it leaves that.
 void move_end(std::vector<Point>& path, Point to);
 
@@ -40,10 +50,10 @@ class Kept {
 
   /// False where whoever looks on asks to end.
   bool offer(std::vector<Point> path, double cost, double bound) {
-    if (!(cost < cost_) || !can_go(path)) return true;
+    if (!(cost < cost_) || !can_go(space_, path)) return true;
     std::vector<Point> fewer = cost::merged(terrain_, path);
     const double less = cost::cost_of(terrain_, fewer);
-    if (less <= cost * (1 + 1e-12) && can_go(fewer)) {
+    if (less <= cost * (1 + 1e-12) && can_go(space_, fewer)) {
       path = std::move(fewer);
       cost = less;
     }
@@ -59,13 +69,6 @@ class Kept {
   double cost() const noexcept { return cost_; }
 
  private:
-  bool can_go(const std::vector<Point>& path) const {
-    if (space_ == nullptr) return true;
-    for (std::size_t i = 1; i < path.size(); ++i)
-      if (!space_->reaches(path[i - 1], path[i])) return false;
-    return true;
-  }
-
   const cost::Terrain& terrain_;
   const disc::DiscSpace* space_;
   const Observer& observer_;

@@ -73,9 +73,14 @@ CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
     if (!answer.path.empty()) run.kept.offer(answer.path, answer.length, answer.lower_bound);
     return answer;
   }
+  const auto within = [](const std::optional<Point>& point, Cell c) {
+    return point ? Point{point->x - c.x, point->y - c.y} : cost::kMiddle;
+  };
   const ExactOptions how{.target_gap = request.target_gap, .improved = &improved};
   search.search(over, request.start, run.goal, how, request.stop, answer,
-                run.options.proof ? &run.levels : nullptr);
+                run.options.proof ? &run.levels : nullptr,
+                within(request.start_point, request.start),
+                within(run.goal == request.goal ? request.goal_point : std::nullopt, run.goal));
   return answer;
 }
 
@@ -87,7 +92,10 @@ CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
     if (!path.empty()) run.kept.offer(path, cost::cost_of(terrain, path), bound);
   };
   const StopCondition& stop = run.request.stop;
-  offer(planner.plan({.start = run.request.start, .goal = run.goal, .stop = stop}).path, 0);
+  Request direct = run.request;
+  direct.goal_tolerance = direct.target_gap = 0;
+  if (std::exchange(direct.goal, run.goal) != run.goal) direct.goal_point = std::nullopt;
+  offer(planner.plan(direct).path, 0);
   const CostAnswer answer = search(terrain, run);
   if (answer.end == ExactEnd::stopped) return answer;
   offer(repaired(*space, answer.path, stop), answer.lower_bound);
@@ -181,9 +189,8 @@ CostPlanner& CostPlanner::operator=(CostPlanner&&) noexcept = default;
 
 const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
 
-// Between points of cells: the plan between the cells' centres, its ends put in their place. A way
-// from a point is one from the centre, but for a straight piece in the cell that both lie in: so
-// that piece's cost is taken off the bound.
+// Searches go from a point inside a cell to another: one on its border is moved inside, a colony's
+// to its centre. What a straight piece there costs is taken off the bound.
 CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
                              const Observer& observer) const {
   if (!asked.via.empty())
@@ -192,43 +199,50 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);
   const Asked goal(grid, asked.goal, asked.goal_point);
-  if (start.is_point || goal.is_point) {
-    const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
-    if (exact && impl_->uniform() && !options.eight_moves && !options.proof)
-      return plan_cells(asked, options, observer);
-    if (exact && impl_->space != nullptr) return impl_->shortest(asked);
-    if (impl_->space != nullptr)
+  const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
+  const bool centres = !exact || options.eight_moves || options.proof;
+  if (!centres && impl_->uniform()) return plan_cells(asked, options, observer);
+  Request request = asked;
+  request.start = impl_->cell_of(start);
+  request.goal = impl_->cell_of(goal);
+  request.start_point = request.goal_point = std::nullopt;
+  if (!start.is_point && !goal.is_point) return plan_cells(request, options, observer);
+  request.start_point = inside(request.start, start.at, centres);
+  request.goal_point = inside(request.goal, goal.at, centres);
+  const bool moved = request.start_point != start.at || request.goal_point != goal.at;
+  const disc::DiscSpace* const space = impl_->space;
+  const auto leads = [&](const Asked& end, Point to) {
+    return space->clear(end.at) && space->clear(to) && space->reaches(end.at, to);
+  };
+  if (space != nullptr && moved) {
+    if (exact && !(leads(start, *request.start_point) && leads(goal, *request.goal_point)))
+      return impl_->shortest(asked);
+    if (!exact)
       throw Error(
           ErrorCode::invalid_parameter,
           "a colony over costs is asked for a disc between points that are no cells' centres",
           "take exact, or cells");
   }
-  Request request = asked;
-  request.start_point = request.goal_point = std::nullopt;
-  request.start = impl_->cell_of(start);
-  request.goal = impl_->cell_of(goal);
   CostResult result = plan_cells(request, options, observer);
-  if (result.path.empty() || (!start.is_point && !goal.is_point)) return result;
-  const Terrain& terrain = impl_->space != nullptr ? *impl_->whole : impl_->terrain;
+  if (result.path.empty() || !moved) return result;
+  const Terrain& terrain = impl_->terrain;
   std::vector<Point>& path = result.path;
-  const double before = result.cost;
   double less = 0;
-  if (start.is_point && !result.way_out) {
-    less += cost::cost_of(terrain, std::array{start.at, path.front()});
-    move_end(path, start.at);
-  }
-  if (goal.is_point && path.back() == centre(request.goal)) {
-    less += cost::cost_of(terrain, std::array{goal.at, path.back()});
-    std::ranges::reverse(path);
-    move_end(path, goal.at);
-    std::ranges::reverse(path);
-  }
-  path = cost::merged(terrain, path);
+  const auto put = [&](Point from, Point to) {
+    if (path.front() != from) return;  // a goal's tolerance leads elsewhere
+    less += cost::cost_of(terrain, std::array{from, to});
+    move_end(path, to);
+  };
+  put(*request.start_point, start.at);
+  std::ranges::reverse(path);
+  put(*request.goal_point, goal.at);
+  std::ranges::reverse(path);
+  if (const auto fewer = cost::merged(terrain, path); can_go(space, fewer)) path = fewer;
+  if (!can_go(space, path)) return impl_->shortest(asked);
   result.cost = cost::cost_of(terrain, path);
   result.length = path_length(path);
   if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
-  result.optimal = result.optimal && result.cost == before;
-  result.proof.reset();
+  result.optimal = result.optimal && less == 0;
   return result;
 }
 
@@ -270,11 +284,19 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   plain = impl_->planner.plan(judged, params);
   if (result.status == Status::invalid || result.status == Status::unreachable) return result;
   const Cell goal = result.goal_reached.value_or(request.goal);
-  if (disc && (result.way_out || !impl_->planner.clear(goal))) return impl_->shortest(request);
+  const Point from = request.start_point.value_or(centre(request.start));
+  const Point to = goal == request.goal ? request.goal_point.value_or(centre(goal)) : centre(goal);
+  if (disc && (result.way_out || !impl_->space->clear(to))) return impl_->shortest(request);
   Kept kept(terrain, impl_->space, observer);
   Impl::Run run{request, goal, options, kept};
   if (request.start == goal) {
-    result.cost = 0;
+    result.status = Status::solved;
+    result.limit = Limit::none;
+    result.path = from == to ? std::vector{from} : std::vector{from, to};
+    result.length = path_length(result.path);
+    result.cost = cost::cost_of(terrain, result.path);
+    result.lower_bound = terrain.least() * result.length;  // it may be cheaper around
+    result.optimal = result.cost <= *result.lower_bound;
     result.proof = impl_->proof(run, 0);
     return result;
   }
