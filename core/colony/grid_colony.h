@@ -115,9 +115,10 @@ class GridColony final : public ColonyWorld {
     iteration_ = q;
     best_path_.begin_iteration();
     learned_ = false;
-    // A path that is a little longer for a point may be the shorter one for a disc.
-    constexpr double kRoom = 1.002;
-    if (!measure_.terrain()) memory_.polisher.want_below(best_path_.of_point() * kRoom);
+    // A path that is a little longer for a point may be the shorter one for a disc; over a terrain
+    // a dearer one the cheaper once it is polished.
+    const double room = measure_.terrain() != nullptr ? 1.25 : 1.002;
+    memory_.polisher.want_below(best_path_.of_point() * room);
     memory_.earlier.clear();
     auto cause = walk(q);
     // Where time ran out as the last ant was measured, its tour may not be cut.

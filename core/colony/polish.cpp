@@ -99,7 +99,8 @@ void Polisher::make(const Ant& ant, const StopCondition& stop, Scratch& scratch,
         scratch.maker.cut(*grid_, way, moves_->count > 4, params_->corners, stop, ant.dead_ends());
   if (way.empty()) return;
   if (disc_ != nullptr) {
-    path.of_point = scratch.maker.polish(*grid_, *disc_, limit_, way, *params_, stop, path.points);
+    const double limit = measure_.terrain() != nullptr ? kInfinity : limit_;
+    path.of_point = scratch.maker.polish(*grid_, *disc_, limit, way, *params_, stop, path.points);
   } else {
     scratch.maker.polish(*grid_, way, *params_, stop, path.points);
   }
@@ -129,9 +130,14 @@ void Polisher::cheapen(const Ant& ant, std::span<const Cell> way, const StopCond
     centres.push_back(centre(c));
   });
   offer(std::move(centres), tour);
+  if (path.length > limit_ || !adjacent(way)) return end_cheapened(path);
   Poller poller(stop);
   cost::Polish polish(*measure_.terrain());
-  if (adjacent(way)) offer(polish.polish(centre(start_), cost::legs_of(way), poller), way);
+  offer(polish.polish(centre(start_), cost::legs_of(way), poller), way);
+  end_cheapened(path);
+}
+
+void Polisher::end_cheapened(PolishedPath& path) {
   path.of_point = path.length;
   if (!(path.length < kInfinity)) path.length = kNaN;
 }

@@ -40,7 +40,8 @@ class Polisher {
              const Params& params, int threads, const disc::DiscSpace* disc,
              const TourMeasure& measure);
 
-  /// Of a disc's paths, those are wanted from now on whose `of_point` is less than this.
+  /// Of a disc's paths, those are wanted from now on whose `of_point` is less than this; over a
+  /// terrain those are made cheaper that cost no more.
   void want_below(double limit) noexcept { limit_ = limit; }
 
   /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped by
@@ -69,6 +70,7 @@ class Polisher {
                                     GrowingArray<Cell>& cells) const;
   void cheapen(const Ant& ant, std::span<const Cell> way, const StopCondition& stop,
                PolishedPath& path) const;
+  static void end_cheapened(PolishedPath& path);
   bool keeps_radius(std::span<const Point> points) const;
   void make(const Ant& ant, const StopCondition& stop, Scratch& scratch, PolishedPath& path) const;
 

@@ -24,6 +24,16 @@ constexpr int kMostScans = 4;
 // Labels that are asked whether they see the goal before the goal takes a look.
 constexpr std::int64_t kFirstFew = 16;
 
+/// A point that lies beside a grid line by rounding looks from the line: the row beside may hold
+/// no other point that is free.
+Point on_lines(Point p) noexcept {
+  const auto on_line = [](double v) {
+    const double line = std::round(v);
+    return std::abs(v - line) <= kSlack ? line : v;
+  };
+  return {on_line(p.x), on_line(p.y)};
+}
+
 }  // namespace
 
 // What a view finds, put into labels and frontiers.
@@ -93,7 +103,7 @@ void DiscSearch::look_from_goal() {
   View<GoalSink> view(*space_, view_, sink);
   bool cut_off = false;
   for (const int down : {1, -1}) {
-    for (const int right : {1, -1}) cut_off |= view.look(Root::at(goal_, {right, down}));
+    for (const int right : {1, -1}) cut_off |= view.look(Root::at(on_lines(goal_), {right, down}));
   }
   if (!cut_off) goal_horizon_ = kInfinity;
   for (std::uint32_t i = 1; i < labels_.size(); ++i) {
@@ -209,7 +219,7 @@ bool DiscSearch::leave_start() {
   leaves_ = start_;
   bool cut_off = false;
   for (const int down : {1, -1}) {
-    for (const int right : {1, -1}) cut_off |= view.look(Root::at(start_, {right, down}));
+    for (const int right : {1, -1}) cut_off |= view.look(Root::at(on_lines(start_), {right, down}));
   }
   return cut_off;
 }

@@ -24,6 +24,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
+#include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
 #include "lasius/navigator.h"
@@ -96,7 +97,8 @@ class Navigator::Impl {
       holds = keeps(way.path[i - 1], way.path[i]);
     for (std::size_t i = 1; i < way.walk.size() && holds; ++i)
       holds = keeps(centre(way.walk[i - 1]), centre(way.walk[i]));
-    leave_curve(way);  // its arcs lie inside of the path that was looked at
+    if (holds && !way.curve.empty())  // its arcs lie inside of the path
+      holds = !disc_path_fault(map.map(), options.radius, way.path, way.curve);
     return true;
   }
   /// What is planned becomes the polyline, which keeps the radius as well.

@@ -40,8 +40,8 @@ struct CostOptions {
   /// `lower_bound` and `optimal` are about these. Not of a disc.
   bool eight_moves = false;
   Corners corners = Corners::forbid;  ///< of eight moves
-  /// Ask for CostResult::proof; not of eight moves or a disc. Then equal weights are searched as
-  /// others are.
+  /// Ask for CostResult::proof; not of eight moves or a disc. It is of centres of cells, and of
+  /// equal weights its bound is a little less than the answer's.
   bool proof = false;
 };
 

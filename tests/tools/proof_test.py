@@ -91,7 +91,7 @@ class Proofs(ProgramTest):
         self.write("0.npy", npy_file)
         self.quiet(self.check(0, None, "--cost", "0.npy", *INFLATION))
         for content, says in ((npy_file[:-1], "bytes of values"), (npy_file[:40], "ends in its head"),
-                              (npy_file.replace(b"<f8", b"<i4"), "another type"), (pfm[:9], "no PFM's"),
+                              (npy_file.replace(b"<f8", b"<c8"), "another type"), (pfm[:9], "no PFM's"),
                               (pfm.replace(size, b"3 2"), "bytes of values"), (b"no", "no PNG, PGM, PBM or BMP image"),
                               (b"Pf\n1 1\n-1\n\0\0\0\0", "it has 1 x 1 values, the map"),
                               (npy_file[:-8] + struct.pack("<d", -1), "it holds -1")):
