@@ -91,6 +91,24 @@ void lead_out(Result& result, Point start, Point way_out, bool curved) {
   result.length += leg;
 }
 
+/// What a walk's observer sees of it, with the best path as it ends at points.
+class EndedView final : public GridProgress {
+ public:
+  EndedView(const GridProgress& walk, const std::vector<Point>& path, double length)
+      : GridProgress(walk), walk_(walk), path_(path) {
+    best_length = length;
+  }
+  std::vector<Point> path() const override { return path_; }
+  int ants() const override { return walk_.ants(); }
+  std::vector<Cell> tour(int ant) const override { return walk_.tour(ant); }
+  std::vector<Cell> walk(int ant) const override { return walk_.walk(ant); }
+  double pheromone(Cell c) const override { return walk_.pheromone(c); }
+
+ private:
+  const GridProgress& walk_;
+  const std::vector<Point>& path_;
+};
+
 /// Runs an algorithm that walks between centres of cells, whose paths are to begin and end at other
 /// points: `run(observer)`.
 template <class Run>
@@ -112,7 +130,10 @@ Result with_ends(PathEnds ends, const StopCondition& stop, const Observer& obser
       take(progress.path());
     }
     best.push_back(length < kInfinity ? length : kNaN);
-    if (observer) observer(progress);
+    if (!observer) return;
+    const EndedView view(progress, path, best.back());
+    observer(view);
+    if (view.stopped()) progress.stop();
   };
   Result result = run(look);
   if (result.path.empty()) return result;

@@ -80,7 +80,7 @@ class Poses(ProgramTest):
         self.assertEqual([p[:2] for p in self.messages("p.yml")], [p[:2] for p in answer["poses_world"]])
         self.assertEqual(list(self.rows("p.csv")[0]), ["x_m", "y_m", "yaw"])
 #Of a map with a frame poses are in it whatever the command's coordinates.
-        ((sx, sy), (gx, gy)) = answer["start"], answer["goal"]
+        ((sx, sy), (gx, gy)) = answer["path"][0], answer["path"][-1]
         self.ended(self.plan("--spacing", "0.8", "-o", "q.yaml", map_file="m.yaml", start=f"{sx},{sy}",
                              goal=f"{gx},{gy}"), 0)
         for told, pose in zip(self.messages("q.yaml"), answer["poses_world"], strict=True):

@@ -81,7 +81,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
     Json via = Json::array(), given = Json::array();
     for (const End& end : ends.run.via) {
       const Place place = end_place(ends.map, end, ends.run.frame);
-      via.push_back(cell_json(place));
+      via.push_back(cell_json(place, ends.in_metres()));
       given.push_back(point(place.asked));
     }
     json["via"] = via;

@@ -117,8 +117,8 @@ Json map_json(const LoadedMap& map) {
           {"height", map.height}};
 }
 
-Json cell_json(const Place& place) {
-  if (place.point) return point(*place.point);
+Json cell_json(const Place& place, bool in_metres) {
+  if (place.point && !in_metres) return point(*place.point);
   const auto [x, y] = place.number;
   return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
 }
@@ -129,8 +129,8 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   const RunOptions& run = ends.run;
   Record record{.options = run,
                 .algorithm = find_algorithm(run.params.algorithm()),
-                .start = cell_json(ends.start),
-                .goal = cell_json(ends.goal),
+                .start = cell_json(ends.start, ends.in_metres()),
+                .goal = cell_json(ends.goal, ends.in_metres()),
                 .parameters = {},
                 .result = result,
                 .error = error_text(ends),
@@ -142,6 +142,7 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   json["unknown"] = ends.map.unknown_is_free ? "free" : "blocked";
   if (ends.map.prepare) json["prepare"] = true;
   json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
+  if (ends.in_metres() && ends.start.point) json["ends"] = "points";
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
   if (run.spacing) json["spacing"] = number(spacing_of(ends.map, run));
   if (run.json || !record.has_path()) return record;
@@ -184,12 +185,12 @@ Point recorded_place(const Json& result, const std::string& keys, bool cell) {
 namespace {
 /// A start, goal or via: `in_cells` is a point where it has decimals, else a cell; `keys` in
 /// `result` is how it was given.
-End recorded_end(const Json& in_cells, const Json& result, const std::string& keys) {
+End recorded_end(const Json& in_cells, const Json& result, const std::string& keys, bool metres) {
   const auto is_real = [](const Json& number) {  // cells that no map holds are told so, too
     return number.is_number_float() &&
            std::abs(number.get<double>()) < static_cast<double>(kMaxExactInteger);
   };
-  const bool is_point = in_cells.is_array() && std::ranges::any_of(in_cells, is_real);
+  const bool is_point = metres || (in_cells.is_array() && std::ranges::any_of(in_cells, is_real));
   const bool cell = !is_point && !keys.ends_with("_world");
   return {recorded_place(result, keys, cell), is_point};
 }
@@ -207,12 +208,13 @@ RunOptions recorded_run(const Recorded& from) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   const bool world = recorded<std::string>(result, "parameters/frame") == kFrames[1];
+  const bool metres = result["parameters"].contains("ends");  // before 0.4.0: centres of cells
   if (result.contains("via")) {
     const Json& cells = result["via"];
     const std::string keys = world ? "via_world" : "via";
     const Json& told = value_at(result, keys);
     for (std::size_t i = 0; i < cells.size() && i < told.size(); ++i)
-      run.via.push_back(recorded_end(cells[i], Json{{keys, told[i]}}, keys));
+      run.via.push_back(recorded_end(cells[i], Json{{keys, told[i]}}, keys, metres));
   }
   if (result["parameters"].contains("spacing"))
     run.spacing = recorded_real(result, "parameters/spacing", 0, kNoLimit);
@@ -233,8 +235,10 @@ PlanCommand recorded_plan(const Recorded& from) {
   PlanCommand command;
   command.run = recorded_run(from);
   const bool cells = command.run.frame == Frame::cell;
+  const bool metres = from.result["parameters"].contains("ends");
   const auto end = [&](const std::string& key) {
-    return recorded_end(value_at(from.result, key), from.result, cells ? key : key + "_world");
+    return recorded_end(value_at(from.result, key), from.result, cells ? key : key + "_world",
+                        metres);
   };
   command.start = end("start");
   command.goal = end("goal");

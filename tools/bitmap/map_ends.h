@@ -64,8 +64,9 @@ Json end_findings(const MapEnds& ends);
 
 /// {file, hash, width, height}
 Json map_json(const LoadedMap& map);
-/// [x, y] of a start or goal, whole; of a point with decimals.
-Json cell_json(const Place& place);
+/// [x, y] of a start or goal, whole: the cell; of a point with decimals, which in metres is told
+/// beside.
+Json cell_json(const Place& place, bool in_metres = false);
 
 /// The options of the question that a result answers. @throws UsageError, Error
 RunOptions recorded_run(const Recorded& from);
