@@ -78,7 +78,8 @@ class Field {
   Fault check(Cell source) {
     const double* around = find(terrain_.index(source.x, source.y));
     if (around == nullptr) return "the cell that it begins in is missing";
-    const double from = chords_.excess_from(cost::kMiddle, around, terrain_.weight(source.x, source.y));
+    const double from =
+        chords_.excess_from(cost::kMiddle, around, terrain_.weight(source.x, source.y));
     if (from > 1 + kMostExcess) return "values around its end are above what they cost from there";
     double most = from, greatest = 0;
     for (const std::size_t at : cells_) {
