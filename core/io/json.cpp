@@ -88,9 +88,9 @@ Enum named(const Json& object, const std::string& key, Enum last) {
 
 /// Of a question, which the program keeps beside the parameters.
 bool is_setting(std::string_view name) {
-  constexpr std::array<std::string_view, 8> kSettings{"target_gap", "time_limit",     "radius",
-                                                      "spacing",    "goal_tolerance", "unknown",
-                                                      "prepare",    "frame"};
+  constexpr std::array<std::string_view, 11> kSettings{
+      "target_gap", "time_limit", "radius", "spacing", "goal_tolerance", "unknown",
+      "ends",       "inflation",  "moves",  "prepare", "frame"};
   return std::ranges::find(kSettings, name) != kSettings.end();
 }
 
