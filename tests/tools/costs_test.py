@@ -159,6 +159,9 @@ class Costs(ProgramTest):
             run = self.plan("--cost", "layer.yaml*2", "--inflation", "3,0.5", "--json", start="0,0",
                             goal="11,7", map_file="ground.yaml")
             self.assertTrue(self.judge(run.json, weights))
+            self.write("away.yaml", yaml("layer.pgm", 0.2, (50, 1.8, 0)))
+            self.ended(self.plan("--cost", "away.yaml", start="0,0", goal="11,7", map_file="ground.yaml"), 0,
+                       "away.yaml has no effect")
             metres = self.plan("--cost", "layer.yaml*2", "--inflation", "0.3,5", "--frame", "world", "--json",
                                start="1.05,2.75", goal="2.15,2.05", map_file="ground.yaml").json
             self.assertAlmostEqual(metres["cost"], run.json["cost"], places=6)

@@ -191,6 +191,8 @@ void note_map(const LoadedMap& map, RunOptions& run) {
   if (prepared.state == Preparation::State::too_large)
     run.notes.push_back("--prepare has no effect: it would take more than " +
                         std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
+  if (map.costs)
+    run.notes.insert(run.notes.end(), map.costs->notes.begin(), map.costs->notes.end());
   if (!run.messages.verbose) return;
   run.notes.push_back(map.file +
                       printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,

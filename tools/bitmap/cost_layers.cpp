@@ -159,7 +159,7 @@ LayerValues read_grey(const std::string& file) {
 /// A ROS map's occupancy over 100, as the map's cells have it by their centres; blocks those of
 /// 100, 0 where unknown and outside of it.
 LayerValues read_ros_layer(const std::string& file, const std::optional<WorldFrame>& frame,
-                           Grid& grid, std::string& image) {
+                           Grid& grid, std::string& image, bool& meets) {
   const OccupancyImage layer = read_occupancy(file);
   image = layer.image;
   if (!frame && (layer.width != grid.width() || layer.height != grid.height()))
@@ -172,6 +172,7 @@ LayerValues read_ros_layer(const std::string& file, const std::optional<WorldFra
       if (frame) place = layer.frame.to_cells(frame->to_world(place, raster.height), layer.height);
       if (!(place.x >= 0 && place.x < layer.width && place.y > 0 && place.y <= layer.height))
         continue;
+      meets = true;
       const auto column = static_cast<std::size_t>(place.x);
       const auto row = static_cast<std::size_t>(std::ceil(place.y) - 1);
       const int percent = layer.levels[row * layer.width + column];
@@ -204,7 +205,11 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
     LayerValues raster;
     if (has_ending(file, ".yaml") || has_ending(file, ".yml")) {
       std::string& image = costs.images.emplace_back();
-      raster = read_ros_layer(file, frame, grid, image);
+      bool meets = false;
+      raster = read_ros_layer(file, frame, grid, image, meets);
+      if (!meets)
+        costs.notes.push_back("--cost " + file +
+                              " has no effect: by its frame it lies outside of the map");
       hash = file_hash(image, hash);
     } else {
       raster = read_layer(file, grid);

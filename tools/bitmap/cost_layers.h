@@ -20,6 +20,7 @@ struct LoadedCosts {
   std::vector<std::uint64_t> hashes = {};   ///< of the layers' files, a ROS map's with its image
   std::vector<std::string> images = {};     ///< of layers that are ROS maps
   std::optional<Inflation> inflation = {};  ///< in cells
+  std::vector<std::string> notes = {};      ///< layers without effect, as sentences
   std::optional<CostPlanner> planner = {};  ///< once there is one of the map
 };
 
