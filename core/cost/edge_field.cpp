@@ -145,10 +145,9 @@ double EdgeField::left(std::uint32_t node) noexcept {
     if (before_ != nullptr) {
       least = value_before(cell, place);
     } else {
-      const std::uint32_t at = lattice_[node / per_block_];
-      const int columns = terrain_.width() + 1;
-      least =
-          rest_->at({static_cast<double>(at % columns), static_cast<double>(at / columns)}, cell);
+      const std::uint32_t at = lattice_[node / per_block_], columns = terrain_.width() + 1;
+      const std::uint32_t x = at % columns, y = at / columns;
+      least = rest_->at({static_cast<double>(x), static_cast<double>(y)}, cell);
     }
   };
   if (before_ == nullptr) {

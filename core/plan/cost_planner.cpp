@@ -96,7 +96,7 @@ CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
   direct.goal_tolerance = direct.target_gap = 0;
   if (std::exchange(direct.goal, run.goal) != run.goal) direct.goal_point = std::nullopt;
   offer(planner.plan(direct).path, 0);
-  const CostAnswer answer = search(terrain, run);
+  CostAnswer answer = search(terrain, run);
   if (answer.end == ExactEnd::stopped) return answer;
   offer(repaired(*space, answer.path, stop), answer.lower_bound);
   if (run.kept.cost() <= answer.lower_bound * (1 + std::max(kMuch, run.request.target_gap)))
