@@ -103,6 +103,7 @@ class Builder {
       std::sort(near.rbegin(), near.rend());
     }
     std::vector<int> stops;
+    stops.reserve(near.size());
     for (const auto& [cost, stop] : near) stops.push_back(stop);
     return stops;
   }
