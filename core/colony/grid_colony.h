@@ -205,10 +205,7 @@ class GridColony final : public ColonyWorld {
 
   bool holds(std::span<const Point> path) const {
     if (disc_ == nullptr) return !path_fault(grid_, path, params_.corners);
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      if (!disc_->clear(path[i]) || (i > 0 && !disc_->sees(path[i - 1], path[i]))) return false;
-    }
-    return !path.empty();
+    return !path.empty() && disc_->clear(path[0]) && disc_->reaches_along(path);
   }
 
   /// Could a way through free cells of `part` be shorter than the best tour?

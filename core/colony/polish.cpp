@@ -117,7 +117,7 @@ void Polisher::cheapen(const Ant& ant, std::span<const Cell> way, const StopCond
   path.length = path.points.empty() ? kInfinity : measure_.of(path.points);
   const auto offer = [&](std::vector<Point>&& points, const auto& cells) {
     const double cost = measure_.of(points);
-    if (!(cost < path.length) || !keeps_radius(points)) return;
+    if (!(cost < path.length) || (disc_ != nullptr && !disc_->reaches_along(points))) return;
     path.length = cost;
     path.points = std::move(points);
     path.raster.assign(cells.begin(), cells.end());
@@ -140,13 +140,6 @@ void Polisher::cheapen(const Ant& ant, std::span<const Cell> way, const StopCond
 void Polisher::end_cheapened(PolishedPath& path) {
   path.of_point = path.length;
   if (!(path.length < kInfinity)) path.length = kNaN;
-}
-
-bool Polisher::keeps_radius(std::span<const Point> points) const {
-  if (disc_ == nullptr) return true;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (!disc_->reaches(points[i - 1], points[i])) return false;
-  return true;
 }
 
 std::int64_t Polisher::bytes() const noexcept {

@@ -71,7 +71,6 @@ class Polisher {
   void cheapen(const Ant& ant, std::span<const Cell> way, const StopCondition& stop,
                PolishedPath& path) const;
   static void end_cheapened(PolishedPath& path);
-  bool keeps_radius(std::span<const Point> points) const;
   void make(const Ant& ant, const StopCondition& stop, Scratch& scratch, PolishedPath& path) const;
 
   const Grid* grid_ = nullptr;

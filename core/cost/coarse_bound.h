@@ -43,7 +43,7 @@ struct Blocks {
   static double saved(const Terrain& blocks, Cell start, Point from) noexcept {
     const Cell block = of(start);
     const Point at = inside(from, block);
-    return blocks.weight(block.x, block.y) * std::hypot(at.x - 0.5, at.y - 0.5);
+    return blocks.weight(block.x, block.y) * distance(at, kMiddle);
   }
   /// What a path costs at least to a point of a block, from the values around it.
   static double within(const CellChords& chords, Point local, const double* values, double weight) {

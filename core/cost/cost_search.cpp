@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <ctime>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -55,9 +54,7 @@ double margin_of(int intervals) {
 class Best {
  public:
   Best(const Terrain& terrain, const ExactOptions& options)
-      : weight_([&terrain](int x, int y) { return terrain.weight(x, y); }),
-        polish_(terrain),
-        options_(options) {}
+      : terrain_(terrain), polish_(terrain), options_(options) {}
 
   /// Polishes a path and keeps it if it is cheaper. False where whoever looks on asks to end.
   bool offer(Point start, std::span<const Leg> legs, double lower, Poller& poller) {
@@ -65,12 +62,9 @@ class Best {
     return offer(std::move(path), lower);
   }
   bool offer(std::vector<Point> path, double lower) {
-    PathCost sum(weight_);
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      if (!sum.add(path[i - 1], path[i])) return true;
-    }
-    if (!(sum.sum() < cost_)) return true;
-    cost_ = sum.sum();
+    const double cost = cost_of(terrain_, path);
+    if (!(cost < cost_)) return true;
+    cost_ = cost;
     path_ = std::move(path);
     return options_.improved == nullptr ||
            (*options_.improved)(path_, cost_, exact::rounded_down(lower));
@@ -79,7 +73,7 @@ class Best {
   const std::vector<Point>& path() const noexcept { return path_; }
 
  private:
-  std::function<double(int, int)> weight_;
+  const Terrain& terrain_;
   Polish polish_;
   const ExactOptions& options_;
   double cost_ = kInfinity;

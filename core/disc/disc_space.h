@@ -71,7 +71,13 @@ class DiscSpace {
   bool sees(Point a, Point b) const noexcept { return keeps(a, b, true, kSlack); }
   /// The same where only a is known to be clear.
   bool reaches(Point a, Point b) const noexcept { return keeps(a, b, false, kSlack); }
-  /// The same with room for what is made of it.
+  /// The same of a polyline, whose first point is known to be clear.
+  bool reaches_along(std::span<const Point> path) const noexcept {
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (!reaches(path[i - 1], path[i])) return false;
+    return true;
+  }
+  /// As reaches() with room for what is made of it.
   bool reaches_well(Point a, Point b) const noexcept { return keeps(a, b, false, 0.5 * kSlack); }
   /// False proves that it cannot go from a to b, both clear, by any way. True where cells that are
   /// not blocked, 4-connected, lead there: nearly always there is a way then.

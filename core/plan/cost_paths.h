@@ -31,9 +31,7 @@ std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Poin
 
 /// May a disc go along it, whose first point is clear? Null: a point may.
 inline bool can_go(const disc::DiscSpace* space, const std::vector<Point>& path) {
-  for (std::size_t i = 1; space != nullptr && i < path.size(); ++i)
-    if (!space->reaches(path[i - 1], path[i])) return false;
-  return true;
+  return space == nullptr || space->reaches_along(path);
 }
 
 /// The point of a cell, a little off its border; or its centre.

@@ -1,6 +1,7 @@
 #include "lasius/cost_planner.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,6 @@ struct CostPlanner::Impl {
   CostAnswer search_for_disc(Run& run) const;
   bool uniform() const noexcept { return terrain.least() == terrain.most(); }
   CostResult shortest(const Request& request) const;
-  Cell cell_of(const Asked& end) const;
   CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
                     const Observer& observer) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
@@ -158,18 +158,6 @@ CostResult CostPlanner::Impl::shortest(const Request& request) const {
   return result;
 }
 
-// A point on the border of cells is taken for one of a free cell that it touches.
-Cell CostPlanner::Impl::cell_of(const Asked& end) const {
-  if (!end.is_point || planner.passable().free(end.cell)) return end.cell;
-  const Cell last = end.cell;
-  for (const Cell c :
-       {Cell{last.x - 1, last.y}, Cell{last.x, last.y - 1}, {last.x - 1, last.y - 1}}) {
-    const bool touches = end.at.x <= c.x + 1 && end.at.y <= c.y + 1;
-    if (touches && planner.passable().free(c)) return c;
-  }
-  return last;
-}
-
 std::optional<double> CostResult::gap() const {
   if (cost == 0) return 0;
   if (path.empty() || !lower_bound || !(*lower_bound > 0)) return std::nullopt;
@@ -203,10 +191,16 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
   const bool centres = !exact || options.eight_moves || options.proof;
   if (!centres && impl_->uniform()) return plan_cells(asked, options, observer);
   Request request = asked;
-  request.start = impl_->cell_of(start);
-  request.goal = impl_->cell_of(goal);
+  request.start = start.cell;
+  request.goal = goal.cell;
   request.start_point = request.goal_point = std::nullopt;
   if (!start.is_point && !goal.is_point) return plan_cells(request, options, observer);
+  if (impl_->space == nullptr) {
+    const PlanningMap map = planner().impl_->planning_map(asked.stop);
+    const Ends ends(map, nullptr, corners_of_paths(options.params, {}));
+    if (ends.serves(start) && ends.serves(goal))
+      std::tie(request.start, request.goal) = ends.walk(start.at, goal.at);
+  }
   request.start_point = inside(request.start, start.at, centres);
   request.goal_point = inside(request.goal, goal.at, centres);
   const bool moved = request.start_point != start.at || request.goal_point != goal.at;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/invalid_parameter.h"
+#include "core/disc/curve.h"
 #include "kernels/base/arctangent.h"
 #include "kernels/base/sine.h"
 
@@ -23,10 +24,7 @@ double heading_of(double x, double y) noexcept {
 struct Stretch {
   CurvePiece piece;
 
-  double length() const noexcept {
-    const double x = piece.to.x - piece.from.x, y = piece.to.y - piece.from.y;
-    return piece.turn == 0 ? std::sqrt(x * x + y * y) : piece.angle * piece.radius;
-  }
+  double length() const noexcept { return disc::curve_length({&piece, 1}); }
   Pose at(double share) const noexcept {
     const auto& [from, to, turn, middle, angle, radius] = piece;
     if (turn == 0) {

@@ -12,7 +12,8 @@ Cost grains(double length) noexcept {
 MapPricer::MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop)
     : planner_(planner), stops_(stops), stop_(stop) {
   const Grid& grid = planner.grid();
-  dear_ -= grains(std::hypot(grid.width(), grid.height()));
+  dear_ -=
+      grains(std::sqrt(1.0 * grid.width() * grid.width() + 1.0 * grid.height() * grid.height()));
 }
 
 Cost MapPricer::straight(int a, int b) const noexcept {

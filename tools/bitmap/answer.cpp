@@ -104,10 +104,7 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
 
 CostOptions cost_options(const RunOptions& run) {
   const CostLayers& asked = run.map.costs;
-  return {.params = run.params,
-          .eight_moves = asked.eight_moves,
-          .corners = run.params.corners,
-          .proof = asked.proof};
+  return {.params = run.params, .eight_moves = asked.eight_moves, .proof = asked.proof};
 }
 
 std::string cost_text(const CostResult& result) {

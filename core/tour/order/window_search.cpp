@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 #include "core/base/poller.h"
 #include "core/tour/order/path_exchange.h"
 #include "core/tour/order/stop_path.h"
+#include "kernels/base/power.h"
 #include "kernels/base/random_stream.h"
 
 namespace lasius::tour {
@@ -81,7 +81,8 @@ class WindowSearch {
         return false;
       }
     }
-    const double more = -temperature * mean_arc_ * std::log(unit(random_));
+    constexpr double kLog2 = 0.69314718055994530942;
+    const double more = -temperature * mean_arc_ * (kLog2 * kernels::log2_of(unit(random_)));
     if (static_cast<double>(exchange_.now().cost - current_.cost) <= more)
       exchange_.keep(current_);
     else
@@ -118,11 +119,11 @@ class WindowSearch {
   // False, and nothing is changed, where the capacity lets nothing follow.
   bool build_window() {
     const int inner = path_.size() - 2;
-    const double longest = std::log(static_cast<double>(inner) / kShortestWindow);
+    const double longest = std::max(1.0, static_cast<double>(inner) / kShortestWindow);
     const int length =
         inner <= kShortestWindow
             ? inner
-            : static_cast<int>(kShortestWindow * std::exp(unit(random_) * std::max(0.0, longest)));
+            : static_cast<int>(kShortestWindow * kernels::power(longest, unit(random_)));
     const int from = 1 + random_.below(inner - length + 1);
     const auto& t = exchange_.now().nodes;
     for (int p = from; p < from + length; ++p) window_[t[p]] = 1;
