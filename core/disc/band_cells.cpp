@@ -135,7 +135,8 @@ bool BandCells::add_pieces(const Circle& circle, const DiscSpace::Box& box) {
   return true;
 }
 
-void BandCells::join(const std::vector<char>& only, std::vector<std::uint32_t>& spare) {
+void BandCells::join(const std::vector<char>& only, std::vector<std::uint32_t>& spare,
+                     Poller& poller) {
   const auto& corners = corners_.corners();
   std::vector<std::uint32_t> ends(corners.size() + 1);  // of the corners' pieces; then their begins
   for (const Piece& piece : pieces_) ++ends[piece.corner];
@@ -146,6 +147,7 @@ void BandCells::join(const std::vector<char>& only, std::vector<std::uint32_t>& 
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
     if (ends[corner] == ends[corner + 1] || (!only.empty() && only[corner] == 0)) continue;
     const std::span here(order.data() + ends[corner], order.data() + ends[corner + 1]);
+    if (poller.stop_after(std::ssize(here))) return;
     for (std::size_t i = 1; i < here.size(); ++i) {  // few, and nearly sorted
       const std::uint32_t number = here[i];
       std::size_t to = i;

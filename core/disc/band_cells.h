@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/disc/corner_rows.h"
 #include "core/disc/disc_space.h"
 #include "core/disc/grown_rows.h"
@@ -43,7 +44,7 @@ class BandCells {
   /// Pieces of one circle that meet are an arc: adds the arcs to the space, corner by corner, each
   /// one's by the angle. They take the last of the `spare` numbers while there are any.
   /// @param only  whether a corner's pieces count, by corner; empty: all do
-  void join(const std::vector<char>& only, std::vector<std::uint32_t>& spare);
+  void join(const std::vector<char>& only, std::vector<std::uint32_t>& spare, Poller& poller);
   /// A cell as the space holds it; adds its list of arcs, if it has several. The pieces are joined.
   std::uint32_t kept(std::size_t cell);
 

@@ -55,9 +55,8 @@ bool SpaceBuilder::run(Poller& poller) {
   }
   std::ranges::sort(spare_, std::greater());
   spare_.erase(std::unique(spare_.begin(), spare_.end()), spare_.end());
-  cells_.join(joined_anew_, spare_);
-  write_core();
-  write_planes();
+  cells_.join(joined_anew_, spare_, poller);
+  if (poller.stopped() || !write_core(poller) || !write_planes(poller)) return false;
   write_around();
   close_gaps();
   return !poller.stop_after(static_cast<std::int64_t>(cells_.pieces().size()));
@@ -133,10 +132,11 @@ void SpaceBuilder::look_around() {
   }
 }
 
-void SpaceBuilder::write_core() {
+bool SpaceBuilder::write_core(Poller& poller) {
   std::vector<std::uint32_t> block;
   std::size_t next = 0;  // of the cells looked at
   for_each_word([&](int word, int y) {
+    if (poller.stopped()) return;
     const std::uint64_t core = columns_in(core_, word);
     const std::uint64_t was = space_.band_in(word, y);
     const std::uint64_t is = (was & ~core) | bits_at(word, y).band;
@@ -162,10 +162,12 @@ void SpaceBuilder::write_core() {
       space_.waste_ += held - block.size();
     }
     std::ranges::copy(block, space_.cells_.begin() + start);
+    poller.stop_after(1 + std::ssize(block));
   });
+  return !poller.stopped();
 }
 
-void SpaceBuilder::write_planes() {
+bool SpaceBuilder::write_planes(Poller& poller) {
   int left = Grid::kMaxSide, right = -1, top = 0, bottom = -1;  // of what became blocked or free
   std::vector<std::uint64_t> row(static_cast<std::size_t>(space_.map_.words()));
   const auto write = [&](Grid& plane, int y, std::uint64_t BandCells::Bits::*bits) {
@@ -186,6 +188,7 @@ void SpaceBuilder::write_planes() {
       if (bottom < 0) top = y;
       bottom = y;
     }
+    if (poller.stop_after(std::int64_t{8} * std::ssize(row))) return false;
     write(space_.blocked_, y, &BandCells::Bits::blocked);
     write(space_.band_, y, &BandCells::Bits::band);
     write(space_.arc_cells_even_, y, &BandCells::Bits::even);
@@ -207,6 +210,7 @@ void SpaceBuilder::write_planes() {
     }
     space_.crowded_.set_row(strip, row.data());
   }
+  return true;
 }
 
 void SpaceBuilder::write_around() {

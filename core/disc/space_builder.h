@@ -32,8 +32,8 @@ class SpaceBuilder {
   bool look_at_core(Poller& poller);
   void look_around();
   bool note_old_arcs(int x, int y, bool all);
-  void write_core();
-  void write_planes();
+  bool write_core(Poller& poller);  // false when stopped; so the next
+  bool write_planes(Poller& poller);
   void write_around();
   void close_gaps();
   void move_arc(std::uint32_t from, std::uint32_t to);

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <string_view>
 
 #include "core/base/file_kind.h"
@@ -34,43 +33,13 @@ Map read_image(ByteReader& in, const PixelRule& rule) {
                     ErrorCode::file_unsupported);
 }
 
-/// What a pixel is as a number.
-struct LevelRule {
-  std::function<int(int level, int white)> level;
-  int unknown = 0;  ///< the greatest number, of unknown pixels; 0: white is the greatest
-  PixelRule::Transparent transparent = PixelRule::Transparent::on_white;
-};
-
-/// Puts two bits of each pixel's level in their place.
-void add_bits(const Map& map, int shift, GreyImage& image) {
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const int bits = map.grid.blocked({x, y}) + 2 * map.unknown->blocked({x, y});
-      image.levels[static_cast<std::size_t>(y) * image.width + x] |=
-          static_cast<std::uint16_t>(bits << shift);
-    }
-  }
-}
-
-// Readers tell two bits of each pixel. So an image is read once for each two bits of its levels,
-// and none of them has to know of grey.
-void read_levels(const std::string& path, const LevelRule& rule, GreyImage& to) {
-  for (int shift = 0; (rule.unknown > 0 ? rule.unknown : to.white) >> shift > 0; shift += 2) {
-    const PixelRule bits{.kind =
-                             [&](int level, int white) {
-                               to.white = white;
-                               return rule.level(level, white) >> shift & 3;
-                             },
-                         .unknown = rule.unknown > 0 ? rule.unknown >> shift & 3
-                                                     : static_cast<int>(PixelRule::kUnknown),
-                         .transparent = rule.transparent};
-    InputFile file(path);
-    const Map map = read_image(file.reader(), bits);
-    to.width = map.grid.width();
-    to.height = map.grid.height();
-    to.levels.resize(static_cast<std::size_t>(to.width) * to.height);
-    add_bits(map, shift, to);
-  }
+/// Numbers of an image's pixels in place of a map.
+void read_numbers(const std::string& path, PixelRule rule, GreyImage& to) {
+  rule.numbers = &to.levels;
+  InputFile file(path);
+  const Map map = read_image(file.reader(), rule);
+  to.width = map.grid.width();
+  to.height = map.grid.height();
 }
 
 /// What `read` makes of the file of a ROS map's image.
@@ -130,7 +99,11 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
 
 GreyImage read_grey_image(const std::string& path) {
   GreyImage image;
-  read_levels(path, {[](int level, int) { return level; }}, image);
+  const auto level_of = [&](int level, int white) {
+    image.white = white;
+    return level;
+  };
+  read_numbers(path, {.kind = level_of}, image);
   return image;
 }
 
@@ -142,11 +115,13 @@ OccupancyImage read_occupancy(const std::string& yaml) {
   const bool raw = ros.mode == RosMap::Mode::raw;
   of_ros_image(file.reader(), ros, [&](const std::string& image) {
     made.image = image;
-    read_levels(image,
-                {[&](int level, int white) { return occupancy(ros, level, white); },
-                 OccupancyImage::kUnknown,
-                 raw ? PixelRule::Transparent::ignored : PixelRule::Transparent::unknown},
-                made);
+    const auto percent = [&](int level, int white) { return occupancy(ros, level, white); };
+    using Transparent = PixelRule::Transparent;
+    read_numbers(image,
+                 {.kind = percent,
+                  .unknown = OccupancyImage::kUnknown,
+                  .transparent = raw ? Transparent::ignored : Transparent::unknown},
+                 made);
     return 0;
   });
   return made;

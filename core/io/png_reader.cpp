@@ -129,6 +129,11 @@ class PngReader {
       for (int i = 0; i < pass.columns; ++i) {
         const int kind = kind_of(pixel(i));
         const Cell cell{pass.x + i * pass.step_x, y};
+        if (rule_.numbers != nullptr) {
+          (*rule_.numbers)[static_cast<std::size_t>(y) * width_ + cell.x] =
+              static_cast<std::uint16_t>(kind);
+          continue;
+        }
         if ((kind & PixelRule::kBlocked) != 0) map.grid.set_blocked(cell);
         if ((kind & PixelRule::kUnknown) != 0) map.unknown->set_blocked(cell);
       }
@@ -169,8 +174,8 @@ class PngReader {
   int depth_ = 0;     // bytes a sample
   int channels_ = 0;  // grey, grey + alpha, RGB, RGB + alpha
   int white_ = 255;
-  std::vector<std::uint8_t> kinds_;  // by level
-  std::vector<png_byte> palette_;    // RGBA, where pixels are its indices
+  std::vector<std::uint16_t> kinds_;  // by level
+  std::vector<png_byte> palette_;     // RGBA, where pixels are its indices
   std::vector<png_byte> row_;
 };
 

@@ -29,7 +29,7 @@ class BmpReader {
     if (bits_ <= 8) read_palette();
     skip_to_pixels();
     Map map = rule_.map(width_, height_);
-    PixelRow row(map.grid);
+    PixelRow row(map.grid, rule_);
     row_.resize(static_cast<std::size_t>((std::int64_t{width_} * bits_ + 31) / 32 * 4));
     for (int i = 0; i < height_; ++i) {
       const std::size_t used = (static_cast<std::size_t>(width_) * bits_ + 7) / 8;
@@ -149,11 +149,11 @@ class BmpReader {
 
   ByteReader& in_;
   const PixelRule& rule_;
-  std::vector<std::uint8_t> kinds_;  // by grey level
-  std::string header_;               // file header, header, masks, palette
-  std::size_t entry_ = 4;            // bytes of a colour of the palette
-  std::int64_t colours_ = 0;         // of the palette; 0: as many as pixels can tell
-  std::vector<std::uint8_t> palette_;
+  std::vector<std::uint16_t> kinds_;  // by grey level
+  std::string header_;                // file header, header, masks, palette
+  std::size_t entry_ = 4;             // bytes of a colour of the palette
+  std::int64_t colours_ = 0;          // of the palette; 0: as many as pixels can tell
+  std::vector<std::uint16_t> palette_;
   std::vector<char> row_;
   int width_ = 0;
   int height_ = 0;

@@ -30,16 +30,20 @@ struct PixelRule {
   };
   Transparent transparent = Transparent::on_white;
 
+  /// Gets what the pixels are, numbers of 16 bits row by row from the top; null: kinds, of which
+  /// the map is made.
+  std::vector<std::uint16_t>* numbers = nullptr;
+
   /// `kind` of every level.
-  std::vector<std::uint8_t> table(int white) const {
-    std::vector<std::uint8_t> result(static_cast<std::size_t>(white) + 1);
+  std::vector<std::uint16_t> table(int white) const {
+    std::vector<std::uint16_t> result(static_cast<std::size_t>(white) + 1);
     for (int level = 0; level <= white; ++level)
-      result[level] = static_cast<std::uint8_t>(kind(level, white));
+      result[level] = static_cast<std::uint16_t>(kind(level, white));
     return result;
   }
 
   /// What a pixel of this alpha is, 0: transparent; `kinds`: a table.
-  int kind_of(const std::vector<std::uint8_t>& kinds, std::int64_t level,
+  int kind_of(const std::vector<std::uint16_t>& kinds, std::int64_t level,
               std::int64_t alpha) const noexcept {
     const auto white = static_cast<std::int64_t>(kinds.size()) - 1;
     if (alpha < white) {
@@ -54,6 +58,7 @@ struct PixelRule {
   Map map(int width, int height) const {
     Map made{Grid(width, height), std::nullopt};
     if (unknown != kFree) made.unknown.emplace(width, height);
+    if (numbers != nullptr) numbers->resize(static_cast<std::size_t>(width) * height);
     return made;
   }
 };
@@ -66,14 +71,26 @@ constexpr std::int64_t luma(std::int64_t red, std::int64_t green, std::int64_t b
 /// One row of a map, pixel by pixel.
 class PixelRow {
  public:
-  explicit PixelRow(const Grid& grid) : blocked(grid.words()), unknown(grid.words()) {}
+  PixelRow(const Grid& grid, const PixelRule& rule)
+      : blocked(grid.words()), unknown(grid.words()), numbers_(rule.numbers) {
+    if (numbers_ != nullptr) row_.resize(grid.width());
+  }
   void add(int x, int kind) noexcept {
+    if (numbers_ != nullptr) {
+      row_[x] = static_cast<std::uint16_t>(kind);
+      return;
+    }
     const auto bits = static_cast<std::uint64_t>(kind);
     blocked[x >> 6] |= (bits & PixelRule::kBlocked) << (x & 63);
     unknown[x >> 6] |= bits >> 1 << (x & 63);
   }
-  /// Puts it into the map, and begins the next one.
+  /// Puts it into the map, or among the numbers, and begins the next one.
   void end(int y, Map& map) {
+    if (numbers_ != nullptr) {
+      std::ranges::copy(row_,
+                        numbers_->begin() + static_cast<std::ptrdiff_t>(y) * std::ssize(row_));
+      return;
+    }
     map.grid.set_row(y, blocked.data());
     if (map.unknown) map.unknown->set_row(y, unknown.data());
     std::ranges::fill(blocked, 0);
@@ -81,6 +98,10 @@ class PixelRow {
   }
 
   std::vector<std::uint64_t> blocked, unknown;  ///< words, as of a grid's row
+
+ private:
+  std::vector<std::uint16_t>* numbers_;
+  std::vector<std::uint16_t> row_;
 };
 
 /// Plain images: free where the darkness (white - level) / white lies below `free_below`.

@@ -35,7 +35,7 @@ class PnmReader {
     read_header();
     kinds_ = rule_.table(white_);
     Map map = rule_.map(width_, height_);
-    PixelRow row(map.grid);
+    PixelRow row(map.grid, rule_);
     for (int y = 0; y < height_; ++y) {
       if (plain_) {
         read_plain_row(y, row);
@@ -179,6 +179,12 @@ class PnmReader {
       row.blocked[i >> 3] |= std::uint64_t{kReversed[static_cast<unsigned char>(bytes_[i])]}
                              << (i & 7) * 8;
     }
+    if (rule_.numbers != nullptr) {
+      for (int x = 0; x < width_; ++x)
+        row.add(x, kinds_[1 - (row.blocked[x >> 6] >> (x & 63) & 1)]);
+      std::ranges::fill(row.blocked, 0);
+      return;
+    }
     const auto chosen = [this](std::uint64_t black, int bit) {
       return ((kinds_[0] & bit) != 0 ? black : 0) | ((kinds_[1] & bit) != 0 ? ~black : 0);
     };
@@ -223,8 +229,8 @@ class PnmReader {
   int width_ = 0;
   int height_ = 0;
   int white_ = 1;
-  std::vector<std::uint8_t> kinds_;  // by level
-  std::vector<char> bytes_;          // of one binary row
+  std::vector<std::uint16_t> kinds_;  // by level
+  std::vector<char> bytes_;           // of one binary row
 };
 
 }  // namespace
