@@ -19,6 +19,13 @@ inline std::int64_t line_at(std::string_view text, std::size_t byte) {
   return line;
 }
 
+/// A text without the `blanks` around it.
+inline std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const auto from = text.find_first_not_of(blanks);
+  if (from == text.npos) return {};
+  return text.substr(from, text.find_last_not_of(blanks) + 1 - from);
+}
+
 /// The words of a line, parted by any of `blanks`.
 inline std::vector<std::string_view> words_of(std::string_view line, std::string_view blanks) {
   std::vector<std::string_view> words;

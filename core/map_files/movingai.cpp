@@ -5,6 +5,7 @@
 #include <charconv>
 #include <vector>
 
+#include "core/base/text_lines.h"
 #include "core/map_files/map_size.h"
 
 namespace lasius {
@@ -23,13 +24,8 @@ constexpr auto kCells = [] {
   return cells;
 }();
 
-bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
-
-std::string_view trimmed(std::string_view text) noexcept {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
+constexpr std::string_view kBlanks = " \t";
+bool is_blank(char c) noexcept { return kBlanks.find(c) != kBlanks.npos; }
 
 std::string shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -48,9 +44,9 @@ HeaderLine header_line(ByteReader& in, std::string& line) {
   if (!in.get_line(line, kLongestHeaderLine)) {
     in.fail_at_line(number, "the header ends early", kHeaderRemedy);
   }
-  const std::string_view text = trimmed(line);
+  const std::string_view text = trimmed(line, kBlanks);
   const auto gap = std::ranges::find_if(text, is_blank) - text.begin();
-  return {std::string(text.substr(0, gap)), std::string(trimmed(text.substr(gap)))};
+  return {std::string(text.substr(0, gap)), std::string(trimmed(text.substr(gap), kBlanks))};
 }
 
 int read_side(const ByteReader& in, std::int64_t line, const HeaderLine& header) {
@@ -157,7 +153,7 @@ Grid read_movingai(ByteReader& in) {
     grid.set_row(y, words.data());
   }
   for (std::int64_t line = in.line(); in.get_line(text, kLongestHeaderLine); line = in.line()) {
-    if (trimmed(text).empty()) continue;
+    if (trimmed(text, kBlanks).empty()) continue;
     in.fail_at_line(line, "more rows than the height, " + std::to_string(header.height),
                     "correct the height, or remove what follows the map");
   }

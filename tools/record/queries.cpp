@@ -18,17 +18,9 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr const char* kRemedyMissing = "name a .scen or .tsv file of queries";
 
-std::string_view trimmed(std::string_view text) {
-  const auto fields = words_of(text, kBlanks);
-  if (fields.empty()) return {};
-  return {fields.front().data(),
-          static_cast<std::size_t>(fields.back().data() + fields.back().size() -
-                                   fields.front().data())};
-}
-
 std::vector<std::string_view> split_tabs(std::string_view line) {
   auto fields = split(line, '\t');
-  for (auto& field : fields) field = trimmed(field);
+  for (auto& field : fields) field = trimmed(field, kBlanks);
   return fields;
 }
 
@@ -43,7 +35,7 @@ class Lines {
     while (next_of_any()) {
       if (number_++ == 0 && text_.starts_with(kByteOrderMark))
         text_.remove_prefix(kByteOrderMark.size());
-      if (!trimmed(text_).empty()) return true;
+      if (!trimmed(text_, kBlanks).empty()) return true;
     }
     if (in_.bad())
       throw Error(ErrorCode::file_broken, {.file = file_, .line = number_}, "cannot be read on",

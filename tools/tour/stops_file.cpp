@@ -60,10 +60,7 @@ class Reader {
 
  private:
   static constexpr std::string_view kSeparators = " \t\r\v\f,";
-  static std::string bare(std::string_view text) {
-    const auto from = text.find_first_not_of(" \t\r\v\f"), to = text.find_last_not_of(" \t\r\v\f");
-    return from == text.npos ? "" : std::string(text.substr(from, to - from + 1));
-  }
+  static std::string bare(std::string_view text) { return std::string(trimmed(text, " \t\r\v\f")); }
 
   [[noreturn]] void fail(const At& at, const std::string& problem,
                          const std::string& remedy) const {

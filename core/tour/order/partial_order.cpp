@@ -7,27 +7,27 @@ namespace lasius::tour {
 namespace {
 
 // The ends of each stop's pairs, stop by stop.
-void list(int size, std::vector<Before> pairs, std::vector<int>& to, std::vector<int>& from) {
+Rows<int> ends_of(int size, std::vector<Before> pairs) {
   std::sort(pairs.begin(), pairs.end());
-  from.assign(size + 1, 0);
-  to.clear();
-  for (const auto& [a, b] : pairs) {
-    to.push_back(b);
-    ++from[a + 1];
+  Rows<int> ends;
+  auto next = pairs.begin();
+  for (int stop = 0; stop < size; ++stop) {
+    for (; next != pairs.end() && next->first == stop; ++next) ends.push(next->second);
+    ends.end_row();
   }
-  for (int v = 0; v < size; ++v) from[v + 1] += from[v];
+  return ends;
 }
 
 // Stops, none behind one that comes after it; those on and behind circles are missing.
 std::vector<int> sorted_stops(int size, std::span<const Before> relation) {
-  std::vector<int> to, from, waits(size, 0), sorted;
-  list(size, {relation.begin(), relation.end()}, to, from);
+  std::vector<int> waits(size, 0), sorted;
+  const Rows<int> ends = ends_of(size, {relation.begin(), relation.end()});
   for (const Before& pair : relation) ++waits[pair.second];
   for (int v = 0; v < size; ++v)
     if (waits[v] == 0) sorted.push_back(v);
   for (std::size_t i = 0; i < sorted.size(); ++i)
-    for (int k = from[sorted[i]]; k < from[sorted[i] + 1]; ++k)
-      if (--waits[to[k]] == 0) sorted.push_back(to[k]);
+    for (const int stop : ends[sorted[i]])
+      if (--waits[stop] == 0) sorted.push_back(stop);
   return sorted;
 }
 
@@ -57,8 +57,7 @@ PartialOrder::PartialOrder(int size, std::span<const Before> relation, std::vect
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   if (pairs.empty()) return;
-  std::vector<int> to, from;
-  list(size, pairs, to, from);
+  const Rows<int> ends = ends_of(size, pairs);
   words_ = (static_cast<std::size_t>(size) + 63) / 64;
   later_.assign(size * words_, 0);
   std::vector<int> sorted = sorted_stops(size, pairs);
@@ -67,17 +66,16 @@ PartialOrder::PartialOrder(int size, std::span<const Before> relation, std::vect
   std::reverse(sorted.begin(), sorted.end());
   for (const int v : sorted) {
     std::fill(beyond.begin(), beyond.end(), 0);
-    for (int k = from[v]; k < from[v + 1]; ++k)
-      for (std::size_t i = 0; i < words_; ++i) beyond[i] |= later_[to[k] * words_ + i];
-    for (int k = from[v]; k < from[v + 1]; ++k)
-      if ((beyond[to[k] / 64] >> (to[k] % 64) & 1) == 0) reduced.emplace_back(v, to[k]);
+    for (const int w : ends[v])
+      for (std::size_t i = 0; i < words_; ++i) beyond[i] |= later_[w * words_ + i];
+    for (const int w : ends[v])
+      if ((beyond[w / 64] >> (w % 64) & 1) == 0) reduced.emplace_back(v, w);
     std::copy(beyond.begin(), beyond.end(), later_.begin() + static_cast<long>(v * words_));
-    for (int k = from[v]; k < from[v + 1]; ++k)
-      later_[v * words_ + to[k] / 64] |= std::uint64_t{1} << (to[k] % 64);
+    for (const int w : ends[v]) later_[v * words_ + w / 64] |= std::uint64_t{1} << (w % 64);
   }
-  list(size, reduced, next_, next_from_);
+  next_ = ends_of(size, reduced);
   for (auto& [a, b] : reduced) std::swap(a, b);
-  list(size, std::move(reduced), previous_, previous_from_);
+  previous_ = ends_of(size, std::move(reduced));
 }
 
 bool PartialOrder::parted(int a, int b) const noexcept {

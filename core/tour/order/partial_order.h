@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/tour/order/rows.h"
+
 namespace lasius::tour {
 
 /// A stop that comes before another.
@@ -41,23 +43,15 @@ class PartialOrder {
   /// Whether no order has `b` right behind `a`.
   bool parted(int a, int b) const noexcept;
   /// What comes behind a stop, and before it, with no other between (the transitive reduction).
-  std::span<const int> next(int stop) const noexcept { return part(next_, next_from_, stop); }
-  std::span<const int> previous(int stop) const noexcept {
-    return part(previous_, previous_from_, stop);
-  }
+  std::span<const int> next(int stop) const noexcept { return next_[stop]; }
+  std::span<const int> previous(int stop) const noexcept { return previous_[stop]; }
   /// Whether no more is carried than may be, from stop to stop of an order.
   bool carries(std::span<const int> order) const noexcept;
 
  private:
-  static std::span<const int> part(const std::vector<int>& all, const std::vector<int>& from,
-                                   int stop) noexcept {
-    if (all.empty()) return {};
-    return {all.data() + from[stop], static_cast<std::size_t>(from[stop + 1] - from[stop])};
-  }
-
   std::size_t words_ = 0;             // of a row
   std::vector<std::uint64_t> later_;  // row by row: the stops behind each
-  std::vector<int> next_, next_from_, previous_, previous_from_;
+  Rows<int> next_, previous_;
   std::vector<int> loads_;
   std::int64_t capacity_ = kUnlimited;
 };

@@ -31,8 +31,8 @@ StopPath::StopPath(const Costs& costs, const Ends& ends, const PartialOrder& giv
     known_ = std::move(known);
   }
   list_order();
-  list_arcs(false, out_, out_from_, poller);
-  list_arcs(true, in_, in_from_, poller);
+  out_ = cheapest_arcs(false, poller);
+  in_ = cheapest_arcs(true, poller);
 }
 
 bool StopPath::allowed(int a, int b) const noexcept {
@@ -45,26 +45,24 @@ bool StopPath::allowed(int a, int b) const noexcept {
 void StopPath::list_order() {
   std::vector<int> node_of(costs_.size(), -1);
   for (int node = 1; node + 1 < size(); ++node) node_of[stops_[node]] = node;
-  const auto list = [&](bool later, std::vector<int>& nodes, std::vector<int>& from) {
-    from.push_back(0);
+  const auto list = [&](bool later, Rows<int>& nodes) {
     for (int node = 0; node < size(); ++node) {
       if (node > 0 && node + 1 < size())
         for (const int stop : later ? given_.next(stops_[node]) : given_.previous(stops_[node]))
-          if (node_of[stop] >= 0) nodes.push_back(node_of[stop]);
-      from.push_back(static_cast<int>(nodes.size()));
+          if (node_of[stop] >= 0) nodes.push(node_of[stop]);
+      nodes.end_row();
     }
   };
-  list(true, next_, next_from_);
-  list(false, previous_, previous_from_);
+  list(true, next_);
+  list(false, previous_);
 }
 
-void StopPath::list_arcs(bool into, std::vector<Arc>& arcs, std::vector<int>& from,
-                         Poller& poller) const {
+Rows<StopPath::Arc> StopPath::cheapest_arcs(bool into, Poller& poller) const {
   const auto cheaper = [](const Arc& a, const Arc& b) {
     return a.cost != b.cost ? a.cost < b.cost : a.node < b.node;
   };
   std::vector<Arc> row, kept;
-  from.push_back(0);
+  Rows<Arc> arcs;
   for (int node = 0; node < size(); ++node) {
     row.clear();
     kept.clear();
@@ -80,9 +78,10 @@ void StopPath::list_arcs(bool into, std::vector<Arc>& arcs, std::vector<int>& fr
       if (kept.size() > kArcs) kept.pop_back();
       if (poller.stop_after(size())) break;
     }
-    arcs.insert(arcs.end(), kept.begin(), kept.end());
-    from.push_back(static_cast<int>(arcs.size()));
+    for (const Arc& arc : kept) arcs.push(arc);
+    arcs.end_row();
   }
+  return arcs;
 }
 
 std::vector<int> StopPath::path_of(std::span<const int> order) const {

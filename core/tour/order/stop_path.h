@@ -46,24 +46,17 @@ class StopPath {
     return known < 0 ? -known - 1 : known;
   }
   /// Nodes right behind and right before one in the order that is given, without the ends.
-  std::span<const int> next(int node) const noexcept { return part(next_, next_from_, node); }
-  std::span<const int> previous(int node) const noexcept {
-    return part(previous_, previous_from_, node);
-  }
+  std::span<const int> next(int node) const noexcept { return next_[node]; }
+  std::span<const int> previous(int node) const noexcept { return previous_[node]; }
   /// The cheapest arcs that an order may take out of a node and into it.
-  std::span<const Arc> out(int node) const noexcept { return part(out_, out_from_, node); }
-  std::span<const Arc> in(int node) const noexcept { return part(in_, in_from_, node); }
+  std::span<const Arc> out(int node) const noexcept { return out_[node]; }
+  std::span<const Arc> in(int node) const noexcept { return in_[node]; }
 
   /// The path of an order of stops that begins and ends as the tour does, and back.
   std::vector<int> path_of(std::span<const int> order) const;
   std::vector<int> order_of(std::span<const int> path) const;
 
  private:
-  template <class T>
-  static std::span<const T> part(const std::vector<T>& all, const std::vector<int>& from,
-                                 int node) noexcept {
-    return {all.data() + from[node], static_cast<std::size_t>(from[node + 1] - from[node])};
-  }
   Cost asked(int a, int b) const {
     return stops_[a] < 0 || stops_[b] < 0 ? 0 : costs_(stops_[a], stops_[b]);
   }
@@ -72,7 +65,7 @@ class StopPath {
   }
   bool allowed(int a, int b) const noexcept;
   void list_order();
-  void list_arcs(bool into, std::vector<Arc>& arcs, std::vector<int>& from, Poller& poller) const;
+  Rows<Arc> cheapest_arcs(bool into, Poller& poller) const;
 
   const Costs& costs_;
   const PartialOrder& given_;
@@ -80,9 +73,8 @@ class StopPath {
   bool symmetric_;
   std::vector<int> stops_;           // of the nodes
   mutable std::vector<Cost> known_;  // row by row: costs, or -1 - a bound; empty: too many
-  std::vector<int> next_, next_from_, previous_, previous_from_;
-  std::vector<Arc> out_, in_;
-  std::vector<int> out_from_, in_from_;
+  Rows<int> next_, previous_;
+  Rows<Arc> out_, in_;
 };
 
 }  // namespace lasius::tour

@@ -70,9 +70,9 @@ class Reader {
       if (line.empty()) continue;
       if (line == "EOF") break;
       const std::size_t colon = line.find(':');
-      const std::string key = trimmed(line.substr(0, colon));
+      const std::string key(bare(std::string_view(line).substr(0, colon)));
       if (colon != std::string::npos) {
-        head(key, trimmed(line.substr(colon + 1)));
+        head(key, std::string(bare(std::string_view(line).substr(colon + 1))));
       } else if (key == "NODE_COORD_SECTION" || key == "DISPLAY_DATA_SECTION") {
         coordinates();
       } else if (key == "EDGE_WEIGHT_SECTION") {
@@ -105,14 +105,11 @@ class Reader {
     fail(ErrorCode::file_broken, "there are more data than " + dimension() + ", asks for",
          "correct DIMENSION, or leave the rest out");
   }
-  static std::string trimmed(const std::string& text) {
-    const auto from = text.find_first_not_of(" \t\r"), to = text.find_last_not_of(" \t\r");
-    return from == std::string::npos ? "" : text.substr(from, to - from + 1);
-  }
+  static std::string_view bare(std::string_view text) { return trimmed(text, " \t\r"); }
   bool next(std::string& line) {
     if (!std::getline(in_, line)) return false;
     ++line_;
-    line = trimmed(line);
+    line = std::string(bare(line));
     return true;
   }
   void head(const std::string& key, const std::string& value) {
