@@ -24,6 +24,7 @@ void add_overshoot_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);
 void add_drive_command(CLI::App& app);
+void add_drive_costs_command(CLI::App& app);
 void add_survive_command(CLI::App& app);
 void add_tours_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);   ///< only with GEOS

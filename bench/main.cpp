@@ -33,6 +33,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_quality_command(app);
   add_validity_command(app);
   add_drive_command(app);
+  add_drive_costs_command(app);
   add_survive_command(app);
   add_tours_command(app);
 #ifdef LASIUS_HAVE_POLYGON

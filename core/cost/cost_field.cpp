@@ -7,6 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/cost/inflation.h"
 #include "core/grid/clearance.h"
 #include "kernels/base/power.h"
 #include "lasius/error.h"
@@ -68,27 +69,32 @@ void CostField::add(std::span<const double> values, double factor) {
   for (std::size_t i = 0; i < values.size(); ++i) weights_[i] += factor * values[i];
 }
 
-void CostField::add(const Grid& grid, const Inflation& inflation) {
-  check_size(grid);
+void cost::check_inflation(const Inflation& inflation) {
   check_in(inflation.radius, 0, 20000, "the inflation's radius");
   check_in(inflation.scaling, 0, 1000, "the inflation's scaling");
-  check_in(inflation.weight, 0, kMost, "the inflation's weight");
+  check_in(inflation.weight, 0, CostField::kMost, "the inflation's weight");
   check_in(inflation.inscribed, 0, 20000, "the inflation's inscribed radius");
+}
+
+double cost::inflated(const Inflation& inflation, std::int32_t squared_half_cells) noexcept {
+  constexpr double kPerLn2 = 1.4426950408889634074;
+  const double d = std::sqrt(static_cast<double>(squared_half_cells)) / 2;
+  if (d > inflation.radius || d == 0) return 0;  // in a blocked cell nothing goes
+  const double inscribed = std::max(1.0, inflation.inscribed);
+  if (d <= inscribed) return inflation.weight;
+  const double exponent = inflation.scaling * (d - inscribed) * kPerLn2;
+  return exponent < 900 ? inflation.weight * kernels::power(2, -exponent) : 0;
+}
+
+void CostField::add(const Grid& grid, const Inflation& inflation) {
+  check_size(grid);
+  cost::check_inflation(inflation);
   const StopCondition never;
   Poller poller(never);
   const auto field = clearance(grid, ClearanceOf::blocked_centres, poller);
-  const double inscribed = std::max(1.0, inflation.inscribed);
-  constexpr double kPerLn2 = 1.4426950408889634074;
   std::vector<double> values(weights_.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double d = std::sqrt(static_cast<double>(field->squared_half_cells[i])) / 2;
-    if (d > inflation.radius || d == 0) continue;  // in a blocked cell nothing goes
-    values[i] = inflation.weight;
-    if (d > inscribed) {
-      const double exponent = inflation.scaling * (d - inscribed) * kPerLn2;
-      values[i] *= exponent < 900 ? kernels::power(2, -exponent) : 0;
-    }
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = cost::inflated(inflation, field->squared_half_cells[i]);
   add(values);
 }
 

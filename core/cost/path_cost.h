@@ -12,12 +12,17 @@
 
 namespace lasius::cost {
 
+/// Who does not ask which cells a path goes through.
+inline constexpr auto no_pieces = [](Cell, Point) {};
+
 /// Sums what segments cost, one beginning where the one before ended. `Weight` is called with
-/// column and row, which may lie outside the map by one, and is infinite where nothing goes.
-template <class Weight>
+/// column and row, which may lie outside the map by one, and is infinite where nothing goes;
+/// `OnPiece` with each cell that a segment goes through, and where that piece of it ends.
+template <class Weight, class OnPiece = decltype(no_pieces)>
 class PathCost {
  public:
-  explicit PathCost(const Weight& weight) : weight_(weight) {}
+  explicit PathCost(const Weight& weight, const OnPiece& on_piece = no_pieces)
+      : weight_(weight), on_piece_(on_piece) {}
 
   /// False where the path is not allowed.
   bool add(Point a, Point b) {
@@ -33,6 +38,8 @@ class PathCost {
       if (!piece({a.x + dx * (t + until) / 2, a.y + dy * (t + until) / 2}, dx == 0, dy == 0,
                  (until - t) * length))
         return false;
+      if ((until - t) * length > kNothing)
+        on_piece_(Cell{x_, y_}, {a.x + dx * until, a.y + dy * until});
       if (until >= 1) return true;
       t = until;
       if (tx <= until) next_x += dx > 0 ? 1 : -1;
@@ -75,6 +82,7 @@ class PathCost {
   static constexpr int kNone = -2;
 
   const Weight& weight_;
+  const OnPiece& on_piece_;
   double sum_ = 0;
   int x_ = kNone, y_ = kNone;  // the cell of the piece before
 };

@@ -24,7 +24,7 @@ inline double distance(Point a, Point b) noexcept {
 /// The middle of a cell, seen from its upper left corner.
 inline constexpr Point kMiddle{0.5, 0.5};
 
-/// Weights with a border of one cell; infinite where nothing goes. Immutable, 8 bytes a cell.
+/// Weights with a border of one cell; infinite where nothing goes. 8 bytes a cell.
 class Terrain {
  public:
   /// @throws Error(invalid_parameter) where the sizes differ.
@@ -51,6 +51,7 @@ class Terrain {
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }
   int stride() const noexcept { return width_ + 2; }
+  /// The least and greatest weight that a free cell has, or has had.
   double least() const noexcept { return range_.least; }
   double most() const noexcept { return range_.most; }
   std::int64_t bytes() const noexcept { return held_bytes(weights_); }
@@ -65,6 +66,12 @@ class Terrain {
   const double& at(std::size_t index) const noexcept { return weights_[index]; }
   double weight(int x, int y) const noexcept { return weights_[index(x, y)]; }
   bool free(int x, int y) const noexcept { return weight(x, y) < kInfinity; }
+  /// Gives a cell of the map another weight; infinite: blocked.
+  void set(Cell c, double weight) noexcept {
+    weights_[index(c.x, c.y)] = weight;
+    if (!(weight < kInfinity)) return;
+    range_ = {std::min(range_.least, weight), std::max(range_.most, weight)};
+  }
   /// Do two blocked cells meet diagonally at a lattice point, the other two being free?
   bool squeeze(int x, int y) const noexcept {
     const bool nw = free(x - 1, y - 1), ne = free(x, y - 1);

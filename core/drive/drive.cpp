@@ -304,6 +304,7 @@ class Drive {
       ++result_.waits;
     } else {
       result_.length += distance(robot_, to);
+      result_.cost += pilot_.move_cost(robot_, to);
     }
     robot_ = to;
     result_.track.push_back(to);

@@ -1,13 +1,13 @@
 // What is known of a map beside its cells, brought up to date when it is asked for.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/base/held_bytes.h"
 #include "core/colony/colony.h"
+#include "core/drive/changed_parts.h"
 #include "core/grid/components.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -58,24 +58,9 @@ class LiveColony {
 
   Cell goal() const noexcept { return goal_; }
 
-  void changed(const Rectangle& part) {
-    if (!changed_.empty()) {
-      Rectangle& last = changed_.back();
-      const Rectangle both = round(last, part);
-      if (area(both) <= 4 * (area(last) + area(part))) {
-        last = both;
-        return;
-      }
-    }
-    changed_.push_back(part);
-    constexpr std::size_t kMost = 256;  // where nobody asks
-    if (changed_.size() < kMost) return;
-    Rectangle all = part;
-    for (const Rectangle& one : changed_) all = round(all, one);
-    changed_.assign(1, all);
-  }
+  void changed(const Rectangle& part) { changed_.add(part); }
   Result run(const Request& request, const Observer& observer) {
-    for (const Rectangle& part : changed_) colony_.changed(part);
+    for (const Rectangle& part : changed_.parts()) colony_.changed(part);
     changed_.clear();
     return colony_.run(request.start, iterations_, request.stop, observer);
   }
@@ -85,17 +70,10 @@ class LiveColony {
   }
 
  private:
-  static std::int64_t area(const Rectangle& r) noexcept { return std::int64_t{r.width} * r.height; }
-  static Rectangle round(const Rectangle& a, const Rectangle& b) noexcept {
-    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-    return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-            std::max(a.y + a.height, b.y + b.height) - top};
-  }
-
   SurvivingColony colony_;
   Cell goal_;
   int iterations_;
-  std::vector<Rectangle> changed_;
+  ChangedParts changed_;
 };
 
 }  // namespace lasius

@@ -4,12 +4,15 @@
 #include <utility>
 
 #include "core/base/held_bytes.h"
+#include "core/base/invalid_parameter.h"
 #include "core/drive/navigator_impl.h"
+#include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
 
 namespace lasius {
 
 Pilot::~Pilot() = default;
+double Pilot::move_cost(Cell from, Cell to) { return distance(from, to); }
 
 Navigator::Navigator(Grid map, Cell goal, const NavigatorOptions& options)
     : impl_(std::make_unique<Impl>(std::move(map), goal, options)) {}
@@ -24,6 +27,16 @@ void Navigator::observe(const Rectangle& part, bool blocked) {
 void Navigator::observe(std::span<const Cell> cells, bool blocked) {
   if (blocked) impl_->doubts.saw_walls(impl_->map.map(), cells);
   impl_->map.set(cells, blocked, impl_->on_change, impl_->on_edit);
+}
+void Navigator::set_costs(const Rectangle& part, std::span<const double> weights) {
+  if (!impl_->costs)
+    throw invalid_parameter("a Navigator without costs is told of some",
+                            "give it NavigatorOptions::costs");
+  impl_->costs->set(part, weights);
+  impl_->holds = false;
+}
+double Navigator::move_cost(Cell from, Cell to) {
+  return impl_->costs ? impl_->costs->move_cost(from, to) : Pilot::move_cost(from, to);
 }
 const Way& Navigator::step(Cell robot, const StopCondition& stop) {
   return impl_->step(robot, stop);
@@ -60,7 +73,8 @@ std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
   return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + preparation().bytes +
          (i.space() != nullptr ? i.space()->bytes() : 0) + i.workspace.bytes() + i.doubts.bytes() +
-         i.string.bytes() + held_bytes(i.way.path, i.way.walk, i.way.curve, i.edited);
+         i.string.bytes() + held_bytes(i.way.path, i.way.walk, i.way.curve, i.edited, i.walk) +
+         (i.costs ? i.costs->bytes() : 0);
 }
 
 }  // namespace lasius

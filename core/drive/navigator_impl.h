@@ -7,20 +7,19 @@
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
+#include "core/base/special_values.h"
+#include "core/cost/path_cost.h"
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
 #include "core/disc/sweep.h"
 #include "core/drive/doubts.h"
 #include "core/drive/edited_map.h"
+#include "core/drive/live_costs.h"
 #include "core/drive/live_map.h"
 #include "core/drive/path_walker.h"
-#include "core/drive/rejoin.h"
-#include "core/drive/retreat.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
-#include "core/grid/nearest_free.h"
-#include "core/grid/walk_cells.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
@@ -55,6 +54,7 @@ class Navigator::Impl {
                       "it must be 0 (never) or more steps");
     if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
     if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
+    if (options.costs || options.inflation) take_costs(algorithm);
     corners = corners_of_paths(options.params, {given.radius});
     if (disc::has_space(given.radius))
       robot_disc.emplace(DiscMap{given.radius, disc::DiscSpace::make(map.map(), given.radius)});
@@ -64,6 +64,18 @@ class Navigator::Impl {
     if (options.prepare) prepare(*options.prepare);
   }
 
+  void take_costs(const Algorithm& algorithm) {
+    check_kind(algorithm, Algorithm::Kind::exact, "costs", "exact");
+    const auto refuse = [](const char* what) {
+      throw invalid_parameter(std::string(what) + " is set, and so are costs", "leave one out");
+    };
+    if (options.prepare) refuse("prepare");
+    if (options.target_gap > 0) refuse("target_gap");
+    const Grid& grid = map.map();
+    const CostField plain(grid.width(), grid.height());
+    costs.emplace(map, options.costs ? *options.costs : plain, options.inflation);
+    options.costs.reset();
+  }
   /// A trail leads to one goal.
   void send_colony(Cell to) {
     Params params = options.params;
@@ -129,15 +141,18 @@ class Navigator::Impl {
     if (eight) eight->changed(map.passable(), part);
     if (graph) graph->update(map.passable(), part);
     if (colony) colony->changed(part);
-    if (holds && !robot_disc) {
+    if (holds && !robot_disc && !costs) {
       holds = std::ranges::none_of(
           cells, [this](Cell c) { return map.passable().blocked(c) ? breaks(c) : shortens(c); });
     }
   };
-  const EditedMap::OnChange on_edit = [this](const Rectangle&, std::span<const Cell> cells) {
+  const EditedMap::OnChange on_edit = [this](const Rectangle& part, std::span<const Cell> cells) {
+    if (costs) costs->edited(part);
+    holds = holds && !costs;
     if (!robot_disc) return;
     edited.insert(edited.end(), cells.begin(), cells.end());
     if (std::exchange(disc_graph, nullptr)) preparation = {.seconds = preparation.seconds};
+    if (costs) return;
     const bool blocked = map.map().blocked(cells[0]);
     if (blocked && !way.path.empty()) {
       wall_rose = true;
@@ -185,10 +200,21 @@ class Navigator::Impl {
         .disc_graph = disc_graph.get(),
         .walked = true};
     if (colony) {
-      known.colony = [&](const Request& request, const Observer& observer) {
+      known.search = [&](const Request& request, const Observer& observer) {
         if (colony->goal() != request.goal) send_colony(request.goal);
         return colony->run(request, observer);
       };
+    }
+    DiscMap walked{options.radius};
+    if (costs) {
+      known.terrain = &costs->terrain();
+      known.search = [&](const Request& request, const Observer&) {
+        return costs->run(request, space());
+      };
+      if (robot_disc) {
+        walked.alone.emplace(map.map());
+        known.disc = &walked;  // which goes over the cells that it may walk on
+      }
     }
     const Request request{.start = robot,
                           .goal = goal,
@@ -202,45 +228,30 @@ class Navigator::Impl {
     static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
     way.walk.clear();
+    way.cost = kNaN;
+    if (costs) return take_walk();
     walker.begin(way.path, robot_disc.has_value());
     if (robot_disc && way.path.size() > 1) walk_over_cells(stop);
     holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
   }
   /// Where no walk follows a disc's path, which passes between centres of cells, the shortest walk
   /// over cells becomes the path; where none leads there, one within the goal's tolerance.
-  void walk_over_cells(const StopCondition& stop) {
-    const Cell from = cell_at(way.path.front());
-    Cell to = cell_at(way.path.back());
-    const Corners rule = rule_of_walks(corners);
-    std::vector<Cell> piece(1, from);
-    PathWalker ahead = walker;
-    do {
-      ahead.next(map.passable(), rule, piece.back(), piece);
-    } while (piece.size() > 1 && piece.back() != to);
-    if (piece.back() == to) return;
-    if (connected(from, to, corners, stop) == false) {
-      const auto near = nearest_walked_to(from, stop);
-      if (!near) return walker.begin({}, true);
-      way.goal_reached = to = *near;
-      way.lower_bound.reset();
-    }
-    const auto walk = shortest_walk_cells(map.passable(), from, to, Neighbours::eight, rule, stop);
-    if (walk.empty()) return end_run(way, stop.poll(), Status::limit);
-    way.path.clear();
-    for (const Cell c : walk) way.path.push_back(centre(c));
-    way.curve.clear();
-    way.length = path_length(way.path);
-    way.optimal = false;
-    walker.begin(way.path, true);
-  }
+  void walk_over_cells(const StopCondition& stop);
   /// The cell nearest to the goal, within its tolerance, that a walk leads to.
-  std::optional<Cell> nearest_walked_to(Cell from, const StopCondition& stop) {
-    if (options.goal_tolerance == 0) return std::nullopt;
-    Poller poller(stop);
-    const auto near = nearest_free(map.passable(), goal, poller, [&](Cell c) {
-      return connected(from, c, corners, stop) == true;
-    });
-    return near && distance(*near, goal) <= options.goal_tolerance ? near : std::nullopt;
+  std::optional<Cell> nearest_walked_to(Cell from, const StopCondition& stop);
+  /// Over costs: that of the search.
+  void take_walk() {
+    holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
+    std::vector<Cell> cells;
+    if (way.path.size() == 1) cells.assign(1, at);
+    if (way.path.size() > 1) cells = costs->walk();
+    const auto kept = std::ranges::find(walk, at);
+    way.replanned =
+        cells.empty() || !std::ranges::equal(cells, std::ranges::subrange(kept, walk.end()));
+    walk = std::move(cells);
+    constexpr std::size_t kMoves = 64;
+    way.walk.assign(walk.begin(), walk.begin() + std::min(walk.size(), kMoves));
+    if (!way.path.empty()) way.cost = cost::cost_of(costs->terrain(), way.path);
   }
   bool blocked() const noexcept { return way.status == Status::invalid; }
 
@@ -249,31 +260,7 @@ class Navigator::Impl {
     if (way.fault == Fault::start_blocked) leave(robot, stop);
   }
   /// The way of a robot that is where it may not be: out first, over what is free on the map.
-  void leave(Cell robot, const StopCondition& stop) {
-    const Grid& passable = map.passable();
-    const auto leads_on = [&](Cell c) {
-      return passable.free(c) && connected(c, goal, corners, stop) == true;
-    };
-    const Corners rule = rule_of_walks(corners);
-    auto out = find_way_out(map.map(), rule, robot, leads_on);
-    if (out.empty() && options.goal_tolerance > 0)
-      out = find_way_out(map.map(), rule, robot, [&](Cell c) { return passable.free(c); });
-    if (out.empty()) return;
-    Result rest = ask(out.back(), stop);
-    if (rest.path.empty()) {
-      holds = rest.status != Status::limit && rest.status != Status::interrupted;
-      return;
-    }
-    leave_curve(rest);
-    rest.length += length_of(out);
-    rest.lower_bound.reset();
-    rest.optimal = false;
-    take(std::move(rest), stop);
-    way.way_out = centre(out.back());
-    for (std::size_t i = out.size() - 1; i > 0; --i)
-      way.path.insert(way.path.begin(), centre(out[i - 1]));
-    way.walk = std::move(out);
-  }
+  void leave(Cell robot, const StopCondition& stop);
 
   /// The answer of a step that was stopped before it could plan.
   void cut(const StopCondition& stop) {
@@ -284,32 +271,7 @@ class Navigator::Impl {
 
   /// The robot went on by the first moves of its walk: what is left of the path begins there, and
   /// is pulled taut as far as that changes it. False where that is to be planned anew.
-  bool go_on(std::size_t moves) {
-    if (moves == 0) return true;
-    auto& path = way.path;
-    if (way.way_out) {
-      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(moves));
-      if (centre(way.walk[moves]) == way.way_out) way.way_out.reset();
-    } else if (robot_disc) {
-      if (!rejoin(*space(), centre(way.walk[moves]), path)) return false;
-      way.curve.clear();
-    } else {
-      const std::size_t left = walker.vertices_after(way.walk[moves]);
-      std::size_t last = path.size() - std::min(left + 1, path.size() - 1);
-      if (taut) last = std::min(last + 3, path.size() - 1);
-      std::vector<kernels::HalfPoint> front;
-      for (std::size_t i = moves; i > 0; --i) front.push_back(halves_of(centre(way.walk[i])));
-      for (std::size_t i = 0; i <= last; ++i) front.push_back(halves_of(path[i]));
-      string.run(map.passable(), front, corners);
-      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-      path.insert(path.begin(), string.path().begin(), string.path().end());
-    }
-    way.length = path_length(path);
-    way.lower_bound.reset();
-    way.optimal = false;
-    way.walk.erase(way.walk.begin(), way.walk.begin() + static_cast<std::ptrdiff_t>(moves));
-    return true;
-  }
+  bool go_on(std::size_t moves);
   static kernels::HalfPoint halves_of(Point p) noexcept {
     return {static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
   }
@@ -383,8 +345,10 @@ class Navigator::Impl {
   PathWalker walker;
   TautString string;
   Way way;
-  bool holds = false;  ///< the way, as far as is known
-  Cell at{-1, -1};     ///< where the robot was in the last step
+  std::optional<LiveCosts> costs;
+  std::vector<Cell> walk;  ///< over costs, all of it
+  bool holds = false;      ///< the way, as far as is known
+  Cell at{-1, -1};         ///< where the robot was in the last step
 };
 
 }  // namespace lasius

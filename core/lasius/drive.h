@@ -105,6 +105,7 @@ struct DriveResult {
   std::vector<Replan> replans;        ///< in order
   std::int64_t seen = 0;              ///< cells learned to be other than they were known
   double length = 0;                  ///< travelled, in cells
+  double cost = 0;                    ///< of that, each move's as the robot knew it: move_cost()
   double planning_ms = 0;             ///< in all ticks, by the stop condition's clock
   std::int64_t waits = 0;             ///< ticks in which the robot stood
   std::int64_t deferred_changes = 0;  ///< sum over ticks of cells whose change waits for the robot

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "lasius/cost_field.h"
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -33,6 +35,11 @@ struct NavigatorOptions {
   /// only (Algorithm::Kind::colony).
   bool search_on = false;
   double goal_tolerance = 0;  ///< as in Request
+  /// Of the map's cells: then the way is the cheapest that is found at once, and not the shortest,
+  /// see Way::cost. For `exact`, without `prepare` and `target_gap`.
+  std::optional<CostField> costs = {};
+  /// Costs around what is blocked, on top of `costs`; they follow what is observed.
+  std::optional<Inflation> inflation = {};
   /// After so many steps without a way walls count as free that were learned, and not observed
   /// again in these steps: what stood there may have gone. 0: never.
   int doubt_after = 16;
@@ -53,6 +60,10 @@ struct Way : Result {
   /// the goal, and where there is none, the robot's cell is alone here. Eight directions make it up
   /// to 8.3% longer than the path, which goes at any angle: a robot that can, follows `path`.
   std::vector<Cell> walk;
+  /// Over costs: that of the path, from `way_out` on where there is one; else not a number. `walk`
+  /// is the cheapest by eight moves over the cells that the robot may walk on, and goes on with
+  /// every step; the path is made of it, cheaper by going at any angle; nothing is certified.
+  double cost = std::numeric_limits<double>::quiet_NaN();
   /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
   std::int64_t doubted = 0;
 };
@@ -85,6 +96,8 @@ class LASIUS_EXPORT Pilot {
   virtual Corners corners() const noexcept { return Corners::forbid; }
   /// See Request. 0, unless overridden.
   virtual double goal_tolerance() const noexcept { return 0; }
+  /// What a move between neighbours costs, as far as is known; its length, unless overridden.
+  virtual double move_cost(Cell from, Cell to);
   /// drive() calls it first: from then on it is drive() that doubts walls, by what the robot sees.
   /// Does nothing, unless overridden.
   virtual void begin_drive() {}
@@ -105,7 +118,7 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   /// Labels the map's components, where the robot has a radius makes a disc's free space, and
   /// prepares the map if asked to. Start and goal may be blocked or outside: the answer tells.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a radius or a gap out
-  /// of range, and for options that are for other algorithms.
+  /// of range, options that are for other algorithms, and costs of another size or out of range.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});
   ~Navigator() override;
   Navigator(Navigator&&) noexcept;  ///< one that was moved from may only be assigned to or end
@@ -113,6 +126,11 @@ class LASIUS_EXPORT Navigator final : public Pilot {
 
   void observe(const Rectangle& part, bool blocked) override;
   void observe(std::span<const Cell> cells, bool blocked) override;
+
+  /// The given costs of a rectangle inside the map are others now; inflation is added to them.
+  /// @throws Error(invalid_parameter) for a Navigator without costs, a rectangle that leaves the
+  /// map, and weights as CostField refuses them; then nothing has changed.
+  void set_costs(const Rectangle& part, std::span<const double> weights);
 
   /// The way to the goal from where the robot is now. Never throws for what the world is like:
   /// Status::unreachable and Status::invalid (the goal has become blocked, or the robot's cell and
@@ -131,6 +149,7 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   double radius() const noexcept override;
   Corners corners() const noexcept override;  ///< of its paths, by its parameters
   double goal_tolerance() const noexcept override;
+  double move_cost(Cell from, Cell to) override;
   void begin_drive() override;  ///< as with NavigatorOptions::doubt_after = 0 from then on
   /// What came of the visibility graph; its edges and bytes are those of now.
   Preparation preparation() const noexcept;

@@ -216,7 +216,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     static_cast<SearchResult&>(result) = already_there<SearchResult>();
     result.path = {places.from};
   } else if (algorithm.kind == Algorithm::Kind::exact) {
-    result = run_exact(map, request, places, memory, observer);
+    result = map.search ? map.search(request, observer)
+                        : run_exact(map, request, places, memory, observer);
     // Cells may be joined where a disc is not: then the search has proven it.
     if (result.status == Status::unreachable) {
       request = asked;
@@ -237,8 +238,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
         };
         return run_grid_ga(grid, request, params, joined, memory.genetic, look, space);
       }
-      return map.colony
-                 ? map.colony(request, look)
+      return map.search
+                 ? map.search(request, look)
                  : run_colony(grid, request, params, memory.colony, look, own, space, map.terrain);
     };
     const bool centres = places.from == centre(request.start) && places.to == centre(request.goal);

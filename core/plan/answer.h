@@ -32,11 +32,12 @@ struct PlanningMap {
   const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
-  /// Runs the colony in the owner's way; empty: a new one a question, run_colony().
-  std::function<Result(const Request&, const Observer&)> colony = {};
+  /// Searches between the centres of two cells in the owner's way: a colony (empty: a new one a
+  /// question, run_colony()) or, over costs, `exact`.
+  std::function<Result(const Request&, const Observer&)> search = {};
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
-  const cost::Terrain* terrain = nullptr;       ///< of a colony over costs, see run_colony()
+  const cost::Terrain* terrain = nullptr;       ///< of a search over costs; of a colony's, too
   /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
   /// goal's tolerance leads to the centre of a cell.
   bool walked = false;

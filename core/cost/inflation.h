@@ -1,0 +1,15 @@
+// What inflation costs in one cell.
+#pragma once
+
+#include <cstdint>
+
+#include "lasius/cost_field.h"
+
+namespace lasius::cost {
+
+/// @throws Error(invalid_parameter) for a number out of its range.
+void check_inflation(const Inflation& inflation);
+/// @param squared_half_cells  of the distance from the cell's centre to the nearest blocked one's
+double inflated(const Inflation& inflation, std::int32_t squared_half_cells) noexcept;
+
+}  // namespace lasius::cost

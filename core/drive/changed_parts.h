@@ -1,0 +1,47 @@
+// Where a map changed, until somebody asks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/held_bytes.h"
+#include "lasius/geometry.h"
+
+namespace lasius {
+
+/// Rectangles in which cells changed; those beside each other become one.
+class ChangedParts {
+ public:
+  void add(const Rectangle& part) {
+    if (!parts_.empty()) {
+      Rectangle& last = parts_.back();
+      const Rectangle both = round(last, part);
+      if (area(both) <= 4 * (area(last) + area(part))) {
+        last = both;
+        return;
+      }
+    }
+    parts_.push_back(part);
+    constexpr std::size_t kMost = 256;  // where nobody asks
+    if (parts_.size() < kMost) return;
+    Rectangle all = part;
+    for (const Rectangle& one : parts_) all = round(all, one);
+    parts_.assign(1, all);
+  }
+  const std::vector<Rectangle>& parts() const noexcept { return parts_; }
+  void clear() noexcept { parts_.clear(); }
+  std::int64_t bytes() const noexcept { return held_bytes(parts_); }
+
+ private:
+  static std::int64_t area(const Rectangle& r) noexcept { return std::int64_t{r.width} * r.height; }
+  static Rectangle round(const Rectangle& a, const Rectangle& b) noexcept {
+    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+    return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+            std::max(a.y + a.height, b.y + b.height) - top};
+  }
+
+  std::vector<Rectangle> parts_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,78 @@
+// Walks that are kept while the weights change, against a search from scratch.
+#include "core/cost/goal_field.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/cost/eight_moves.h"
+#include "core/cost/path_cost.h"
+#include "lasius/stop.h"
+#include "tests/worlds/weights.h"
+
+namespace lasius::cost {
+namespace {
+
+double cost_of_walk(const Terrain& terrain, std::span<const Cell> walk) {
+  std::vector<Point> path;
+  for (const Cell c : walk) path.push_back(centre(c));
+  return walk.empty() ? kInfinity : cost_of(terrain, path);
+}
+
+TEST(GoalField, KeepsUpWithEditsAndMoves) {
+  std::mt19937 random(5);
+  const auto below = [&](int n) { return static_cast<int>(random() % n); };
+  int walks = 0, apart = 0;
+  for (int world = 0; world < 150; ++world) {
+    auto [grid, costs, robot, goal] = random_weights(random, 3, 40);
+    Terrain terrain(grid, costs);
+    GoalField field(terrain, goal, 0.01);
+    for (int edit = 0; edit < 20; ++edit) {
+      const StopCondition never;
+      Poller poller(never), other(never);
+      ASSERT_TRUE(field.update(robot, poller));
+      const auto walk = field.walk();
+      const auto best = EightMoves().search(terrain, robot, goal, Corners::forbid, other, false);
+      ASSERT_EQ(walk.empty(), best.empty()) << world << ' ' << edit;
+      ++(walk.empty() ? apart : walks);
+      if (!walk.empty()) {
+        const double least = cost_of_walk(terrain, best);
+        EXPECT_NEAR(cost_of_walk(terrain, walk), least, 1e-12 * least);
+        EXPECT_NEAR(field.cost(), least, 1e-12 * least);
+        EXPECT_EQ(walk.front(), robot);
+        EXPECT_EQ(walk.back(), goal);
+        robot = walk[std::min<std::size_t>(below(4), walk.size() - 1)];
+      }
+      std::vector<Cell> cells;
+      for (int n = below(12); n >= 0; --n) {
+        const Cell c{below(grid.width()), below(grid.height())};
+        if (c == robot || c == goal) continue;
+        terrain.set(c, below(3) == 0 ? kInfinity : 0.01 + 0.01 * below(900));
+        cells.push_back(c);
+      }
+      field.changed(cells);
+    }
+  }
+  EXPECT_GT(walks, 1000);
+  EXPECT_GT(apart, 100);
+}
+
+TEST(GoalField, GoesOnWhereItWasStopped) {
+  const Grid grid(300, 300);
+  const Terrain terrain(grid, CostField(300, 300));
+  GoalField field(terrain, {0, 150}, 1);
+  std::stop_source source;
+  source.request_stop();
+  const StopCondition stopped{.token = source.get_token()}, never;
+  int cuts = 0;
+  for (;; ++cuts) {
+    Poller poller(stopped, 64);
+    if (field.update({299, 150}, poller)) break;
+  }
+  EXPECT_GT(cuts, 5);
+  EXPECT_DOUBLE_EQ(field.cost(), 299);
+  EXPECT_EQ(field.walk().size(), 300u);
+}
+
+}  // namespace
+}  // namespace lasius::cost
