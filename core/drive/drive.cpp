@@ -156,7 +156,7 @@ class Drive {
     if (!way_->replanned) return;
     if (replanned_) result_.replans.pop_back();  // of the same tick
     replanned_ = true;
-    result_.replans.push_back({tick_, planning_.count(), way_->length});
+    result_.replans.push_back({tick_, planning_.count(), way_->length, way_->cost});
   }
 
   Found find_way() {

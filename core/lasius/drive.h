@@ -80,6 +80,7 @@ struct Replan {
   std::int64_t tick = 0;  ///< when
   double ms = 0;          ///< spent on planning in this tick, by the stop condition's clock
   double length = 0;  ///< of the way that came of it, in cells; not a number where there is none
+  double cost = std::numeric_limits<double>::quiet_NaN();  ///< its Way::cost
 };
 
 /// How a drive went.

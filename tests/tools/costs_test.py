@@ -167,6 +167,37 @@ class Costs(ProgramTest):
             self.assertAlmostEqual(metres["cost"], run.json["cost"], places=6)
             self.assertEqual(metres["layers"], run.json["layers"])
 
+    def test_drives_take_the_cheapest_walk(self):
+        rng = random.Random(21)
+        for i in range(12):
+            width, height = rng.randint(8, 24), rng.randint(8, 24)
+            rows = random_map(rng, width, height)
+            weights = Weights(rows)
+            values = [[rng.randint(0, 9) / 4 for _ in range(width)] for _ in range(height)]
+            weights.add(values)
+            weights.inflate(3, 0.7)
+            self.write("m.map", map_text(rows))
+            self.write("v.pfm", pfm(values))
+            self.write("c.txt", "3 move 1 1 0.5 %d %d %d %d" % (width // 2, 1, width // 2, height - 2))
+            command = ["drive", "m.map", "--start", "0,0", "--goal", "%d,%d" % (width - 1, height - 1), "--cost", "v.pfm",
+                       "--inflation", "3,0.7", "-o", "d.json", "-o", "d.png", "--json"]
+            result = self.run_program(*command).json
+            if result["status"] == "unreachable":
+                continue
+            walk = weights.eight_moves((0, 0), (width - 1, height - 1))
+            track = [(x + 0.5, y + 0.5) for x, y in result["track"]]
+            self.assertAlmostEqual(result["optimum"], walk, places=9)
+            self.assertAlmostEqual(result["cost"], weights.cost(track), places=9)
+            self.assertAlmostEqual(result["ratio"], 1, places=9)
+            self.assertLessEqual(result["replans"][0]["cost"], walk * (1 + 1e-12))
+            moved = self.run_program(*command, "--changes", "c.txt").json
+            self.assertEqual(moved["status"], "solved")
+            self.assertGreaterEqual(moved["ratio"], 1 - 1e-12)
+            self.holds(self.run_program("verify", "d.json").out, "is equal")
+        for options, told in ((["--algorithm", "mmas"], "exact"), (["--target-gap", "1"], "certified"),
+                              (["--moves", "8"], "--moves")):
+            self.ended(self.run_program(*command, *options), 2, told)
+
     def test_a_disc_keeps_its_radius_over_costs(self):
         rng, solved = random.Random(11), 0
         for radius in (0.3, 0.5, 0.8, 1.3):

@@ -111,33 +111,13 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
 void add_costs(Record& record, Json& findings, const LoadedCosts& costs, const Answer& answer) {
   record.gap = answer.over_costs ? answer.over_costs->gap() : std::nullopt;
   record.cost = answer.over_costs ? answer.over_costs->cost : std::nan("");
-  Json& layers = findings["layers"] = Json::array();
-  for (std::size_t i = 0; i < costs.hashes.size(); ++i)
-    layers.push_back({{"file", costs.asked.layers[i].file},
-                      {"hash", hash_text(costs.hashes[i])},
-                      {"factor", number(costs.asked.layers[i].factor)}});
-  if (const auto& inflation = costs.inflation)
-    record.parameters["inflation"] = {number(inflation->radius), number(inflation->scaling),
-                                      number(inflation->weight)};
-  if (costs.asked.eight_moves) record.parameters["moves"] = 8;
+  record_costs(costs, findings, record.parameters);
 }
 
 /// Where the weights of a proof come from.
 Json weights_json(const Record& run) {
   return {{"layers", run.answer["layers"]},
           {"inflation", run.parameters.value("inflation", Json(nullptr))}};
-}
-
-/// @throws Error(file_broken) where a layer is not the one that the result records.
-void check_layers(const LoadedMap& map, const Json& result) {
-  for (std::size_t i = 0; map.costs && i < map.costs->hashes.size(); ++i) {
-    const auto hash = hash_text(map.costs->hashes[i]);
-    const auto made_on = recorded<std::string>(result["layers"][i], "hash");
-    if (hash != made_on)
-      throw Error(ErrorCode::file_broken, {.file = map.costs->asked.layers[i].file},
-                  "has hash " + hash + ", the result was made on " + made_on,
-                  "put the file of that time in its place");
-  }
 }
 
 std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last) {
@@ -152,7 +132,7 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
   if (!same)
     map =
         std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, run.threads));
-  check_layers(*map, from.result);
+  if (map->costs) check_layers(*map->costs, from.result);
   return std::make_unique<BitmapProblem>(std::move(command), std::move(map));
 }
 

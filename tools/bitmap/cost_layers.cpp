@@ -16,6 +16,7 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
 #include "tools/record/json_values.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -226,15 +227,41 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
     costs.field.add(raster.values, factor);
     costs.hashes.push_back(hash);
   }
-  if (asked.inflation) {
-    const auto [reach, scaling, weight] = *asked.inflation;
-    costs.inflation = Inflation{.radius = reach * cells_a_unit,
-                                .scaling = scaling / cells_a_unit,
-                                .weight = weight,
-                                .inscribed = std::max(1.0, radius)};
-    costs.field.add(grid, *costs.inflation);
-  }
+  costs.inflation = inflation_of(asked, cells_a_unit, radius);
+  if (costs.inflation) costs.field.add(grid, *costs.inflation);
   return costs;
+}
+
+std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_unit, double radius) {
+  if (!asked.inflation) return std::nullopt;
+  const auto [reach, scaling, weight] = *asked.inflation;
+  return Inflation{.radius = reach * cells_a_unit,
+                   .scaling = scaling / cells_a_unit,
+                   .weight = weight,
+                   .inscribed = std::max(1.0, radius)};
+}
+
+void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters) {
+  Json& layers = findings["layers"] = Json::array();
+  for (std::size_t i = 0; i < costs.hashes.size(); ++i)
+    layers.push_back({{"file", costs.asked.layers[i].file},
+                      {"hash", hash_text(costs.hashes[i])},
+                      {"factor", number(costs.asked.layers[i].factor)}});
+  if (const auto& inflation = costs.inflation)
+    parameters["inflation"] = {number(inflation->radius), number(inflation->scaling),
+                               number(inflation->weight)};
+  if (costs.asked.eight_moves) parameters["moves"] = 8;
+}
+
+void check_layers(const LoadedCosts& costs, const Json& result) {
+  for (std::size_t i = 0; i < costs.hashes.size(); ++i) {
+    const auto hash = hash_text(costs.hashes[i]);
+    const auto made_on = recorded<std::string>(result["layers"][i], "hash");
+    if (hash != made_on)
+      throw Error(ErrorCode::file_broken, {.file = costs.asked.layers[i].file},
+                  "has hash " + hash + ", the result was made on " + made_on,
+                  "put the file of that time in its place");
+  }
 }
 
 void add_cost_options(OptionTable& table, CostLayers& to) {

@@ -10,6 +10,7 @@
 #include "lasius/map_io.h"
 #include "tools/command_line/option_table.h"
 #include "tools/options/options.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 
@@ -31,6 +32,15 @@ struct LoadedCosts {
 /// its range.
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
                        double cells_a_unit, double radius);
+
+/// The inflation that is asked for, in cells.
+std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_unit, double radius);
+
+/// What a result tells of costs: `layers` among what was found, `inflation` and `moves` among the
+/// parameters.
+void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);
+/// @throws Error(file_broken) where a layer is not the one that the result records.
+void check_layers(const LoadedCosts& costs, const Json& result);
 
 /// --cost and --inflation.
 void add_cost_options(OptionTable& table, CostLayers& to);

@@ -19,15 +19,17 @@ struct DriveAnswer {
   double sense = 0;  ///< cells
   DriveResult result;
   double elapsed_ms = 0;  ///< of the drive
-  /// The shortest walk by the robot's own moves through the world as it is at tick 0, where there
-  /// is one and it was found in time.
+  /// What costs the cells have without inflation, if any.
+  std::optional<CostField> layers;
+  /// The shortest walk by the robot's own moves through the world as it is at tick 0, over costs
+  /// the cheapest one's cost, where there is one and it was found in time.
   std::optional<double> optimum;
 
   const LoadedMap& truth() const { return world ? *world : map; }
-  /// Length travelled by the optimum, of a drive that arrived.
+  /// Length travelled, or its cost, by the optimum, of a drive that arrived.
   std::optional<double> ratio() const {
     if (result.status != Status::solved || !optimum || !(*optimum > 0)) return std::nullopt;
-    return result.length / *optimum;
+    return (layers ? result.cost : result.length) / *optimum;
   }
 };
 

@@ -94,10 +94,12 @@ std::string caption(const Sheet& sheet, const DriveAnswer& answer) {
   std::string text = std::string(to_string(result.status)) + " after " +
                      counted(result.ticks, "tick") + ", " + counted(result.waits, "wait") +
                      " among them, length " + sheet.length(result.length);
+  if (answer.layers) text += ", cost " + decimal_text(result.cost, 2);
   if (answer.ratio())
-    text += against(result.length, *answer.optimum,
-                    "optimum of the robot's moves through the world at the start",
-                    sheet.length(*answer.optimum));
+    text +=
+        against(answer.layers ? result.cost : result.length, *answer.optimum,
+                "optimum of the robot's moves through the world at the start",
+                answer.layers ? decimal_text(*answer.optimum, 2) : sheet.length(*answer.optimum));
   return text + "; " + counted(result.replans.size(), "plan") + ", " +
          counted(result.seen, "cell") + " learned, sight " + sheet.length(answer.sense);
 }

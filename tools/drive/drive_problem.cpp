@@ -76,7 +76,8 @@ double sense_in_cells(double metres, double resolution) {
 /// `lasius drive`. Its SearchResult has the length travelled, also of a drive that did not arrive.
 class DriveProblem : public Problem {
  public:
-  explicit DriveProblem(DriveCommand command) : command_(std::move(command)) {}
+  explicit DriveProblem(DriveCommand command, std::optional<Json> recorded = {})
+      : command_(std::move(command)), recorded_(std::move(recorded)) {}
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     RunOptions& run = command_.run;
@@ -85,6 +86,7 @@ class DriveProblem : public Problem {
     MapOptions alike = run.map;
     alike.radius_metres = false;  // the world's file need not tell of metres
     if (!command_.world.empty()) answer_.world = read_world(alike, command_.world, answer_.map);
+    if (run.map.costs.asked()) read_costs();
     if (!command_.changes.empty()) {
       answer_.changes = read_changes_file(command_.changes, answer_.map.width, answer_.map.height);
       answer_.changes_hash = file_hash(command_.changes);
@@ -161,6 +163,8 @@ class DriveProblem : public Problem {
     record.optimum = answer_.optimum;
     record.elapsed_ms = answer_.elapsed_ms;
     record.arrived = result_.status == Status::solved;
+    Json costs = Json::object();
+    if (answer_.layers) record_costs(*answer_.map.costs, costs, record.parameters);
     if (record.has_path()) record.path = coordinates(track(metres));
     if (!driven.track.empty()) {
       const Cell at = driven.track.back();
@@ -168,7 +172,10 @@ class DriveProblem : public Problem {
                        printed(", with the robot at (%d, %d)", at.x, at.y);
     }
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
-    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
+    if (wants_json(command_.run)) {
+      record.answer = answer_of(ends, record);
+      record.answer.update(costs);
+    }
     return record;
   }
   Forms show(const Record& run) const override {
@@ -191,11 +198,13 @@ class DriveProblem : public Problem {
     const DriveResult& driven = answer_.result;
     const std::string text =
         counted(driven.ticks, "tick") + ", " + counted(driven.replans.size(), "plan") + ", " +
-        counted(driven.seen, "cell") + " learned, " + counted(driven.waits, "wait");
+        counted(driven.seen, "cell") + " learned, " + counted(driven.waits, "wait") +
+        (answer_.layers ? ", cost " + decimal_text(driven.cost, 3) : "");
     const auto ratio = answer_.ratio();
     if (!ratio) return text;
+    const double scale = answer_.layers ? 1 : record.scale;
     return text + "; " + decimal_text(*ratio, 4) + " of the optimum of 8 moves, " +
-           decimal_text(record.scale * *answer_.optimum, 3) + (in_metres() ? " m" : "");
+           decimal_text(scale * *answer_.optimum, 3) + (in_metres() && !answer_.layers ? " m" : "");
   }
   void write_page(std::ostream& out, const Record& run) const {
     const LoadedMap& map = answer_.map;
@@ -227,11 +236,14 @@ class DriveProblem : public Problem {
     }
     json["ticks"] = driven.ticks;
     json["replans"] = Json::array();
-    for (const Replan& replan : driven.replans)
-      json["replans"].push_back(
-          {{"tick", replan.tick}, {"ms", number(replan.ms)}, {"length", number(replan.length)}});
+    for (const Replan& replan : driven.replans) {
+      Json& one = json["replans"].emplace_back(Json{
+          {"tick", replan.tick}, {"ms", number(replan.ms)}, {"length", number(replan.length)}});
+      if (answer_.layers) one["cost"] = number(replan.cost);
+    }
     json["seen"] = driven.seen;
     json["length"] = number(result_.length);
+    if (answer_.layers) json["cost"] = record.has_path() ? number(driven.cost) : Json();
     if (in_metres()) json["length_m"] = number(record.scale * result_.length);
     json["optimum"] = optional_number(answer_.optimum);
     json["ratio"] = optional_number(answer_.ratio());
@@ -247,8 +259,31 @@ class DriveProblem : public Problem {
       points.push_back(metres ? answer_.map.to_world(centre(c)) : Point{1.0 * c.x, 1.0 * c.y});
     return points;
   }
+  /// Inflation is kept apart: it follows what the robot sees. Cells that a layer blocks are blocked
+  /// in truth as well.
+  void read_costs() {
+    LoadedMap& map = answer_.map;
+    const CostLayers& asked = command_.run.map.costs;
+    CostLayers layers = asked;
+    layers.inflation.reset();
+    const double unit = map.cells_of(command_.run.map.radius_metres, 1);
+    LoadedCosts& costs =
+        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, unit, map.radius));
+    if (answer_.world)
+      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, unit, map.radius);
+    answer_.layers = costs.field;
+    costs.asked = asked;
+    costs.inflation = inflation_of(asked, unit, map.radius);
+    if (costs.inflation) costs.field.add(*map.grid_alone, *costs.inflation);
+    auto& notes = command_.run.notes;
+    notes.insert(notes.end(), costs.notes.begin(), costs.notes.end());
+    command_.run.inputs.insert(command_.run.inputs.end(), costs.images.begin(), costs.images.end());
+    if (recorded_) check_layers(costs, *recorded_);
+  }
   NavigatorOptions navigator_options(const StopCondition& stop) const {
     NavigatorOptions navigator{.params = command_.run.params, .radius = answer_.map.radius};
+    navigator.costs = answer_.layers;
+    if (answer_.layers) navigator.inflation = answer_.map.costs->inflation;
     if (answer_.map.prepare)
       navigator.prepare =
           PrepareOptions{.threads = command_.run.threads, .stop = {.token = stop.token}};
@@ -261,13 +296,27 @@ class DriveProblem : public Problem {
   void look_for_optimum(const Grid& world, const StopCondition& stop) {
     const Navigator robot(Grid(world), answer_.goal.cell, {.radius = answer_.map.radius});
     const bool all = squeezes(command_.run.params) || robot.corners() == Corners::allow;
+    if (answer_.layers) return look_for_cheapest(world, robot.passable(), stop);
     answer_.optimum =
         shortest_walk(robot.passable(), answer_.start.cell,
                       answer_.result.goal_reached.value_or(answer_.goal.cell), Neighbours::eight,
                       all ? Corners::allow : Corners::forbid, stop);
   }
 
+  void look_for_cheapest(const Grid& world, const Grid& passable, const StopCondition& stop) {
+    CostField costs = *answer_.layers;
+    if (const auto& inflation = answer_.map.costs->inflation) costs.add(world, *inflation);
+    const CostPlanner planner(Planner(Grid(passable)), costs);
+    const CostResult walk =
+        planner.plan({.start = answer_.start.cell,
+                      .goal = answer_.result.goal_reached.value_or(answer_.goal.cell),
+                      .stop = stop},
+                     {.eight_moves = true});
+    if (!walk.path.empty()) answer_.optimum = walk.cost;
+  }
+
   DriveCommand command_;
+  std::optional<Json> recorded_;  ///< the result that is replayed
   DriveAnswer answer_{};
   std::optional<DriveRecorder> recorder_;
   std::optional<Film> film_;
@@ -287,7 +336,7 @@ std::unique_ptr<Problem> drive_again(const Recorded& from, const Problem*) {
                                 DriveCommand::kMostSense);
   command.max_ticks =
       recorded_integer(from.result, "parameters/max_ticks", 0, DriveCommand::kMostTicks);
-  return std::make_unique<DriveProblem>(std::move(command));
+  return std::make_unique<DriveProblem>(std::move(command), from.result);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // lasius drive.
 #include <cmath>
 #include <memory>
+#include <utility>
 
+#include "tools/bitmap/cost_layers.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/kinds.h"
 #include "tools/console/parameters.h"
@@ -21,6 +23,20 @@ constexpr const char* kDriveOutputs =
     ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
     ".gif  a film of at most 301 pictures\n"
     ".html  one page that plays the drive tick by tick";
+
+/// How a drive over costs is asked for. @throws UsageError
+void finish_costs(RunOptions& run) {
+  const char* const option = run.map.costs.layers.empty() ? "--inflation" : "--cost";
+  if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
+    throw UsageError(std::string(option) +
+                     ": drives over costs are for exact; leave --algorithm "
+                     "out");
+  if (run.target_gap > 0)
+    throw UsageError("--target-gap: nothing is certified in a drive over costs; leave it out");
+  if (std::exchange(run.map.prepare, false))
+    run.notes.emplace_back("--prepare has no effect over costs");
+  for (const auto& layer : run.map.costs.layers) run.inputs.push_back(layer.file);
+}
 
 }  // namespace
 
@@ -54,6 +70,7 @@ Subcommand add_drive(CLI::App& app) {
                    .json = "Print one JSON object",
                    .outputs = kDriveOutputs,
                    .endings = kDriveEndings});
+  add_cost_options(table, text->run.map.costs);
   table["--gap"]->description("No effect: a drive always tells the optimum of its moves");
   const auto refuse = [](const std::string&) {
     throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
@@ -93,6 +110,7 @@ Subcommand add_drive(CLI::App& app) {
           run.notes.emplace_back(
               "--gap has no effect: a drive always tells the optimum of its moves");
         run.map.prepare = prepare && !moves_on_cells(run.params);
+        if (run.map.costs.asked()) finish_costs(run);
         run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
         if (!text->sense_text.empty())
           drive.sense = real_value("--sense", text->sense_text,
