@@ -74,13 +74,15 @@ class LASIUS_EXPORT CostPlanner {
   /// Planner::plan's `exact`, unless a proof is asked for. `observer` is called with every cheaper
   /// path, of a colony once an iteration; its best_length is a cost. Between points of cells the
   /// plan is the one between their centres, its first and last piece put in place: then there is
-  /// no proof, what an observer sees begins at centres, and Request::via is refused. @throws as
-  /// Planner::plan; for options that do not go together.
+  /// no proof, and what an observer sees begins at centres. Request::via as of Planner::plan, and
+  /// without a proof. @throws as Planner::plan; for options that do not go together.
   CostResult plan(const Request& request, const CostOptions& options = {},
                   const Observer& observer = {}) const;
 
  private:
   struct Impl;
+  CostResult plan_through(const Request& asked, const CostOptions& options,
+                          const Observer& observer) const;
   CostResult plan_cells(const Request& request, const CostOptions& options,
                         const Observer& observer) const;
   std::shared_ptr<const Impl> impl_;

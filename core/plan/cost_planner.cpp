@@ -14,6 +14,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/plan/cost_paths.h"
+#include "core/plan/legs.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "lasius/error.h"
@@ -181,9 +182,7 @@ const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
 // to its centre. What a straight piece there costs is taken off the bound.
 CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
                              const Observer& observer) const {
-  if (!asked.via.empty())
-    throw Error(ErrorCode::invalid_parameter, "points on the way are asked for over costs",
-                "plan from one to the next");
+  if (!asked.via.empty()) return plan_through(asked, options, observer);
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);
   const Asked goal(grid, asked.goal, asked.goal_point);
@@ -238,6 +237,29 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
   if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
   result.optimal = result.optimal && less == 0;
   return result;
+}
+
+// Lengths of a colony's `best` are costs, but plan_legs() puts the lengths of the legs before it.
+CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options,
+                                     const Observer& observer) const {
+  if (options.proof)
+    throw Error(ErrorCode::invalid_parameter, "a proof is asked for of a path through points",
+                "ask for one of each part");
+  CostResult whole;
+  double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
+  const auto plan_leg = [&](const Request& leg) -> Result {
+    dearer = cost - whole.length;
+    const CostResult found = plan(leg, options, observer);
+    cost += found.cost;
+    whole.length += found.length;
+    return found;
+  };
+  whole.length = 0;
+  static_cast<Result&>(whole) = plan_legs(asked, plan_leg);
+  if (whole.path.empty()) return whole;
+  whole.cost = cost;
+  for (double& best : whole.best) best += dearer;
+  return whole;
 }
 
 CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options,

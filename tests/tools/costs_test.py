@@ -167,6 +167,40 @@ class Costs(ProgramTest):
             self.assertAlmostEqual(metres["cost"], run.json["cost"], places=6)
             self.assertEqual(metres["layers"], run.json["layers"])
 
+    def test_points_on_the_way_and_the_gap_of_a_colony(self):
+        rng, judged = random.Random(33), 0
+        for _ in range(8):
+            rows = random_map(rng, 18, 16, 0.1)
+            weights = Weights(rows)
+            weights.inflate(3, 0.7)
+            cells = [(x, y) for x, y in weights.cells() if weights.free[y][x]]
+            via = rng.sample(cells, 2)
+            ends = [(0, 0), *via, (17, 15)]
+            walks = [weights.eight_moves(*pair) for pair in zip(ends, ends[1:])]
+            if math.inf in walks:
+                continue
+            judged += 1
+            options = ["--inflation", "3,0.7"]
+            through = [text for x, y in via for text in ("--via", "%d,%d" % (x, y))]
+            whole = self.over(rows, *options, *through).json
+            legs = [self.over(rows, *options, start=a, goal=b).json for a, b in zip(ends, ends[1:])]
+            for key in ("cost", "length", "lower_bound"):
+                self.assertAlmostEqual(whole[key], sum(leg[key] for leg in legs), places=9)
+            self.assertAlmostEqual(weights.cost(whole["path"]), whole["cost"], places=6)
+            ants = self.over(rows, *options, *through, "--algorithm", "mmas", "--iterations", "6", "--gap").json
+            self.assertAlmostEqual(weights.cost(ants["path"]), ants["cost"], places=6)
+            self.assertAlmostEqual(ants["best"][-1], ants["cost"], places=9)
+            self.assertAlmostEqual(ants["optimum"], whole["cost"], places=9)
+            self.assertEqual(ants["lower_bound"], whole["lower_bound"])
+            self.assertAlmostEqual(ants["optimum_gap"], ants["cost"] / whole["cost"] - 1, places=9)
+            self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t17\t15\n")
+            line = self.run_program("batch", "m.map", "q.tsv", *options, *through, "--algorithm", "mmas", "--iterations",
+                                    "6", "--gap").json
+            for key in ("cost", "optimum", "optimum_gap", "lower_bound", "gap", "best"):
+                self.assertEqual(line[key], ants[key])
+        self.assertGreater(judged, 2)
+        self.ended(self.over(["." * 9] * 5, *options, "--gap"), 0, "--gap has no effect")
+
     def test_drives_take_the_cheapest_walk(self):
         rng = random.Random(21)
         for i in range(12):
@@ -364,9 +398,8 @@ class Costs(ProgramTest):
                 (("--inflatoin", "3,1"), ("--inflation",)),
                 (("--cost", "a.pgm", "--algorithm", "grid-ga"), ("--cost is for exact", "grid-ga")),
                 (("--cost", "a.pgm", "--algorithm", "acs", "--corners", "allow"), ("squeeze",)),
-                (("--cost", "a.pgm", "--via", "3,3"), ("--via",)),
+                (("--cost", "a.pgm", "--via", "3,3", "-o", "p.proof.json"), ("--via",)),
                 (("--cost", "*2"), ("names no file",)),
-                (("--cost", "a.pgm", "--gap"), ("--gap",)),
                 (("--moves", "8", "--radius", "1"), ("--moves is for a point",)),
                 (("-o", "x.proof.json"), (".proof.json",)),
                 (("--moves", "8", "-o", "x.proof.json"), (".proof.json",))):

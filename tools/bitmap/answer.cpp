@@ -85,8 +85,25 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
       answer.result = map.planner->plan(request, run.params, &workspace, observer);
   });
   answer.elapsed_ms = ms_since(begin);
-  if (run.with_optimum) add_optima(map, run, stop, answer);
+  if (!run.with_optimum) return answer;
+  if (map.costs)
+    set_least_cost(answer, least_cost(map, run, request, again(stop, run.time_limit)));
+  else
+    add_optima(map, run, stop, answer);
   return answer;
+}
+
+CostResult least_cost(const LoadedMap& map, const RunOptions& run, Request request,
+                      const StopCondition& stop) {
+  request.target_gap = 0;
+  request.stop = stop;
+  return map.costs->planner->plan(request, {.params = optimum_params(run)});
+}
+
+void set_least_cost(Answer& answer, const CostResult& least) {
+  if (least.path.empty() || answer.result.path.empty()) return;
+  answer.optimum = least.cost;
+  answer.over_costs->lower_bound = answer.result.lower_bound = least.lower_bound;
 }
 
 void in_metres_asked(const LoadedMap& map, const RunOptions& run,

@@ -18,7 +18,8 @@ struct Answer {
   Place goal{};
   Result result{};
   double elapsed_ms = 0;  ///< of the plan; the map's preparation is not in it
-  /// With --gap: exact shortest length, where one exists and was found in time.
+  /// With --gap: exact shortest length, where one exists and was found in time; over costs what
+  /// `exact` finds, whose bound is then that of `over_costs`.
   std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
@@ -54,6 +55,11 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
 CostOptions cost_options(const RunOptions& run);
 /// A path's cost, and how far above the least it is at most.
 std::string cost_text(const CostResult& result);
+/// What --gap asks for of a colony over costs: `exact`'s answer to the same question.
+CostResult least_cost(const LoadedMap& map, const RunOptions& run, Request request,
+                      const StopCondition& stop);
+/// Certifies an answer over costs by the bound of least_cost().
+void set_least_cost(Answer& answer, const CostResult& least);
 /// Makes an answer of one over costs.
 void set_costs(Answer& answer, const CostResult& found);
 

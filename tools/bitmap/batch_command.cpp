@@ -116,7 +116,14 @@ int run_bitmap_batch(const PlanCommand& command) {
                                const Batch::Take& take) {
     const auto part = std::span(queries).subspan(first, count);
     std::vector<std::optional<double>> any_angle, by_moves;
-    if (run.with_optimum) {
+    std::vector<CostResult> least(run.with_optimum && map.costs ? part.size() : 0);
+    if (!least.empty()) {
+      parallel_for(static_cast<int>(part.size()), run.threads, [&](int number, int) {
+        const auto i = static_cast<std::size_t>(number);
+        least[i] = least_cost(map, run, part[i],
+                              {.token = how.token, .deadline = deadline_after(run.time_limit)});
+      });
+    } else if (run.with_optimum) {
       any_angle = optima(map, run, part, how);
       by_moves = own_optima(map, run, part, how.token);
     }
@@ -128,7 +135,10 @@ int run_bitmap_batch(const PlanCommand& command) {
                     .result = found.result,
                     .elapsed_ms = 1e3 * found.elapsed.count()};
       if constexpr (requires { found.result.cost; }) set_costs(answer, found.result);
-      if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
+      if (!least.empty())
+        set_least_cost(answer, least[found.index]);
+      else if (run.with_optimum)
+        set_optima(run, any_angle[found.index], by_moves[found.index], answer);
       set_remedy(map, run, how.token, answer);
       Record record = record_of(map, run, answer);
       record.index = run.part.among_all(index);

@@ -196,10 +196,10 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
   record.optimum = answer.optimum;
   record.elapsed_ms = answer.elapsed_ms;
   record.path = coordinates(ends.in_metres() ? world_path(map, run, answer) : result.path);
-  if (!run.json && (answer.optimum || answer.grid_optimum))
+  if (!run.json && !map.costs && (answer.optimum || answer.grid_optimum))
     record.remarks.push_back(optima_text(record, answer, run.params));
   Json findings = end_findings(ends);
-  if (run.with_optimum) {
+  if (run.with_optimum && !map.costs) {
     findings["grid_optimum"] = optional_number(answer.grid_optimum);
     if (moves_on_cells(run.params))
       findings["grid_gap"] = optional_number(grid_gap(answer, run.params));

@@ -85,11 +85,10 @@ void finish_costs(RunOptions& run, bool batch) {
   if (run.map.radius > 0 && (proof || costs.eight_moves))
     throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
                      " is for a point; leave --radius out");
-  if (!run.via.empty())
-    throw UsageError("--via is for lengths: over costs plan from one point to the next");
-  if (run.with_optimum)
-    throw UsageError(
-        "--gap is for lengths: over costs `gap` is the certified one; leave --gap out");
+  if (proof && !run.via.empty())
+    throw UsageError("-o of a .proof.json is for one plan: leave --via out, or prove each part");
+  if (kind == Algorithm::Kind::exact && std::exchange(run.with_optimum, false))
+    run.notes.push_back("--gap has no effect over costs: `gap` is certified");
   if (proof && (costs.eight_moves || batch))
     throw UsageError("-o of a .proof.json is for one plan of any angle");
   if (run.map.prepare) {

@@ -80,7 +80,8 @@ Json answer_json(const Record& run, const Json& path, const Json& effort, const 
   json["gap"] = optional_number(run.gap);
   if (run.options.with_optimum) {
     json["optimum"] = optional_number(run.optimum);
-    json["optimum_gap"] = optional_number(gap_to(run.optimum, run.result.length));
+    json["optimum_gap"] =
+        optional_number(gap_to(run.optimum, run.cost.value_or(run.result.length)));
   }
   json.update(findings);
   return json;
