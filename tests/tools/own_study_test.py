@@ -189,6 +189,26 @@ class OwnStudy(ProgramTest):
         self.refused(self.run_program("study", "run", "m.yaml", "--start", "0.5,4", "--goal", "9,5", "--algorithm", "as"),
                      2, "add --frame world")
 
+    def test_costs_of_inflation_take_the_place_of_lengths(self):
+        self.write("s.yaml", """
+seeds: 2..2
+contenders:
+  - {name: mmas, algorithm: mmas, set: {iterations: 5}}
+  - {name: exact, algorithm: exact}
+questions:
+  - {map: small.map, start: [0, 0], goal: [9, 5], inflation: [3, 0.7, 4]}
+""")
+        self.ended(self.run_program("study", "s.yaml", "-o", "s"), 0)
+        mmas, exact = self.runs_of("s")
+        options = ("--inflation", "3,0.7,4")
+        plan = self.plan(*options, "--algorithm", "mmas", "--iterations", 5, "--seed", 2, "--gap", "--json").json
+        self.assertAlmostEqual(float(mmas["length"]), plan["cost"], places=8)
+        self.assertAlmostEqual(float(mmas["optimum"]), plan["optimum"], places=8)
+        self.assertAlmostEqual(float(mmas["own_limit"]), self.plan(*options, "--moves", 8, "--json").json["cost"], places=8)
+        self.assertAlmostEqual(float(exact["length"]), self.plan(*options, "--json").json["cost"], places=8)
+        self.write("bad.yaml", self.read("s.yaml").decode().replace("[3, 0.7, 4]", "[3]"))
+        self.refused(self.run_program("study", "bad.yaml", "-o", "b"), 3, "line 7", "[RADIUS, SCALING]")
+
     def test_what_no_contender_reads_is_told_once(self):
         run = (*self.SHORT, "--algorithm", "as", "--set", "elite_weight=2,3", "--set", "iterations=2", "--seeds", "1")
         told = "elite_weight of as has no effect: it is read only with update=elitist"

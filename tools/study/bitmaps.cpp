@@ -14,13 +14,40 @@ namespace {
 constexpr std::string_view kExact = "exact";
 constexpr double kPilotShare = 0.125;  ///< as pilot_part()
 
+std::string inflation_key(const Question& question) {
+  if (!question.inflation) return {};
+  const auto [radius, scaling, weight, inscribed] = *question.inflation;
+  return " inflation " + tool::to_text(radius) + ',' + tool::to_text(scaling) + ',' +
+         tool::to_text(weight);
+}
+
 std::string question_key(const Grid& grid, const Question& question, const std::string& algorithm) {
   std::string key = "map " + std::to_string(grid.hash());
   for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
     key += ' ' + std::to_string(v);
   // What `exact` may do depends on more than the grown map.
   if (question.radius > 0) key += " radius " + tool::to_text(question.radius);
-  return key + ' ' + algorithm;
+  return key + inflation_key(question) + ' ' + algorithm;
+}
+
+std::string costs_key(const Question& question) {
+  return question.map + " radius " + tool::to_text(question.radius) + inflation_key(question);
+}
+
+/// The costs of a question's map.
+CostPlanner over_costs(const Planner& planner, const Question& question) {
+  CostField costs(planner.grid().width(), planner.grid().height());
+  costs.add(planner.grid(), *question.inflation);
+  return {planner, costs};
+}
+
+/// What a walk by eight moves costs at least, if there is one.
+std::optional<double> cheapest_walk(const CostPlanner& planner, const Question& question,
+                                    Corners corners, const StopCondition& stop) {
+  // Over the cells that a disc's centre may walk on, as those of a point.
+  const CostResult walk = planner.plan({question.start, question.goal, stop},
+                                       {.eight_moves = true, .corners = corners});
+  return walk.path.empty() ? std::nullopt : std::optional(walk.cost);
 }
 
 /// Of a budget, where there is one: nothing is said of none.
@@ -80,22 +107,30 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
 
 Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
   for (const Experiment& experiment : study.experiments)
-    for (const Question& question : experiment.questions)
-      if (!planners_.contains(question.ground()))
-        planners_.emplace(question.ground(),
-                          Planner(load_map(question.map, maps), Disc{question.radius}));
+    for (const Question& question : experiment.questions) {
+      auto at = planners_.find(question.ground());
+      if (at == planners_.end())
+        at = planners_
+                 .emplace(question.ground(),
+                          Planner(load_map(question.map, maps), Disc{question.radius}))
+                 .first;
+      if (question.inflation && !over_costs_.contains(costs_key(question)))
+        over_costs_.emplace(costs_key(question), over_costs(at->second, question));
+    }
 }
 
 PreparedRun Bitmaps::prepare(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.ground());
+  const CostPlanner* const costs =
+      question.inflation ? &over_costs_.at(costs_key(question)) : nullptr;
   const Grid& grid = planner.passable();
   PreparedRun prepared =
       run_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
              params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());
   if (std::isfinite(contender.budget.steps))
     prepared.work = std::min(prepared.work, static_cast<std::int64_t>(contender.budget.steps));
-  prepared.run = [&planner, &question, params, limit = shortest(question, params),
+  prepared.run = [&planner, costs, &question, params, limit = shortest(question, params),
                   budget = contender.budget](std::uint64_t seed, bool pilot,
                                              const std::stop_token& stop, Workspace& workspace) {
     Params seeded = params;
@@ -105,12 +140,20 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
     Run run{.limit = limit};
     const double begin = thread_seconds();
     BudgetWatch watch(budget, pilot ? kPilotShare : 1, begin);
-    Result result = planner.plan({question.start, question.goal, watch.stop(stop, params)}, seeded,
-                                 &workspace, watch.observer());
+    const Request request{question.start, question.goal, watch.stop(stop, params)};
+    double cost = kUnknown;
+    const auto plan = [&]() -> Result {
+      if (costs == nullptr) return planner.plan(request, seeded, &workspace, watch.observer());
+      CostResult found =
+          costs->plan(request, {.params = seeded, .workspace = &workspace}, watch.observer());
+      cost = found.cost;
+      return found;
+    };
+    Result result = plan();
     run.seconds = thread_seconds() - begin;
     run.status =
         watch.fired() && result.status == Status::interrupted ? Status::limit : result.status;
-    run.length = result.length;
+    run.length = costs != nullptr ? cost : result.length;
     run.iterations = result.iterations;
     run.best = std::move(result.best);
     run.mean = std::move(result.mean);
@@ -127,8 +170,13 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
   return prepared;
 }
 
-/// The shortest walk of the contender's own moves.
+/// The shortest walk of the contender's own moves; over costs the cheapest, of a point's eight.
 double Bitmaps::shortest(const Question& question, const Params& params) const {
+  if (question.inflation) {
+    if (params.neighbours != Neighbours::eight || question.radius > 0) return kUnknown;
+    return cheapest_walk(over_costs_.at(costs_key(question)), question, params.corners, {})
+        .value_or(kUnknown);
+  }
   return shortest_walk(planners_.at(question.ground()).grid(), question.start, question.goal,
                        params.neighbours, params.corners)
       .value_or(kUnknown);
@@ -136,7 +184,15 @@ double Bitmaps::shortest(const Question& question, const Params& params) const {
 
 std::optional<double> Bitmaps::optimum(const Question& question, const Optimum& optimum,
                                        const StopCondition& stop) const {
-  return true_optimum(planners_.at(question.ground()), question, optimum, stop);
+  if (!question.inflation)
+    return true_optimum(planners_.at(question.ground()), question, optimum, stop);
+  const CostPlanner& costs = over_costs_.at(costs_key(question));
+  if (optimum.kind == Optimum::Kind::any_angle) {
+    const CostResult least = costs.plan({question.start, question.goal, stop});
+    return least.status == Status::solved ? std::optional(least.cost) : std::nullopt;
+  }
+  if (optimum.neighbours != Neighbours::eight || question.radius > 0) return std::nullopt;
+  return cheapest_walk(costs, question, optimum.corners, stop);
 }
 
 }  // namespace lasius::study

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "lasius/cost_planner.h"
 #include "tools/study/runner.h"
 
 namespace lasius::study {
@@ -29,6 +30,7 @@ class Bitmaps final : public Domain {
   double shortest(const Question& question, const Params& params) const;
 
   std::map<std::pair<std::string, double>, Planner> planners_;  ///< by Question::ground()
+  std::map<std::string, CostPlanner> over_costs_;               ///< by costs_key()
 };
 
 }  // namespace lasius::study

@@ -28,6 +28,8 @@ Figure draw_run(const Place& place) {
   tool::RunOptions run;
   run.map.file = (place.maps / place.question.map).string();
   run.map.radius = place.question.radius;
+  if (const auto& inflation = place.question.inflation)
+    run.map.costs.inflation = {inflation->radius, inflation->scaling, inflation->weight};
   run.params = place.params;
   const tool::LoadedMap map = tool::load_map(run.map);
   tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params);

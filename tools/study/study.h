@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lasius/cost_field.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -65,6 +66,9 @@ struct Question {
   std::optional<Draw> draw = {};  ///< in place of start and goal: see draw_questions()
   int line = 0;                   ///< of the study's file, for messages
   double radius = 0;              ///< by which obstacles grow: cells once draw_questions() is done
+  /// Costs around what is blocked, see Inflation, from 1 on; its lengths as the radius. What
+  /// contenders find is then told by its cost, wherever a length is.
+  std::optional<Inflation> inflation = {};
   /// Until then radius, start and goal may be in metres of the map's frame.
   bool in_metres = false;
   Point start_m{}, goal_m{};

@@ -47,6 +47,10 @@ void take_cells(const Study& study, const Map& map, Question& question) {
   question.start = cell(question.start_m);
   question.goal = cell(question.goal_m);
   question.radius /= map.frame->resolution;
+  if (question.inflation) {
+    question.inflation->radius /= map.frame->resolution;
+    question.inflation->scaling *= map.frame->resolution;
+  }
   question.in_metres = false;
 }
 
@@ -99,6 +103,7 @@ void draw_questions(Study& study, const std::filesystem::path& maps) {
       auto map = read.find(question.map);
       if (map == read.end()) map = read.emplace(question.map, map_of(study, question, maps)).first;
       take_cells(study, map->second, question);
+      if (question.inflation) question.inflation->inscribed = std::max(1.0, question.radius);
       auto at = planners.find(question.ground());
       if (at == planners.end())
         at = planners

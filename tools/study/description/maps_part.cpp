@@ -90,6 +90,15 @@ void take_ends(const Node& node, bool needed, Question& question) {
   const Node* const frame = node.find("frame");
   question.in_metres = frame != nullptr && frame->choice(kFrames) == 1;
   question.radius = node.number_or("radius", 0, 0, tool::kNoLimit);
+  if (const Node* const inflation = node.find("inflation")) {
+    const auto& numbers = inflation->items();
+    if (numbers.size() < 2 || numbers.size() > 3)
+      inflation->fail("has " + std::to_string(numbers.size()) + " numbers",
+                      "say [RADIUS, SCALING] or [RADIUS, SCALING, WEIGHT]");
+    question.inflation =
+        Inflation{.radius = numbers[0].number(0, 20000), .scaling = numbers[1].number(0, 1000)};
+    if (numbers.size() == 3) question.inflation->weight = numbers[2].number(0, CostField::kMost);
+  }
   question.start_m = end_of(node, "start", needed, question.in_metres);
   question.goal_m = end_of(node, "goal", needed, question.in_metres);
   const auto cell = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
@@ -201,7 +210,8 @@ std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
   for (const Node& node : list.items()) {
     const bool bitmap = maps != nullptr;
     if (bitmap)
-      node.allow({"name", "map", "start", "goal", "published", "draw", "radius", "frame"});
+      node.allow(
+          {"name", "map", "start", "goal", "published", "draw", "radius", "frame", "inflation"});
     else
       node.allow({"name", "map", "start", "goal", "published"});
     const auto draw = bitmap ? draw_of(node) : std::nullopt;
