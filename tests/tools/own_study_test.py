@@ -204,8 +204,8 @@ questions:
         plan = self.plan(*options, "--algorithm", "mmas", "--iterations", 5, "--seed", 2, "--gap", "--json").json
         self.assertAlmostEqual(float(mmas["length"]), plan["cost"], places=8)
         self.assertAlmostEqual(float(mmas["optimum"]), plan["optimum"], places=8)
-        self.assertAlmostEqual(float(mmas["own_limit"]), self.plan(*options, "--moves", 8, "--json").json["cost"], places=8)
-        self.assertAlmostEqual(float(exact["length"]), self.plan(*options, "--json").json["cost"], places=8)
+        self.assertAlmostEqual(float(mmas["own_limit"]), self.plan(*options, "--algorithm", "exact", "--moves", 8, "--json").json["cost"], places=8)
+        self.assertAlmostEqual(float(exact["length"]), self.plan(*options, "--algorithm", "exact", "--json").json["cost"], places=8)
         self.write("bad.yaml", self.read("s.yaml").decode().replace("[3, 0.7, 4]", "[3]"))
         self.refused(self.run_program("study", "bad.yaml", "-o", "b"), 3, "line 7", "[RADIUS, SCALING]")
 
