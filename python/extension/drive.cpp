@@ -10,16 +10,17 @@
 namespace lasius::python {
 namespace {
 
-/// (ticks, ms, lengths) of all replans.
+/// (ticks, ms, lengths, costs) of all replans.
 py::tuple replans(const std::vector<Replan>& all) {
   std::vector<std::int64_t> ticks;
-  std::vector<double> ms, lengths;
+  std::vector<double> ms, lengths, costs;
   for (const Replan& r : all) {
     ticks.push_back(r.tick);
     ms.push_back(r.ms);
     lengths.push_back(r.length);
+    costs.push_back(r.cost);
   }
-  return py::make_tuple(to_array(ticks), to_array(ms), to_array(lengths));
+  return py::make_tuple(to_array(ticks), to_array(ms), to_array(lengths), to_array(costs));
 }
 
 /// In the order of the fields of lasius.DriveResult.
@@ -27,7 +28,7 @@ py::tuple fields(const DriveResult& r) {
   return py::make_tuple(text(to_string(r.status)), text(to_string(r.limit)),
                         text(to_string(r.fault)), r.error, to_array(std::span<const Cell>(r.track)),
                         r.ticks, replans(r.replans), r.seen, r.length, r.planning_ms, r.waits,
-                        r.deferred_changes, r.goal_reached);
+                        r.deferred_changes, r.goal_reached, r.cost);
 }
 
 py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,

@@ -13,7 +13,8 @@ namespace lasius::python {
 
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
                                    double target_gap, bool search_on, double goal_tolerance,
-                                   int doubt_after) {
+                                   int doubt_after, const CostField* costs,
+                                   const std::optional<InflationNumbers>& inflation) {
   NavigatorOptions options{.params = params,
                            .radius = radius,
                            .target_gap = target_gap,
@@ -21,12 +22,17 @@ NavigatorOptions navigator_options(const Params& params, double radius, bool pre
                            .goal_tolerance = goal_tolerance,
                            .doubt_after = doubt_after};
   if (prepare) options.prepare.emplace();
+  if (costs != nullptr) options.costs = *costs;
+  if (inflation) {
+    const auto [reach, scaling, weight, inscribed] = *inflation;
+    options.inflation = Inflation{reach, scaling, weight, inscribed};
+  }
   return options;
 }
 
 py::tuple fields(const Way& way) {
   return py::make_tuple(fields(static_cast<const Result&>(way)), way.replanned,
-                        to_array(std::span<const Cell>(way.walk)), way.doubted);
+                        to_array(std::span<const Cell>(way.walk)), way.doubted, way.cost);
 }
 
 namespace {
@@ -55,9 +61,11 @@ void bind_navigator(py::module_& module) {
   py::class_<SharedNavigator>(module, "Navigator")
       .def(
           py::init([](const Grid& map, Cell goal, const Params& params, double radius, bool prepare,
-                      double target_gap, bool search_on, double goal_tolerance, int doubt_after) {
-            const auto options = navigator_options(params, radius, prepare, target_gap, search_on,
-                                                   goal_tolerance, doubt_after);
+                      double target_gap, bool search_on, double goal_tolerance, int doubt_after,
+                      const CostField* costs, const std::optional<InflationNumbers>& inflation) {
+            const auto options =
+                navigator_options(params, radius, prepare, target_gap, search_on, goal_tolerance,
+                                  doubt_after, costs, inflation);
             const py::gil_scoped_release released;
             return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
           }))
@@ -69,6 +77,15 @@ void bind_navigator(py::module_& module) {
       .def("observe_rectangle",
            [](SharedNavigator& shared, int x, int y, int width, int height, bool blocked) {
              alone(shared, [&](Navigator& n) { n.observe({x, y, width, height}, blocked); });
+           })
+      .def("set_costs",
+           [](SharedNavigator& shared, int x, int y, const Rows& weights) {
+             if (weights.ndim() != 2) throw py::value_error("costs are an array (height, width)");
+             const Rectangle part{x, y, static_cast<int>(weights.shape(1)),
+                                  static_cast<int>(weights.shape(0))};
+             const std::span<const double> values(weights.data(),
+                                                  static_cast<std::size_t>(weights.size()));
+             alone(shared, [&](Navigator& n) { n.set_costs(part, values); });
            })
       .def("step", &step)
       .def("forget", [](SharedNavigator& s) { alone(s, [](Navigator& n) { n.forget(); }); })

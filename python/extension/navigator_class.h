@@ -2,6 +2,8 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "lasius/navigator.h"
@@ -16,9 +18,13 @@ struct SharedNavigator {
   Navigator navigator;
 };
 
+/// Radius, scaling, weight, inscribed radius.
+using InflationNumbers = std::tuple<double, double, double, double>;
+
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
                                    double target_gap, bool search_on, double goal_tolerance,
-                                   int doubt_after);
+                                   int doubt_after, const CostField* costs,
+                                   const std::optional<InflationNumbers>& inflation);
 
 /// The fields of lasius.Way.
 py::tuple fields(const Way& way);

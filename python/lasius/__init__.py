@@ -17,7 +17,7 @@ from ._lasius import DriveTick, Grid, IterationTours, Pheromone, Progress, World
 from ._lasius import version as __version__
 from .arguments import told
 from .arrays import reduced
-from .costs import CostField, CostPlanner, CostResult, path_cost, read_costmap
+from .costs import CostField, CostPlanner, CostResult, Inflation, path_cost, read_costmap
 from .errors import Error, FileBroken, FileMissing, FileUnsupported, InvalidParameter, OutputFailed
 from .maps import (
     Map,
@@ -54,6 +54,7 @@ __all__ = [
     "FileMissing",
     "FileUnsupported",
     "Grid",
+    "Inflation",
     "IterationTours",
     "InvalidParameter",
     "Map",

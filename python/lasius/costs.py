@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Tuple, Union
+from typing import Any, Callable, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,15 @@ from .parameters import Params, chosen
 from .planner import Planner
 from .progress import Shown, watched
 from .results import Result, answer
+
+
+class Inflation(NamedTuple):
+    """Costs near blocked cells, see CostField.inflate."""
+
+    radius: float  #: in cells, from centre to centre
+    scaling: float  #: per cell
+    weight: float = 2.0  #: what is added beside a blocked cell
+    inscribed: float = 1.0  #: the robot's radius in cells
 
 
 @explained

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import Any, Callable, Optional, Tuple
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import DriveTick, Grid
 from .arguments import explained
 from .arrays import Cell, Path, file_name, flag_of, int_rows
+from .costs import CostField, Inflation
 from .errors import finish
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
@@ -39,6 +41,9 @@ class Navigator:
         target_gap: as of Planner.plan.
         search_on: goes on searching in every step; for colonies only.
         goal_tolerance: as of Planner.plan.
+        costs: of the cells; then the way is the cheapest that is found at once, see `Way.cost`. For
+            `exact` only, without `prepare` and `target_gap`.
+        inflation: costs around what is blocked, on top of `costs`; they follow what is observed.
         doubt_after: after so many steps without a way walls count as free that were learned, and not
             observed again in these steps; 0: never.
         **settings: parameters by name.
@@ -58,11 +63,22 @@ class Navigator:
         search_on: bool = False,
         goal_tolerance: float = 0.0,
         doubt_after: int = 16,
+        costs: Optional[CostField] = None,
+        inflation: Optional[Inflation] = None,
         **settings: Any,
     ) -> None:
         self._params, self._radius = chosen(Params, params, settings), radius
         self._raw = _lasius.Navigator(
-            grid, goal, self._params._raw, radius, prepare, target_gap, search_on, goal_tolerance, doubt_after
+            grid,
+            goal,
+            self._params._raw,
+            radius,
+            prepare,
+            target_gap,
+            search_on,
+            goal_tolerance,
+            doubt_after,
+            *costs_given(costs, inflation),
         )
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
@@ -72,6 +88,10 @@ class Navigator:
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None:
         """All cells from (x, y) to (x + width - 1, y + height - 1) are blocked or free."""
         self._raw.observe_rectangle(x, y, width, height, flag_of(blocked, "blocked"))
+
+    def set_costs(self, x: int, y: int, weights: npt.ArrayLike) -> None:
+        """The costs of the cells from (x, y) on, (height, width), are others; inflation is added to them."""
+        self._raw.set_costs(x, y, np.asarray(weights, dtype=np.float64))
 
     def step(self, robot: Cell, *, time_limit: Optional[float] = None) -> Way:
         """The way to the goal from where the robot is now. Ctrl-C as of Planner.plan.
@@ -173,6 +193,8 @@ def drive(
     target_gap: float = 0.0,
     search_on: bool = False,
     goal_tolerance: float = 0.0,
+    costs: Optional[CostField] = None,
+    inflation: Optional[Inflation] = None,
     observer: Optional[Callable[[DriveTick], Any]] = None,
     **settings: Any,
 ) -> DriveResult:
@@ -188,8 +210,8 @@ def drive(
     Args:
         grid: what the robot knows in the beginning.
         truth: what is there, of the same size.
-        params: as of Navigator, as `radius`, `prepare`, `target_gap`, `search_on`, `goal_tolerance` and
-            settings.
+        params: as of Navigator, as `radius`, `prepare`, `target_gap`, `search_on`, `goal_tolerance`, `costs`,
+            `inflation` and settings.
         changes: what happens meanwhile.
         sense: how far it sees, in cells.
         max_ticks: then it ends with the status "limit", its `limit` "ticks".
@@ -198,12 +220,20 @@ def drive(
         observer: called with a DriveTick at each tick; its stop() ends the drive there.
     """
     used = chosen(Params, params, settings)
-    options = _lasius.NavigatorOptions(used._raw, radius, prepare, target_gap, search_on, goal_tolerance, 0)
+    weighed = costs_given(costs, inflation)
+    options = _lasius.NavigatorOptions(
+        used._raw, radius, prepare, target_gap, search_on, goal_tolerance, 0, *weighed
+    )
     happening = (changes if changes is not None else Changes())._raw
     error, fields = _lasius.drive(
         grid, truth, start, goal, happening, options, sense, max_ticks, seconds_per_tick, time_limit, observer
     )
     return finish(error, drive_result(fields, truth))
+
+
+def costs_given(costs: Optional[CostField], inflation: Optional[Inflation]) -> Tuple[Any, ...]:
+    """What the extension takes."""
+    return None if costs is None else costs._raw, None if inflation is None else Inflation(*inflation)
 
 
 def drive_result(fields: Tuple[Any, ...], truth: Grid) -> DriveResult:

@@ -188,6 +188,7 @@ class Way(Result):
     replanned: bool  #: planned in this step; else `path` is what is left of an earlier one that still holds
     walk: IntArray  #: (n, 2), the next cells, the robot's own first; empty without a path
     doubted: int  #: walls taken for free in this step, see `doubt_after`
+    cost: float  #: over costs: of the path, from the way out on where there is one; else NaN
 
 
 @dataclass(eq=False, repr=False)
@@ -271,6 +272,7 @@ class Replans(Record):
     tick: LongArray  #: when
     ms: FloatArray  #: spent on planning in this tick
     length: FloatArray  #: of the way that came of it, in cells; NaN where there is none
+    cost: FloatArray  #: of that way, over costs; else NaN
 
     def __len__(self) -> int:
         return len(self.tick)
@@ -293,6 +295,7 @@ class DriveResult(Record):
     waits: int  #: ticks in which the robot stood
     deferred_changes: int  #: sum over ticks of cells whose change waits for the robot
     goal_reached: Optional[Cell]  #: with a goal tolerance: where the robot arrived
+    cost: float  #: of the moves, each as the robot knew it; without costs their length
     truth: Grid  #: the world in the beginning
 
     def plot(self, axes: Any = None) -> Any:

@@ -163,3 +163,43 @@ def test_a_tick_ends_with_its_callback_that_raises_too() -> None:
         lasius.drive(grid, grid, (0, 0), (8, 4), observer=keep)
     with pytest.raises(RuntimeError, match="ended"):
         kept[0].tick
+
+
+def test_costs_follow_what_is_seen():
+    cells = np.zeros((40, 60), np.uint8)
+    cells[18:22, 30] = 1
+    grid = lasius.Grid(cells, free=0)
+    inflation = lasius.Inflation(6, 0.5, weight=3)
+    given = lasius.CostField.of(np.linspace(1, 2, 40 * 60).reshape(40, 60))
+    navigator = lasius.Navigator(grid, (55, 20), costs=given, inflation=inflation)
+    way = navigator.step((5, 20))
+
+    def field(grid):
+        costs = lasius.CostField.of(given.weights)
+        costs.inflate(grid, *inflation[:2], weight=3)
+        return costs
+
+    assert way.replanned and way.cost == pytest.approx(lasius.path_cost(grid, field(grid), way.path))
+    best = lasius.CostPlanner(lasius.Planner(grid), field(grid)).plan((5, 20), (55, 20), target_gap=0.01)
+    assert best.lower_bound <= way.cost <= 1.02 * best.cost
+    navigator.observe(way.walk[10:11], blocked=True)
+    other = navigator.step((5, 20))
+    assert other.cost > way.cost
+    assert other.cost == pytest.approx(lasius.path_cost(navigator.map, field(navigator.map), other.path))
+    navigator.set_costs(0, 0, np.full((40, 60), 1.5))
+    assert navigator.step((5, 20)).cost != other.cost
+    with pytest.raises(lasius.InvalidParameter, match="leave the map"):
+        navigator.set_costs(50, 0, np.ones((1, 11)))
+    with pytest.raises(lasius.InvalidParameter, match="costs"):
+        lasius.Navigator(grid, (5, 5), "mmas", costs=given)
+
+
+def test_a_drive_over_costs():
+    grid = lasius.Grid(np.zeros((20, 40), np.uint8), free=0)
+    truth = np.zeros((20, 40), np.uint8)
+    truth[6:14, 20] = 1
+    run = lasius.drive(grid, lasius.Grid(truth, free=0), (2, 10), (37, 10), sense=8, inflation=(4, 0.5))
+    assert run.status == "solved" and run.cost > run.length
+    assert run.replans.cost[0] == pytest.approx(35)
+    plain = lasius.drive(grid, lasius.Grid(truth, free=0), (2, 10), (37, 10), sense=8)
+    assert plain.cost == pytest.approx(plain.length) and np.isnan(plain.replans.cost).all()
