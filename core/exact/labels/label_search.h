@@ -1,0 +1,69 @@
+// Exact Euclidean shortest paths on a map whose corners have hub labels.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/exact/corner_graph.h"
+#include "core/exact/exact_answer.h"
+#include "core/exact/labels/corner_labels.h"
+
+namespace lasius::exact {
+
+/// Merges labels of the corners that start and goal see. Keeps its memory, 12 bytes a corner, from
+/// query to query. One thread at a time.
+///
+/// A shortest path is straight, or s c1 ... ck g, where s sees c1 and g sees ck. The corner of the
+/// highest rank of c1 ... ck is a hub of c1 and of ck at its true distance, see find_hubs(), so the
+/// least sum over common hubs of corners in sight is the length. At c1 the path goes on tautly, and
+/// so does any other way of that length from c1 to the hub: its group is among the first ones of
+/// its side.
+class LabelSearch {
+ public:
+  /// Plans between the centres of two free cells. False where labels do not tell: no common hub.
+  bool search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Cell start,
+              Cell goal, const ExactOptions& options, ExactAnswer& answer);
+
+  std::int64_t bytes() const noexcept;  ///< memory held
+
+ private:
+  // Entries that an end reaches over one corner.
+  struct Block {
+    std::uint32_t first, last;
+    std::uint32_t corner;
+    double before;  // length from the end to the corner
+  };
+  struct End {
+    kernels::HalfPoint at;
+    std::vector<Block> blocks;
+    std::int64_t entries;
+  };
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  void begin(const CornerGraph& graph, const CornerLabels& labels);
+  template <class Dead>
+  void gather(Cell cell, End& end, const Dead& dead);
+  void add(const TileCorner& seen, End& end);
+  void scatter(const End& end);
+  void clear(const End& end);
+  bool merge(const End& from, const End& to);
+  void trace(const End& end, std::uint32_t hub, double length, std::vector<std::uint32_t>& corners) const;
+  double distance_to(const End& end, std::uint32_t corner) const noexcept;
+
+  const CornerGraph* graph_ = nullptr;
+  const LabelArrays* labels_ = nullptr;
+  const CornerLabels* owner_ = nullptr;
+  std::vector<double> lengths_;  // by rank, from the end that was scattered
+  std::vector<std::uint32_t> marks_;  // by corner, of those that the start sees
+  std::uint32_t stamp_ = 0;
+  End start_, goal_;
+  std::vector<std::uint32_t> corners_, more_;
+  std::vector<Point> path_;
+  double best_ = 0;                 // length of the best path
+  std::uint32_t best_hub_ = kNone;  // rank
+  double best_far_ = 0;             // of it, from the other end
+  std::uint32_t best_bend_ = kNone; // the corner, if there is but one
+  Improvements improvements_;
+};
+
+}  // namespace lasius::exact
