@@ -117,8 +117,8 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  const TautGraph taut(graph);
   {
-    const TautGraph taut(graph);
     Hubs hubs;
     const std::int64_t most = options.max_label_entries * graph.size();
     const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs);
@@ -129,7 +129,7 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
   }
   labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
-  list_tiles(grid, graph, threads, options.stop, labels->arrays_);
+  list_tiles(grid, taut, threads, options.stop, labels->arrays_);
   if (options.stop.poll() != StopCondition::Cause::none) {
     end(State::stopped);
     return nullptr;

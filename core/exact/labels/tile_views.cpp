@@ -43,7 +43,7 @@ struct Seen {
 
 class TileLister {
  public:
-  TileLister(const Grid& grid, const CornerGraph& graph, int threads, const StopCondition& stop,
+  TileLister(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
              LabelArrays& labels)
       : map_(view_of(grid)),
         mirrored_(map_),
@@ -84,7 +84,7 @@ class TileLister {
 
   void look(std::uint32_t v, Worker& worker, std::vector<Seen>& seen) {
     const GraphCorner& corner = graph_.corner(v);
-    if (labels_.corners.empty() || !is_corner(corner)) return;
+    if (!is_corner(corner)) return;
     for (const Side side : {kColumn, kLine}) {
       const Quadrant q = corner.quadrant(side);
       const bool mirror = q.right < 0;
@@ -125,8 +125,6 @@ class TileLister {
 
   // Can a way over the corner go on from some of these cells?
   bool is_live(const Seen& seen) const noexcept {
-    const LabelCorner& label = labels_.corners[seen.corner];
-    if (label.first == label.last) return false;
     const GraphCorner& corner = graph_.corner(seen.corner);
     const int x0 = static_cast<int>(seen.tile % tiles_across_) * 16 + 1;
     const int y0 = static_cast<int>(seen.tile / tiles_across_) * 16 + 1;
@@ -134,12 +132,11 @@ class TileLister {
       const int place = std::countr_zero(left);
       const int x = x0 + 2 * (place & 7), y = y0 + 2 * (place >> 3);
       const Side side = corner.side_from(x, y);
-      const std::uint32_t first = side == kColumn ? label.first : label.middle;
-      if (first == (side == kColumn ? label.middle : label.last)) continue;
-      const LabelGroup& group = labels_.groups[first];
+      const auto edges = graph_.edges(seen.corner, side);
+      if (edges.empty()) continue;
       const std::int64_t turn =
-          std::int64_t{2 * corner.x() - x} * (group.y - corner.y()) -
-          std::int64_t{2 * corner.y() - y} * (group.x - corner.x());
+          std::int64_t{2 * corner.x() - x} * (edges.front().y - corner.y()) -
+          std::int64_t{2 * corner.y() - y} * (edges.front().x - corner.x());
       if (turn * corner.bend(side) >= 0) return true;
     }
     return false;
@@ -215,7 +212,7 @@ class TileLister {
 
   const kernels::BitmapView map_;
   const MirroredMap mirrored_;
-  const CornerGraph& graph_;
+  const TautGraph& graph_;
   const int threads_;
   const StopCondition& stop_;
   LabelArrays& labels_;
@@ -225,7 +222,7 @@ class TileLister {
 
 }  // namespace
 
-void list_tiles(const Grid& grid, const CornerGraph& graph, int threads, const StopCondition& stop,
+void list_tiles(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
                 LabelArrays& labels) {
   TileLister(grid, graph, threads, stop, labels).run();
 }
