@@ -24,11 +24,11 @@ double finite(double number) {
 }
 
 /// Nothing, and the grid as it was, when stopped.
-std::optional<Planner> make_planner(Grid& grid, Disc robot, bool prepare, int threads,
+std::optional<Planner> make_planner(Grid& grid, Disc robot, const MapOptions& options, int threads,
                                     Corners corners, const StopCondition& stop) {
-  const PrepareOptions more{.threads = threads, .stop = stop};
-  auto planner = prepare ? Planner::make_prepared(std::move(grid), robot, more)
-                         : Planner::make(std::move(grid), robot, stop);
+  const PrepareOptions more{.threads = threads, .stop = stop, .labels = options.labels};
+  auto planner = options.prepare ? Planner::make_prepared(std::move(grid), robot, more)
+                                 : Planner::make(std::move(grid), robot, stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
   return planner;
@@ -55,6 +55,7 @@ LoadedMap read_map(const MapOptions& options, Frame frame) {
                 .unknown_is_free = options.unknown_is_free,
                 .radius = radius,
                 .prepare = options.prepare,
+                .labels = options.labels,
                 .grid_alone = std::move(read.grid),
                 .unknown = std::move(read.unknown)};
   map.read_ms = ms_since(start);
@@ -69,8 +70,7 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   if (options.costs.asked())
     map.costs = load_costs(*map.grid_alone, map.frame, options.costs,
                            map.cells_of(options.radius_metres, 1), map.radius);
-  map.planner =
-      make_planner(*map.grid_alone, {map.radius}, options.prepare, threads, corners, stop);
+  map.planner = make_planner(*map.grid_alone, {map.radius}, options, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
   if (map.planner && map.costs) map.costs->planner.emplace(*map.planner, map.costs->field);
   map.ready_ms = ms_since(start);
@@ -79,7 +79,8 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
 
 void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
   const auto start = Clock::now();
-  map.planner = map.planner->prepared({.threads = threads, .stop = {.token = token}});
+  map.planner =
+      map.planner->prepared({.threads = threads, .stop = {.token = token}, .labels = map.labels});
   map.ready_ms += ms_since(start);
 }
 

@@ -93,7 +93,7 @@ void finish_costs(RunOptions& run, bool batch) {
   if (proof && (costs.eight_moves || batch))
     throw UsageError("-o of a .proof.json is for one plan of any angle");
   if (run.map.prepare) {
-    run.map.prepare = false;
+    run.map.prepare = run.map.labels = false;
     run.notes.push_back("--prepare has no effect over costs");
   }
   for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);

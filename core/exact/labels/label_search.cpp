@@ -10,11 +10,11 @@ namespace lasius::exact {
 
 void LabelSearch::begin(const CornerGraph& graph, const CornerLabels& labels) {
   graph_ = &graph;
-  labels_ = &labels.arrays();
-  owner_ = &labels;
-  if (lengths_.size() < labels_->corners.size()) {
-    lengths_.assign(labels_->corners.size(), kInfinity);
-    marks_.assign(labels_->corners.size(), 0);
+  labels_ = &labels;
+  arrays_ = &labels.arrays();
+  if (lengths_.size() < graph.size()) {
+    lengths_.assign(graph.size(), kInfinity);
+    marks_.assign(graph.size(), 0);
     stamp_ = 0;
   }
   if (++stamp_ == 0) {
@@ -30,53 +30,78 @@ double LabelSearch::distance_to(const End& end, std::uint32_t corner) const noex
   return exact::distance(end.at.x, end.at.y, 2 * c.x(), 2 * c.y());
 }
 
-void LabelSearch::add(const TileCorner& seen, End& end) {
-  const GraphCorner corner = seen.corner();
-  const LabelCorner& label = labels_->corners[seen.number];
-  const Side side = corner.side_from(end.at.x, end.at.y);
+// Adds the groups of a side that a path from the end can go on along: those before the first whose
+// `turn(x, y)` towards its corner is to the wrong side.
+template <class Turn>
+void LabelSearch::add_taut(std::uint32_t corner, Side side, int bend, double before,
+                           const Turn& turn, End& end) const {
+  const LabelCorner& label = arrays_->corners[corner];
   const std::uint32_t first = side == kColumn ? label.first : label.middle;
   const std::uint32_t last = side == kColumn ? label.middle : label.last;
-  const int bend = corner.bend(side);
-  const int dx = 2 * corner.x() - end.at.x, dy = 2 * corner.y() - end.at.y;
+  const LabelGroup* const groups = arrays_->groups.data();
   std::uint32_t taut = first;
-  for (; taut < last; ++taut) {
-    const LabelGroup& group = labels_->groups[taut];
-    const std::int64_t turn = std::int64_t{dx} * (group.y - corner.y()) -
-                              std::int64_t{dy} * (group.x - corner.x());
-    if (turn * bend < 0) break;
-  }
-  const double x = dx, y = dy;
-  const double before = 0.5 * std::sqrt(x * x + y * y);
-  const LabelGroup* groups = labels_->groups.data();
-  end.blocks.push_back({groups[first].first, groups[taut].first, seen.number, before});
+  while (taut < last && turn(groups[taut].x, groups[taut].y) * bend >= 0) ++taut;
+  end.blocks.push_back({groups[first].first, groups[taut].first, corner, before});
   end.entries += groups[taut].first - groups[first].first;
 }
 
-// What an end sees: `dead(corner)` for those at which a path can only end.
+// Of an end at a cell's centre.
+void LabelSearch::add(const TileCorner& seen, End& end) const {
+  const GraphCorner corner = seen.corner();
+  const kernels::HalfPoint at = end.at.near();
+  const int dx = 2 * corner.x() - at.x, dy = 2 * corner.y() - at.y;
+  const Side side = corner.side_from(at.x, at.y);
+  const double x = dx, y = dy;
+  const auto turn = [&](int to_x, int to_y) {
+    return std::int64_t{dx} * (to_y - corner.y()) - std::int64_t{dy} * (to_x - corner.x());
+  };
+  add_taut(seen.number, side, corner.bend(side), 0.5 * std::sqrt(x * x + y * y), turn, end);
+}
+
+// Of any other.
+void LabelSearch::add(const SeenCorner& seen, End& end) const {
+  const std::uint32_t number = graph_->index(seen.x, seen.y);
+  const GraphCorner& corner = graph_->corner(number);
+  const auto turn = [&](int to_x, int to_y) {
+    return kernels::turn_sign(end.at.fine(), kernels::fine({2 * seen.x, 2 * seen.y}),
+                              kernels::fine({2 * to_x, 2 * to_y}));
+  };
+  add_taut(number, seen.side, corner.bend(seen.side), distance_to(end, number), turn, end);
+}
+
+// What an end sees: `dead(corner)` for those at which a path can only end. False if stopped.
 template <class Dead>
-void LabelSearch::gather(Cell cell, End& end, const Dead& dead) {
-  end.at = {2 * cell.x + 1, 2 * cell.y + 1};
+bool LabelSearch::gather(const kernels::BitmapView& map, End& end, Poller& poller,
+                         const Dead& dead) {
   end.blocks.clear();
   end.entries = 0;
-  const Tile* tile = labels_->tiles.data() + owner_->tile_of(cell);
+  if (!end.at.is_centre()) {
+    const auto worth = [](int, int) { return true; };
+    EndView(map, end.at, poller).run(worth, [&](const SeenCorner& seen) { add(seen, end); });
+    return !poller.stopped();
+  }
+  const kernels::HalfPoint at = end.at.near();
+  const Cell cell{at.x >> 1, at.y >> 1};
+  const Tile* const tile = arrays_->tiles.data() + labels_->tile_of(cell);
   const int place = CornerLabels::place_of(cell);
-  const std::uint64_t* mask = labels_->masks.data() + tile->masks;
-  const TileCorner* live = labels_->live.data();
+  const std::uint64_t* mask = arrays_->masks.data() + tile->masks;
+  const TileCorner* const live = arrays_->live.data();
   for (std::uint32_t i = tile->live_full; i < tile->live_partial; ++i) add(live[i], end);
   for (std::uint32_t i = tile->live_partial; i < tile[1].live_full; ++i, ++mask)
     if ((*mask >> place & 1) != 0) add(live[i], end);
-  const std::uint32_t* numbers = labels_->dead.data();
+  const std::uint32_t* const numbers = arrays_->dead.data();
   for (std::uint32_t i = tile->dead_full; i < tile->dead_partial; ++i) dead(numbers[i]);
   for (std::uint32_t i = tile->dead_partial; i < tile[1].dead_full; ++i, ++mask)
     if ((*mask >> place & 1) != 0) dead(numbers[i]);
+  return true;
 }
 
 void LabelSearch::scatter(const End& end) {
-  const std::uint32_t* hubs = labels_->hubs.data();
-  const double* ways = labels_->lengths.data();
-  double* lengths = lengths_.data();
+  const std::uint32_t* const hubs = arrays_->hubs.data();
+  const double* const ways = arrays_->lengths.data();
+  double* const lengths = lengths_.data();
   for (const Block& block : end.blocks) {
-    double& own = lengths[labels_->corners[block.corner].rank];
+    double& own = lengths[arrays_->corners[block.corner].rank];
     own = std::min(own, block.before);
     for (std::uint32_t e = block.first; e < block.last; ++e) {
       double& length = lengths[hubs[e]];
@@ -86,23 +111,22 @@ void LabelSearch::scatter(const End& end) {
 }
 
 void LabelSearch::clear(const End& end) {
-  const std::uint32_t* hubs = labels_->hubs.data();
+  const std::uint32_t* const hubs = arrays_->hubs.data();
   for (const Block& block : end.blocks) {
-    lengths_[labels_->corners[block.corner].rank] = kInfinity;
+    lengths_[arrays_->corners[block.corner].rank] = kInfinity;
     for (std::uint32_t e = block.first; e < block.last; ++e) lengths_[hubs[e]] = kInfinity;
   }
 }
 
 // The least sum over common hubs of what was scattered of `from` and the entries of `to`.
-bool LabelSearch::merge(const End& from, const End& to) {
-  const std::uint32_t* hubs = labels_->hubs.data();
-  const double* ways = labels_->lengths.data();
-  const double* lengths = lengths_.data();
+void LabelSearch::merge(const End& from, const End& to) {
+  const std::uint32_t* const hubs = arrays_->hubs.data();
+  const double* const ways = arrays_->lengths.data();
+  const double* const lengths = lengths_.data();
   for (const Block& block : to.blocks) {
     if (block.before + distance_to(from, block.corner) >= best_) continue;
-    const std::uint32_t rank = labels_->corners[block.corner].rank;
-    double least = lengths[rank];
-    std::uint32_t hub = rank;
+    std::uint32_t hub = arrays_->corners[block.corner].rank;
+    double least = lengths[hub];
     for (std::uint32_t e = block.first; e < block.last; ++e) {
       const double sum = lengths[hubs[e]] + ways[e];
       hub = sum < least ? hubs[e] : hub;
@@ -113,24 +137,23 @@ bool LabelSearch::merge(const End& from, const End& to) {
     best_hub_ = hub;
     best_bend_ = kNone;
   }
-  return best_ < kInfinity;
 }
 
-// The corners from an end to a hub, the hub the last.
-void LabelSearch::trace(const End& end, std::uint32_t hub, double,
-                        std::vector<std::uint32_t>& corners) const {
-  const std::uint32_t* hubs = labels_->hubs.data();
-  const double* ways = labels_->lengths.data();
+// The corners from an end to the best hub, the hub the last.
+void LabelSearch::trace(const End& end, std::vector<std::uint32_t>& corners) const {
+  const std::uint32_t* const hubs = arrays_->hubs.data();
+  const double* const ways = arrays_->lengths.data();
   double least = kInfinity;
-  std::uint32_t first = kNone, entry = kNone;
+  std::uint32_t first = kNone, entry = CornerLabels::kArrived;
   for (const Block& block : end.blocks) {
-    if (labels_->corners[block.corner].rank == hub && block.before < least) {
+    if (block.before >= least) continue;
+    if (arrays_->corners[block.corner].rank == best_hub_) {
       least = block.before;
       first = block.corner;
       entry = CornerLabels::kArrived;
     }
     for (std::uint32_t e = block.first; e < block.last; ++e) {
-      if (hubs[e] != hub || block.before + ways[e] >= least) continue;
+      if (hubs[e] != best_hub_ || block.before + ways[e] >= least) continue;
       least = block.before + ways[e];
       first = block.corner;
       entry = e;
@@ -138,69 +161,78 @@ void LabelSearch::trace(const End& end, std::uint32_t hub, double,
   }
   corners.assign(1, first);
   while (entry != CornerLabels::kArrived) {
-    const LabelStep& step = labels_->steps[entry];
+    const LabelStep& step = arrays_->steps[entry];
     corners.push_back(step.corner);
     entry = step.entry;
   }
 }
 
 bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
-                         Cell start, Cell goal, const ExactOptions& options, ExactAnswer& answer) {
+                         Point start, Point goal, const ExactOptions& options,
+                         const StopCondition& stop, ExactAnswer& answer) {
   const kernels::BitmapView map = view_of(grid);
-  const kernels::HalfPoint from{2 * start.x + 1, 2 * start.y + 1};
-  const kernels::HalfPoint to{2 * goal.x + 1, 2 * goal.y + 1};
+  start_.at = QueryEnd(start);
+  goal_.at = QueryEnd(goal);
   begin(graph, labels);
   corners_.clear();
-  if (kernels::sees(map, from, to)) {
-    best_ = exact::distance(from.x, from.y, to.x, to.y);
-  } else {
-    gather(start, start_, [&](std::uint32_t corner) { marks_[corner] = stamp_; });
-    for (const Block& block : start_.blocks) marks_[block.corner] = stamp_;
-    goal_.at = to;
-    const auto bend = [&](std::uint32_t corner) {
-      if (marks_[corner] != stamp_) return;
-      const double length = distance_to(start_, corner) + distance_to(goal_, corner);
-      if (length >= best_) return;
-      best_ = length;
-      best_bend_ = corner;
-    };
-    gather(goal, goal_, bend);
-    for (const Block& block : goal_.blocks) bend(block.corner);
-    const bool swap = start_.entries > goal_.entries;
-    const End& near = swap ? goal_ : start_;
-    const End& far = swap ? start_ : goal_;
-    scatter(near);
-    merge(near, far);
-    clear(near);
-    if (best_ == kInfinity) return false;
-    if (best_bend_ != kNone) {
-      corners_.assign(1, best_bend_);
-    } else {
-      trace(start_, best_hub_, 0, corners_);
-      trace(goal_, best_hub_, 0, more_);
-      for (std::size_t i = more_.size() - 1; i-- > 0;) corners_.push_back(more_[i]);
-    }
+  if (start_.at.sees(map, goal_.at)) {
+    best_ = exact::distance(start_.at.x, start_.at.y, goal_.at.x, goal_.at.y);
+    write_path(options, answer);
+    return true;
   }
-  answer.path.clear();
-  const QueryEnd begin_at(centre(start));
-  BackwardPath back(QueryEnd(centre(goal)), answer.path);
-  const auto place = [&](std::uint32_t c) {
-    return kernels::HalfPoint{2 * graph.corner(c).x(), 2 * graph.corner(c).y()};
+  Poller poller(stop, kWordsPerPoll);
+  const auto mark = [&](std::uint32_t corner) { marks_[corner] = stamp_; };
+  const auto bend = [&](std::uint32_t corner) {
+    if (marks_[corner] != stamp_) return;
+    const double length = distance_to(start_, corner) + distance_to(goal_, corner);
+    if (length >= best_) return;
+    best_ = length;
+    best_bend_ = corner;
   };
-  for (std::size_t i = corners_.size(); i-- > 0;)
-    back.corner(place(corners_[i]), i == 0 ? begin_at.fine() : kernels::fine(place(corners_[i - 1])));
-  back.start(begin_at);
+  if (!gather(map, start_, poller, mark)) return false;
+  for (const Block& block : start_.blocks) mark(block.corner);
+  if (!gather(map, goal_, poller, bend)) return false;
+  for (const Block& block : goal_.blocks) bend(block.corner);
+  // What has fewer entries is written, read and cleared; the other is read once.
+  const bool from_goal = goal_.entries < start_.entries;
+  const End& from = from_goal ? goal_ : start_;
+  scatter(from);
+  merge(from, from_goal ? start_ : goal_);
+  clear(from);
+  if (best_ == kInfinity) return false;
+  if (best_bend_ != kNone) {
+    corners_.assign(1, best_bend_);
+  } else {
+    trace(start_, corners_);
+    trace(goal_, more_);
+    corners_.insert(corners_.end(), more_.rbegin() + 1, more_.rend());
+  }
+  write_path(options, answer);
+  return true;
+}
+
+// Of the corners between both ends.
+void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
+  answer.path.clear();
+  BackwardPath back(goal_.at, answer.path);
+  for (std::size_t i = corners_.size(); i-- > 0;) {
+    const GraphCorner& corner = graph_->corner(corners_[i]);
+    const GraphCorner& before = graph_->corner(corners_[i == 0 ? 0 : i - 1]);
+    back.corner({2 * corner.x(), 2 * corner.y()},
+                i == 0 ? start_.at.fine() : kernels::fine({2 * before.x(), 2 * before.y()}));
+  }
+  back.start(start_.at);
   improvements_.begin(options);
   improvements_.tell(best_, best_, nullptr, [&](std::vector<Point>& path) {
     path = answer.path;
     return path_length(path);
   });
   conclude(best_, best_, StopCondition::Cause::none, options.target_gap, answer);
-  return true;
+  answer.stored_legs = true;
 }
 
 std::int64_t LabelSearch::bytes() const noexcept {
-  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_, path_) +
+  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_) +
          improvements_.bytes();
 }
 

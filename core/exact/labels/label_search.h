@@ -20,9 +20,11 @@ namespace lasius::exact {
 /// its side.
 class LabelSearch {
  public:
-  /// Plans between the centres of two free cells. False where labels do not tell: no common hub.
-  bool search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Cell start,
-              Cell goal, const ExactOptions& options, ExactAnswer& answer);
+  /// Plans between two points, each of a free cell, its border included. False where labels do not
+  /// tell: no common hub, or stopped while it looked around from an end that is no centre.
+  bool search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point start,
+              Point goal, const ExactOptions& options, const StopCondition& stop,
+              ExactAnswer& answer);
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
@@ -34,7 +36,7 @@ class LabelSearch {
     double before;  // length from the end to the corner
   };
   struct End {
-    kernels::HalfPoint at;
+    QueryEnd at;
     std::vector<Block> blocks;
     std::int64_t entries;
   };
@@ -42,27 +44,30 @@ class LabelSearch {
 
   void begin(const CornerGraph& graph, const CornerLabels& labels);
   template <class Dead>
-  void gather(Cell cell, End& end, const Dead& dead);
-  void add(const TileCorner& seen, End& end);
+  bool gather(const kernels::BitmapView& map, End& end, Poller& poller, const Dead& dead);
+  void add(const TileCorner& seen, End& end) const;
+  void add(const SeenCorner& seen, End& end) const;
+  template <class Turn>
+  void add_taut(std::uint32_t corner, Side side, int bend, double before, const Turn& turn,
+                End& end) const;
+  void write_path(const ExactOptions& options, ExactAnswer& answer);
   void scatter(const End& end);
   void clear(const End& end);
-  bool merge(const End& from, const End& to);
-  void trace(const End& end, std::uint32_t hub, double length, std::vector<std::uint32_t>& corners) const;
+  void merge(const End& from, const End& to);
+  void trace(const End& end, std::vector<std::uint32_t>& corners) const;
   double distance_to(const End& end, std::uint32_t corner) const noexcept;
 
   const CornerGraph* graph_ = nullptr;
-  const LabelArrays* labels_ = nullptr;
-  const CornerLabels* owner_ = nullptr;
-  std::vector<double> lengths_;  // by rank, from the end that was scattered
+  const CornerLabels* labels_ = nullptr;
+  const LabelArrays* arrays_ = nullptr;
+  std::vector<double> lengths_;       // by rank, from the end that was scattered
   std::vector<std::uint32_t> marks_;  // by corner, of those that the start sees
   std::uint32_t stamp_ = 0;
   End start_, goal_;
   std::vector<std::uint32_t> corners_, more_;
-  std::vector<Point> path_;
-  double best_ = 0;                 // length of the best path
-  std::uint32_t best_hub_ = kNone;  // rank
-  double best_far_ = 0;             // of it, from the other end
-  std::uint32_t best_bend_ = kNone; // the corner, if there is but one
+  double best_ = 0;                  // length of the best path
+  std::uint32_t best_hub_ = kNone;   // rank
+  std::uint32_t best_bend_ = kNone;  // the corner, if there is but one
   Improvements improvements_;
 };
 
