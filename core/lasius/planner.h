@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lasius/export.h"
@@ -206,6 +207,33 @@ class LASIUS_EXPORT Planner {
 
   /// What came of the visibility graph.
   const Preparation& preparation() const noexcept;
+  /// Writes the visibility graph and its labels, if any, to a file, with the map's hash; under a
+  /// temporary name first. @throws Error(output_failed); Error(invalid_parameter) where nothing is
+  /// prepared, or for a disc's.
+  void save_preparation(const std::string& file) const;
+  /// A planner for the same map with what such a file holds; this one stays as it is. Checks that
+  /// the file is whole. @throws Error(file_missing); Error(file_broken) where it is not of this
+  /// map, damaged, or of another version; Error(invalid_parameter) for a disc.
+  Planner load_preparation(const std::string& file) const;
+
+  /// A way that differs from others.
+  struct Alternative {
+    double length = 0;        ///< cells
+    std::vector<Point> path;  ///< from start to goal
+  };
+  /// How ways are to differ.
+  struct AlternativeOptions {
+    int count = 3;              ///< at most, the shortest among them; 1 to 64
+    double most_detour = 1.5;   ///< length by that of the shortest; at least 1
+    double most_shared = 0.75;  ///< of a way's length, that lies within a cell of any one before it
+  };
+  /// Ways from start to goal, the shortest first: each can be made no shorter by pulling it taut
+  /// within the free cells around it. By `exact`, for a point; made ready by preparation, else the
+  /// visibility graph is made for this call. Deterministic. Empty where there is no way, or an end
+  /// is blocked or outside, and when stopped. @throws Error(invalid_parameter) for options out of
+  /// range, or for a disc.
+  std::vector<Alternative> alternatives(const Request& request,
+                                        const AlternativeOptions& options = {}) const;
 
   /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
   /// 8-connected. Labels these first, see `label`.

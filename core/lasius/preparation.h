@@ -21,8 +21,10 @@ struct PrepareOptions {
   /// Gives corners hub labels as well: then a query looks around nowhere, and searches nothing. Not
   /// for a disc. Where they would take too much, planning goes on by the graph alone.
   bool labels = false;
-  /// Labels with more entries a vertex than this, on average, are abandoned; 20 bytes each.
+  /// Labels with more entries a vertex than this, on average, are abandoned.
   int max_label_entries = 128;
+  /// And those whose entries would take more than this, 20 bytes each.
+  std::int64_t max_label_bytes = std::int64_t{64} << 20;
 };
 
 /// What came of it.
@@ -47,7 +49,7 @@ struct Preparation {
     std::int64_t bytes = 0;     ///< held, with what each tile of cells sees, if ready
     double seconds = 0;         ///< spent, beside those of the graph
   };
-  Labels labels;  ///< where they were asked for
+  Labels labels = {};  ///< where they were asked for
 };
 /// The name, as in "too_large".
 LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;

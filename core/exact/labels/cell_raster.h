@@ -32,7 +32,8 @@ class CellRaster {
       const int row = down > 0 ? y + static_cast<int>(j) : y - 1 - static_cast<int>(j);
       if (row < 0 || row >= map.height) break;
       next_.clear();
-      for (const SlopeRange& range : ranges_) words += cut(map.row(row), map.width, x, row, j, range, span);
+      for (const SlopeRange& range : ranges_)
+        words += cut(map.row(row), map.width, x, row, j, range, span);
       ranges_.swap(next_);
     }
     return words;
@@ -46,7 +47,8 @@ class CellRaster {
     const std::int64_t columns = width - x;
     // The last column that a ray enters the row in, one past it where it stands on a line.
     const std::int64_t entered =
-        j == 0 ? 0 : (range.right_lines == 0 ? columns : range.right_columns * j / range.right_lines);
+        j == 0 ? 0
+               : (range.right_lines == 0 ? columns : range.right_columns * j / range.right_lines);
     std::int64_t p = range.left_columns * j / range.left_lines;
     while (p <= entered && p < columns) {
       const std::int64_t free = next(bits, x + p, width, 0) - x;
@@ -76,8 +78,7 @@ class CellRaster {
         const std::int64_t high = part.right_columns * centre - part.right_lines;
         last = high < 0 ? -1 : std::min(last, high / (2 * part.right_lines));
       }
-      if (first <= last)
-        span(row, static_cast<int>(x + first), static_cast<int>(x + last));
+      if (first <= last) span(row, static_cast<int>(x + first), static_cast<int>(x + last));
       // What leaves the row through its far line before the run ends.
       if (part.right_lines == 0 || end * part.right_lines < part.right_columns * (j + 1)) {
         part.right_columns = end;

@@ -10,6 +10,8 @@
 namespace lasius::exact {
 namespace {
 
+constexpr std::int64_t kEntryBytes = sizeof(std::uint32_t) + sizeof(double) + sizeof(LabelStep);
+
 // A corner's entries in the order in which queries read them: by side, by turn, by rank.
 class LabelSorter {
  public:
@@ -120,7 +122,9 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
   const TautGraph taut(graph);
   {
     Hubs hubs;
-    const std::int64_t most = options.max_label_entries * graph.size();
+    const std::int64_t most =
+        std::min<std::int64_t>(std::int64_t{options.max_label_entries} * graph.size(),
+                               options.max_label_bytes / kEntryBytes);
     const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs);
     if (found != HubsEnd::ready) {
       end(found == HubsEnd::stopped ? State::stopped : State::too_large);

@@ -58,14 +58,14 @@ struct Tile {
 /// The arrays of labels, as they are kept in files.
 struct LabelArrays {
   std::vector<LabelCorner> corners;
-  std::vector<LabelGroup> groups;     ///< and one past the end
-  std::vector<std::uint32_t> hubs;    ///< by entry, ranks
-  std::vector<double> lengths;        ///< by entry
-  std::vector<LabelStep> steps;       ///< by entry
-  std::vector<Tile> tiles;            ///< 8 x 8 cells each, row by row, and one past the end
+  std::vector<LabelGroup> groups;   ///< and one past the end
+  std::vector<std::uint32_t> hubs;  ///< by entry, ranks
+  std::vector<double> lengths;      ///< by entry
+  std::vector<LabelStep> steps;     ///< by entry
+  std::vector<Tile> tiles;          ///< 8 x 8 cells each, row by row, and one past the end
   std::vector<TileCorner> live;
-  std::vector<std::uint32_t> dead;    ///< numbers of corners
-  std::vector<std::uint64_t> masks;   ///< bit 8 y + x for the tile's cell (x, y)
+  std::vector<std::uint32_t> dead;   ///< numbers of corners
+  std::vector<std::uint64_t> masks;  ///< bit 8 y + x for the tile's cell (x, y)
 };
 
 class CornerLabels {

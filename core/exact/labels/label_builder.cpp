@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -13,10 +14,10 @@
 namespace lasius::exact {
 namespace {
 
-constexpr std::uint32_t kTrees = 64;       // by which corners are ranked
-constexpr std::uint32_t kFewestHubs = 8;   // searched from at once
-constexpr std::uint32_t kMostHubs = 32;    // the same, once many are known
-constexpr double kTie = 1 + 1e-14;         // sums in another order
+constexpr std::uint32_t kTrees = 64;      // by which corners are ranked
+constexpr std::uint32_t kFewestHubs = 8;  // searched from at once
+constexpr std::uint32_t kMostHubs = 32;   // the same, once many are known
+constexpr double kTie = 1 + 1e-14;        // sums in another order
 constexpr std::uint32_t kNone = TautTree::kNone;
 
 /// One search of a batch: what it found, in the order of length.
@@ -41,8 +42,8 @@ class HubFinder {
     hubs_.entries.resize(graph_.size());
     std::vector<Found> found(kMostHubs);
     for (std::uint32_t first = 0; first < graph_.size() && !stopped_;) {
-      const std::uint32_t count = std::min(
-          {std::clamp(first / 8, kFewestHubs, kMostHubs), graph_.size() - first});
+      const std::uint32_t count =
+          std::min({std::clamp(first / 8, kFewestHubs, kMostHubs), graph_.size() - first});
       parallel_for(static_cast<int>(count), threads_, [&](int i, int thread) {
         const auto number = static_cast<std::uint32_t>(i);
         search(first + number, *team_[static_cast<std::size_t>(thread)], found[number]);
@@ -50,8 +51,7 @@ class HubFinder {
       if (stopped_) break;
       for (std::uint32_t i = 0; i < count; ++i) append(first, first + i, found[i]);
       first += count;
-      if (count_ > most) return HubsEnd::too_many;
-      if (hopeless(first)) return HubsEnd::too_many;
+      if (count_ > most || hopeless(first, most)) return HubsEnd::too_many;
     }
     return stopped_ ? HubsEnd::stopped : HubsEnd::ready;
   }
@@ -73,14 +73,14 @@ class HubFinder {
     parallel_for(static_cast<int>(trees), threads_, [&](int i, int thread) {
       auto& sum = sums[static_cast<std::size_t>(thread)];
       if (sum.empty()) sum.resize(n);
-      const auto root = static_cast<std::uint32_t>(std::uint64_t{n} * static_cast<unsigned>(i) / trees);
+      const auto root =
+          static_cast<std::uint32_t>(std::uint64_t{n} * static_cast<unsigned>(i) / trees);
       std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // corner, the one before
       Worker& worker = *team_[static_cast<std::size_t>(thread)];
-      worker.tree.grow(root, worker.poller,
-                       [&](std::uint32_t v, double, std::uint32_t next) {
-                         order.emplace_back(v, next);
-                         return true;
-                       });
+      worker.tree.grow(root, worker.poller, [&](std::uint32_t v, double, std::uint32_t next) {
+        order.emplace_back(v, next);
+        return true;
+      });
       if (worker.poller.stopped()) stopped_ = true;
       std::vector<std::uint32_t> below(n, 1);
       for (auto at = order.rbegin(); at != order.rend(); ++at) {
@@ -160,7 +160,13 @@ class HubFinder {
     }
   }
 
-  bool hopeless(std::uint32_t) const { return false; }
+  // A few hubs tell: where they are known at most corners, as in noise and warehouses, others will
+  // be, too. Each of these shares of what is allowed was passed on no map whose labels were within.
+  bool hopeless(std::uint32_t hubs, std::int64_t most) const {
+    if (hubs < 16 || graph_.size() < 64 * hubs) return false;
+    const double share = 0.1 * (std::bit_width(hubs) - 4);
+    return static_cast<double>(count_) > share * static_cast<double>(most);
+  }
 
   const TautGraph& graph_;
   const int threads_;

@@ -24,7 +24,8 @@ class MirroredMap {
     for (int y = 0; y < map.height; ++y) {
       std::uint64_t* row = words_.data() + (y + 1) * stride_ + 1;
       for (int x = 0; x < map.width; ++x)
-        if (!map.blocked(x, y)) row[(map.width - 1 - x) >> 6] ^= std::uint64_t{1} << ((map.width - 1 - x) & 63);
+        if (!map.blocked(x, y))
+          row[(map.width - 1 - x) >> 6] ^= std::uint64_t{1} << ((map.width - 1 - x) & 63);
     }
   }
   const kernels::BitmapView& view() const noexcept { return view_; }
@@ -96,9 +97,8 @@ class TileLister {
         }
         mark(row, first, last, worker);
       };
-      worker.poller.stop_after(
-          worker.raster.run(mirror ? mirrored_.view() : map_, mirror ? map_.width - q.x : q.x, q.y,
-                            q.down, span));
+      worker.poller.stop_after(worker.raster.run(
+          mirror ? mirrored_.view() : map_, mirror ? map_.width - q.x : q.x, q.y, q.down, span));
     }
     for (const std::uint32_t tile : worker.touched) {
       seen.push_back({tile, v, worker.cells[tile]});
@@ -134,9 +134,8 @@ class TileLister {
       const Side side = corner.side_from(x, y);
       const auto edges = graph_.edges(seen.corner, side);
       if (edges.empty()) continue;
-      const std::int64_t turn =
-          std::int64_t{2 * corner.x() - x} * (edges.front().y - corner.y()) -
-          std::int64_t{2 * corner.y() - y} * (edges.front().x - corner.x());
+      const std::int64_t turn = std::int64_t{2 * corner.x() - x} * (edges.front().y - corner.y()) -
+                                std::int64_t{2 * corner.y() - y} * (edges.front().x - corner.x());
       if (turn * corner.bend(side) >= 0) return true;
     }
     return false;
