@@ -216,25 +216,6 @@ class LASIUS_EXPORT Planner {
   /// map, damaged, or of another version; Error(invalid_parameter) for a disc.
   Planner load_preparation(const std::string& file) const;
 
-  /// A way that differs from others.
-  struct Alternative {
-    double length = 0;        ///< cells
-    std::vector<Point> path;  ///< from start to goal
-  };
-  /// How ways are to differ.
-  struct AlternativeOptions {
-    int count = 3;              ///< at most, the shortest among them; 1 to 64
-    double most_detour = 1.5;   ///< length by that of the shortest; at least 1
-    double most_shared = 0.75;  ///< of a way's length, that lies within a cell of any one before it
-  };
-  /// Ways from start to goal, the shortest first: each can be made no shorter by pulling it taut
-  /// within the free cells around it. By `exact`, for a point; made ready by preparation, else the
-  /// visibility graph is made for this call. Deterministic. Empty where there is no way, or an end
-  /// is blocked or outside, and when stopped. @throws Error(invalid_parameter) for options out of
-  /// range, or for a disc.
-  std::vector<Alternative> alternatives(const Request& request,
-                                        const AlternativeOptions& options = {}) const;
-
   /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
   /// 8-connected. Labels these first, see `label`.
   std::int64_t components(Corners corners = Corners::forbid) const;
@@ -253,6 +234,7 @@ class LASIUS_EXPORT Planner {
 
  private:
   friend class CostPlanner;
+  friend struct PlannerParts;  // internal
   explicit Planner(std::shared_ptr<const Impl> impl);
   static std::optional<Planner> if_made(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;

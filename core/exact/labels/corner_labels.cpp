@@ -89,7 +89,7 @@ class LabelSorter {
     const auto& label = hubs_.entries[v];
     for (std::size_t i = 0; i < label.size(); ++i) {
       const HubEntry& entry = label[i];
-      LabelStep step{entry.next, CornerLabels::kArrived};
+      LabelStep step{entry.next | (entry.tied ? LabelStep::kTie : 0), CornerLabels::kArrived};
       if (entry.next != hubs_.by_rank[entry.hub]) {
         const auto& there = hubs_.entries[entry.next];
         const auto same = std::ranges::lower_bound(there, entry.hub, {}, &HubEntry::hub);
@@ -131,6 +131,8 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
       return nullptr;
     }
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
+    labels->arrays_.ties = std::move(hubs.ties);
+    labels->mark_ties();
   }
   labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
   list_tiles(grid, taut, threads, options.stop, labels->arrays_);
@@ -144,10 +146,16 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
   return labels;
 }
 
+void CornerLabels::mark_ties() {
+  tied_.assign(arrays_.corners.size(), false);
+  for (const std::uint64_t pair : arrays_.ties)
+    for (const std::uint64_t corner : {pair >> 32, pair & 0xffffffff}) tied_[corner] = true;
+}
+
 std::int64_t CornerLabels::bytes() const noexcept {
   const LabelArrays& a = arrays_;
   return held_bytes(a.corners, a.groups, a.hubs, a.lengths, a.steps, a.tiles, a.live, a.dead,
-                    a.masks);
+                    a.ties, a.masks);
 }
 
 }  // namespace lasius::exact

@@ -15,6 +15,7 @@ struct HubEntry {
   double length;
   std::uint32_t hub;   ///< its rank
   std::uint32_t next;  ///< corner
+  bool tied = false;   ///< there is another way as short
 };
 
 /// Corners in the order of their rank, and what each knows, by rank of the hub. A hub of a corner
@@ -22,7 +23,16 @@ struct HubEntry {
 struct Hubs {
   std::vector<std::uint32_t> by_rank;
   std::vector<std::vector<HubEntry>> entries;  ///< by corner
+  /// Pairs of corners, the smaller one in the upper half, rising, that a hub joins by a way as
+  /// short as another one. Let a shortest path between two places not be the only one. Then an
+  /// entry on it is tied, or two of its corners are such a pair, or the sums over two hubs are the
+  /// least that lead to different paths; see docs/exact.md.
+  std::vector<std::uint64_t> ties;
 };
+
+constexpr std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) noexcept {
+  return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
+}
 
 /// What became of it where there are none.
 enum class HubsEnd { ready, too_many, stopped };

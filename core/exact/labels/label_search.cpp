@@ -139,45 +139,51 @@ void LabelSearch::merge(const End& from, const End& to) {
   }
 }
 
-// The corners from an end to the best hub, the hub the last.
-void LabelSearch::trace(const End& end, std::vector<std::uint32_t>& corners) const {
+// How the best path goes from an end to its hub.
+LabelSearch::Chain LabelSearch::best_chain(const End& end) const {
   const std::uint32_t* const hubs = arrays_->hubs.data();
   const double* const ways = arrays_->lengths.data();
-  double least = kInfinity;
-  std::uint32_t first = kNone, entry = CornerLabels::kArrived;
+  Chain best{kNone, CornerLabels::kArrived, kInfinity};
   for (const Block& block : end.blocks) {
-    if (block.before >= least) continue;
-    if (arrays_->corners[block.corner].rank == best_hub_) {
-      least = block.before;
-      first = block.corner;
-      entry = CornerLabels::kArrived;
-    }
-    for (std::uint32_t e = block.first; e < block.last; ++e) {
-      if (hubs[e] != best_hub_ || block.before + ways[e] >= least) continue;
-      least = block.before + ways[e];
-      first = block.corner;
-      entry = e;
-    }
+    if (block.before >= best.length) continue;
+    if (arrays_->corners[block.corner].rank == best_hub_)
+      best = {block.corner, CornerLabels::kArrived, block.before};
+    for (std::uint32_t e = block.first; e < block.last; ++e)
+      if (hubs[e] == best_hub_ && block.before + ways[e] < best.length)
+        best = {block.corner, e, block.before + ways[e]};
   }
-  corners.assign(1, first);
-  while (entry != CornerLabels::kArrived) {
+  return best;
+}
+
+// Its corners, the hub the last.
+void LabelSearch::follow(const Chain& chain, std::vector<std::uint32_t>& corners) const {
+  corners.assign(1, chain.corner);
+  for (std::uint32_t entry = chain.entry; entry != CornerLabels::kArrived;) {
     const LabelStep& step = arrays_->steps[entry];
-    corners.push_back(step.corner);
+    corners.push_back(step.corner());
     entry = step.entry;
   }
 }
 
-bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
-                         Point start, Point goal, const ExactOptions& options,
-                         const StopCondition& stop, ExactAnswer& answer) {
+// The corners from start to goal.
+void LabelSearch::join(const Chain& from_start, const Chain& from_goal) {
+  follow(from_start, corners_);
+  follow(from_goal, more_);
+  corners_.insert(corners_.end(), more_.rbegin() + 1, more_.rend());
+}
+
+// Finds the length of the shortest path, and its corners.
+bool LabelSearch::find(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
+                       Point start, Point goal, const StopCondition& stop) {
   const kernels::BitmapView map = view_of(grid);
   start_.at = QueryEnd(start);
   goal_.at = QueryEnd(goal);
   begin(graph, labels);
   corners_.clear();
+  hubs_.clear();
+  bends_.clear();
   if (start_.at.sees(map, goal_.at)) {
     best_ = exact::distance(start_.at.x, start_.at.y, goal_.at.x, goal_.at.y);
-    write_path(options, answer);
     return true;
   }
   Poller poller(stop, kWordsPerPoll);
@@ -185,6 +191,7 @@ bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const Corne
   const auto bend = [&](std::uint32_t corner) {
     if (marks_[corner] != stamp_) return;
     const double length = distance_to(start_, corner) + distance_to(goal_, corner);
+    if (certify_ && length <= best_ * (1 + kAlike)) bends_.emplace_back(corner, length);
     if (length >= best_) return;
     best_ = length;
     best_bend_ = corner;
@@ -196,25 +203,31 @@ bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const Corne
   // What has fewer entries is written, read and cleared; the other is read once.
   const bool from_goal = goal_.entries < start_.entries;
   const End& from = from_goal ? goal_ : start_;
+  const End& to = from_goal ? start_ : goal_;
   scatter(from);
-  merge(from, from_goal ? start_ : goal_);
+  merge(from, to);
+  const bool told = best_ < kInfinity && (!certify_ || list_hubs(from, to));
   clear(from);
-  if (best_ == kInfinity) return false;
-  if (best_bend_ != kNone) {
+  if (!told) return false;
+  if (best_bend_ != kNone)
     corners_.assign(1, best_bend_);
-  } else {
-    trace(start_, corners_);
-    trace(goal_, more_);
-    corners_.insert(corners_.end(), more_.rbegin() + 1, more_.rend());
-  }
+  else
+    join(best_chain(start_), best_chain(goal_));
+  return true;
+}
+
+bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
+                         Point start, Point goal, const ExactOptions& options,
+                         const StopCondition& stop, ExactAnswer& answer) {
+  certify_ = false;
+  if (!find(grid, graph, labels, start, goal, stop)) return false;
   write_path(options, answer);
   return true;
 }
 
-// Of the corners between both ends.
-void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
-  answer.path.clear();
-  BackwardPath back(goal_.at, answer.path);
+// The path of the corners in hand.
+void LabelSearch::outline(std::vector<Point>& path) const {
+  BackwardPath back(goal_.at, path);
   for (std::size_t i = corners_.size(); i-- > 0;) {
     const GraphCorner& corner = graph_->corner(corners_[i]);
     const GraphCorner& before = graph_->corner(corners_[i == 0 ? 0 : i - 1]);
@@ -222,6 +235,10 @@ void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
                 i == 0 ? start_.at.fine() : kernels::fine({2 * before.x(), 2 * before.y()}));
   }
   back.start(start_.at);
+}
+
+void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
+  outline(answer.path);
   improvements_.begin(options);
   improvements_.tell(best_, best_, nullptr, [&](std::vector<Point>& path) {
     path = answer.path;
@@ -232,7 +249,8 @@ void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
 }
 
 std::int64_t LabelSearch::bytes() const noexcept {
-  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_) +
+  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_, hubs_, bends_,
+                    chains_, other_chains_, outline_, ties_) +
          improvements_.bytes();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/exact/corner_graph.h"
@@ -25,6 +26,11 @@ class LabelSearch {
   bool search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point start,
               Point goal, const ExactOptions& options, const StopCondition& stop,
               ExactAnswer& answer);
+  /// The same, and false as well where another path may be as short: what it tells is then the
+  /// path of any exact search, bit for bit.
+  bool search_only(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
+                   Point start, Point goal, const ExactOptions& options, const StopCondition& stop,
+                   ExactAnswer& answer);
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
@@ -42,6 +48,18 @@ class LabelSearch {
   };
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+  // A way from an end to a hub: over its corner, and from there by an entry.
+  struct Chain {
+    std::uint32_t corner, entry;
+    double length;
+  };
+
+  bool find(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point start,
+            Point goal, const StopCondition& stop);
+  bool is_only();
+  bool list_hubs(const End& from, const End& to);
+  bool list_chains(const End& end, std::uint32_t hub, double most,
+                   std::vector<Chain>& chains) const;
   void begin(const CornerGraph& graph, const CornerLabels& labels);
   template <class Dead>
   bool gather(const kernels::BitmapView& map, End& end, Poller& poller, const Dead& dead);
@@ -54,7 +72,10 @@ class LabelSearch {
   void scatter(const End& end);
   void clear(const End& end);
   void merge(const End& from, const End& to);
-  void trace(const End& end, std::vector<std::uint32_t>& corners) const;
+  Chain best_chain(const End& end) const;
+  void follow(const Chain& chain, std::vector<std::uint32_t>& corners) const;
+  void join(const Chain& from_start, const Chain& from_goal);
+  void outline(std::vector<Point>& path) const;
   double distance_to(const End& end, std::uint32_t corner) const noexcept;
 
   const CornerGraph* graph_ = nullptr;
@@ -65,9 +86,15 @@ class LabelSearch {
   std::uint32_t stamp_ = 0;
   End start_, goal_;
   std::vector<std::uint32_t> corners_, more_;
-  double best_ = 0;                  // length of the best path
-  std::uint32_t best_hub_ = kNone;   // rank
-  std::uint32_t best_bend_ = kNone;  // the corner, if there is but one
+  double best_ = 0;                                      // length of the best path
+  std::uint32_t best_hub_ = kNone;                       // rank
+  std::uint32_t best_bend_ = kNone;                      // the corner, if there is but one
+  bool certify_ = false;                                 // list what may be as short
+  std::vector<std::uint32_t> hubs_;                      // over which a path may be as short
+  std::vector<std::pair<std::uint32_t, double>> bends_;  // the same of one corner, and its length
+  std::vector<Chain> chains_, other_chains_;
+  std::vector<Point> outline_;
+  std::vector<std::uint32_t> ties_;
   Improvements improvements_;
 };
 

@@ -1,6 +1,7 @@
 // Taut paths from one corner to others: Dijkstra's algorithm over stored edges.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <queue>
@@ -18,20 +19,28 @@ class alignas(64) TautTree {
  public:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+  struct Node {
+    double length = kInfinity;
+    std::uint32_t parent = kNone;  ///< the corner before, on the way back to the root
+    std::uint32_t stamp = 0;
+    Side side = kColumn;  ///< on which to go on
+    bool settled = false;
+    bool tied = false;  ///< there is another way as short
+  };
+
   explicit TautTree(const TautGraph& graph) : graph_(&graph), nodes_(graph.size()) {}
 
   /// Leaves `root` by all edges, goes on where the path bends around the corner's block, keeps one
-  /// shortest way to each corner. Calls settle(v, length, next) for each corner but the root, in
-  /// the order of length; next is the corner before v, on the way back to the root. False: nothing
-  /// is looked for behind v. Of equal lengths the smaller number comes first. Ends early when
-  /// stopped.
+  /// shortest way to each corner. Calls settle(v, node) for each corner but the root, in
+  /// the order of length. False: nothing is looked for behind v. Of equal lengths the smaller
+  /// number comes first. Ends early when stopped.
   template <class Settle>
   void grow(std::uint32_t root, Poller& poller, const Settle& settle) {
     if (++stamp_ == 0) {
       nodes_.assign(nodes_.size(), {});
       stamp_ = 1;
     }
-    nodes_[root] = {0, kNone, stamp_, kColumn, true};
+    nodes_[root] = {0, kNone, stamp_, kColumn, true, false};
     for (const Side side : {kColumn, kLine})
       for (const GraphEdge& edge : graph_->edges(root, side)) reach(root, 0, edge);
     while (!queue_.empty()) {
@@ -40,20 +49,13 @@ class alignas(64) TautTree {
       Node& node = nodes_[waiting.second];
       if (node.settled) continue;
       node.settled = true;
-      if (!settle(waiting.second, node.length, node.parent)) continue;
+      if (!settle(waiting.second, std::as_const(node))) continue;
       if (poller.stop_after(expand(waiting.second))) break;
     }
     queue_ = {};
   }
 
  private:
-  struct Node {
-    double length = kInfinity;
-    std::uint32_t parent = kNone;
-    std::uint32_t stamp = 0;
-    Side side = kColumn;  // on which to go on
-    bool settled = false;
-  };
   using Waiting = std::pair<double, std::uint32_t>;
 
   // Returns the work done.
@@ -77,9 +79,25 @@ class alignas(64) TautTree {
     const double x = edge.x - corner.x(), y = edge.y - corner.y();
     const double length = before + std::sqrt(x * x + y * y);
     Node& node = nodes_[edge.to()];
-    if (node.stamp == stamp_ && (node.settled || length >= node.length)) return;
-    node = {length, from, stamp_, edge.side(), false};
+    bool tied = nodes_[from].tied;
+    if (node.stamp == stamp_) {
+      if (length <= node.length * (1 + kAlike) && length >= node.length * (1 - kAlike)) {
+        // Of two on one line the nearer one is kept: then no corner on the way is skipped.
+        const bool same = in_line(node.parent, from, edge);
+        tied = node.tied = tied || node.tied || !same;
+        if (same && !node.settled) node.parent = from;
+      }
+      if (node.settled || length >= node.length) return;
+    }
+    node = {length, from, stamp_, edge.side(), false, tied};
     queue_.emplace(length, edge.to());
+  }
+
+  // Do two corners and one that both see lie on one line?
+  bool in_line(std::uint32_t a, std::uint32_t b, const GraphEdge& to) const {
+    const GraphCorner &one = graph_->corner(a), &two = graph_->corner(b);
+    return std::int64_t{to.x - one.x()} * (to.y - two.y()) ==
+           std::int64_t{to.y - one.y()} * (to.x - two.x());
   }
 
   const TautGraph* graph_;
