@@ -53,6 +53,10 @@ void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help)
       "R");
   table.flag("--unknown-free", to.map.unknown_is_free, "Unknown cells of a ROS map count as free");
   add_prepare(table, to.map, kPrepare);
+  table.file("--prepared", to.map.prepared,
+             "Read what --prepare makes from this file, or where it is not there make it and write "
+             "it (with labels, unless --prepare graph); refused where it is not of this map",
+             {});
   table.flag("--gap", to.with_optimum,
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
              "null where a time limit or a signal ended the search for it, or where --corners "
@@ -73,8 +77,15 @@ void finish_run(RunOptions& run) {
     note("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
   if (run.target_gap > 0 && !certifies)
     note("--target-gap has no effect: " + algorithm + " certifies no gap");
+  if (!map.prepared.empty()) {
+    if (map.radius > 0)
+      throw UsageError("--prepared is for a point; leave --radius out, or prepare without a file");
+    if (!map.prepare) map.prepare = map.labels = true;
+    run.inputs.push_back(map.prepared);
+  }
   if (map.prepare && !run.with_optimum && !certifies) {
     map.prepare = map.labels = false;
+    map.prepared.clear();
     note("--prepare has no effect: it is for exact, and for --gap");
   }
   if (map.labels && map.radius > 0) {

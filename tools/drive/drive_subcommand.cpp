@@ -97,6 +97,8 @@ Subcommand add_drive(CLI::App& app) {
           run.notes.emplace_back(
               "--prepare labels has the effect of graph: labels are of a map that does not change");
         run.map.labels = false;
+        if (!run.map.prepared.empty())
+          throw UsageError("--prepared is for plan and batch: a drive changes its map");
         run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
         if (!text->sense_text.empty())
           drive.sense = real_value("--sense", text->sense_text,

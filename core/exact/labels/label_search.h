@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,20 +33,29 @@ class LabelSearch {
                    Point start, Point goal, const ExactOptions& options, const StopCondition& stop,
                    ExactAnswer& answer);
 
-  std::int64_t bytes() const noexcept;  ///< memory held
-
- private:
-  // Entries that an end reaches over one corner.
+  /// Entries that an end reaches over one corner.
   struct Block {
     std::uint32_t first, last;
     std::uint32_t corner;
-    double before;  // length from the end to the corner
+    double before;  ///< length from the end to the corner
   };
-  struct End {
+  /// What the centre of a free cell sees, and all entries behind that.
+  struct View {
     QueryEnd at;
     std::vector<Block> blocks;
-    std::int64_t entries;
+    std::int64_t entries = 0;
+    std::vector<std::uint32_t> dead = {};  ///< corners at which a path can only end
   };
+  View view(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Cell cell);
+  /// The lengths of shortest paths from one place to others, a merge each; infinite where there is
+  /// none. All views are of this map.
+  void lengths_to(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
+                  const View& start, std::span<const View> targets, std::span<double> lengths);
+
+  std::int64_t bytes() const noexcept;  ///< memory held
+
+ private:
+  using End = View;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   // A way from an end to a hub: over its corner, and from there by an entry.
