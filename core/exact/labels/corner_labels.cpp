@@ -61,7 +61,7 @@ class LabelSorter {
       std::uint32_t next, number;
     };
     std::vector<Place> by_next;
-    for (std::uint32_t i = 0; i < label.size(); ++i) by_next.push_back({label[i].next, i});
+    for (std::uint32_t i = 0; i < label.size(); ++i) by_next.push_back({label[i].next(), i});
     std::ranges::sort(by_next, [](const Place& a, const Place& b) {
       return a.next != b.next ? a.next < b.next : a.number < b.number;
     });
@@ -89,11 +89,11 @@ class LabelSorter {
     const auto& label = hubs_.entries[v];
     for (std::size_t i = 0; i < label.size(); ++i) {
       const HubEntry& entry = label[i];
-      LabelStep step{entry.next | (entry.tied ? LabelStep::kTie : 0), CornerLabels::kArrived};
-      if (entry.next != hubs_.by_rank[entry.hub]) {
-        const auto& there = hubs_.entries[entry.next];
+      LabelStep step{entry.next_and_tie, CornerLabels::kArrived};
+      if (entry.next() != hubs_.by_rank[entry.hub]) {
+        const auto& there = hubs_.entries[entry.next()];
         const auto same = std::ranges::lower_bound(there, entry.hub, {}, &HubEntry::hub);
-        step.entry = places_[entry.next][static_cast<std::size_t>(same - there.begin())];
+        step.entry = places_[entry.next()][static_cast<std::size_t>(same - there.begin())];
       }
       to.steps[places_[v][i]] = step;
     }

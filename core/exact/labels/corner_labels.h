@@ -36,7 +36,7 @@ struct LabelStep {
   std::uint32_t corner_and_tie = 0;
   std::uint32_t entry = 0;  ///< the next corner's for the same hub; kArrived: it is the hub
 
-  static constexpr std::uint32_t kTie = std::uint32_t{1} << 31;
+  static constexpr std::uint32_t kTie = HubEntry::kTie;
   std::uint32_t corner() const noexcept { return corner_and_tie & ~kTie; }  ///< the next one
   /// Is there another way as short?
   bool tied() const noexcept { return (corner_and_tie & kTie) != 0; }

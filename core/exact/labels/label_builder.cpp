@@ -182,7 +182,7 @@ class HubFinder {
     for (const HubEntry& entry : of_batch(hub)) known[entry.hub] = kInfinity;
     for (const auto& at : found.corners) {
       if (!at.kept) continue;
-      hubs_.entries[at.corner].push_back({at.length, rank, at.next, at.tied});
+      hubs_.entries[at.corner].emplace_back(at.length, rank, at.next, at.tied);
       ++count_;
     }
     hubs_.ties.insert(hubs_.ties.end(), found.ties.begin(), found.ties.end());

@@ -12,10 +12,18 @@ namespace lasius::exact {
 
 /// A hub that a corner knows, the length of the way there, and the next corner on it.
 struct HubEntry {
-  double length;
-  std::uint32_t hub;   ///< its rank
-  std::uint32_t next;  ///< corner
-  bool tied = false;   ///< there is another way as short
+  double length = 0;
+  std::uint32_t hub = 0;  ///< its rank
+  std::uint32_t next_and_tie = 0;
+
+  HubEntry() = default;
+  HubEntry(double way, std::uint32_t rank, std::uint32_t corner, bool tied) noexcept
+      : length(way), hub(rank), next_and_tie(corner | (tied ? kTie : 0)) {}
+
+  static constexpr std::uint32_t kTie = std::uint32_t{1} << 31;
+  std::uint32_t next() const noexcept { return next_and_tie & ~kTie; }
+  /// Is there another way as short?
+  bool tied() const noexcept { return (next_and_tie & kTie) != 0; }
 };
 
 /// Corners in the order of their rank, and what each knows, by rank of the hub. A hub of a corner
