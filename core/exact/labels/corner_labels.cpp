@@ -36,7 +36,7 @@ class LabelSorter {
       });
     };
     each([&](std::uint32_t v) { sort(v, first[v], groups[v], to); });
-    each([&](std::uint32_t v) { join(v, first, to); });
+    each([&](std::uint32_t v) { join(v, to); });
     std::uint32_t before = 0;
     for (std::uint32_t v = 0; v < count; ++v) {
       LabelCorner& corner = to.corners[v];
@@ -85,7 +85,7 @@ class LabelSorter {
   }
 
   // Finds the next corner's entry for the same hub.
-  void join(std::uint32_t v, const std::vector<std::uint32_t>&, LabelArrays& to) {
+  void join(std::uint32_t v, LabelArrays& to) {
     const auto& label = hubs_.entries[v];
     for (std::size_t i = 0; i < label.size(); ++i) {
       const HubEntry& entry = label[i];
