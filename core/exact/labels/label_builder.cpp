@@ -117,14 +117,20 @@ class HubFinder {
     for (const HubEntry& entry : hubs_.entries[hub]) worker.known[entry.hub] = entry.length;
     found.ties.clear();
     worker.tree.grow(hub, worker.poller, [&](std::uint32_t v, const TautTree::Node& node) {
-      if (worker.known[rank_[v]] <= node.length * kTie) return false;
+      const double shorter = node.length * (1 - kAlike);
+      const double itself = worker.known[rank_[v]];
+      if (itself <= node.length * kTie) {
+        if (node.tied && itself >= shorter) found.ties.push_back(pair_of(hub, v));
+        return false;
+      }
       const std::span<const HubEntry> label = hubs_.entries[v];
       worker.poller.stop_after(static_cast<std::int64_t>(label.size()));
       double least = kInfinity;
-      for (const HubEntry& entry : label)
+      for (const HubEntry& entry : label) {
         least = std::min(least, worker.known[entry.hub] + entry.length);
-      if (least <= node.length * (1 + kAlike) && least >= node.length * (1 - kAlike) &&
-          another_way(v, node, worker))
+        if (least < shorter) return false;
+      }
+      if (least <= node.length * (1 + kAlike) && (node.tied || another_way(v, node, worker)))
         found.ties.push_back(pair_of(hub, v));
       if (least <= node.length * kTie) return false;
       found.corners.push_back({node.length, v, node.parent, node.tied, false});
@@ -171,7 +177,8 @@ class HubFinder {
         const double sum = known[entry.hub] + entry.length;
         if (sum > at->length * (1 + kAlike)) continue;
         if (sum <= most) kept = false;
-        if (sum >= at->length * (1 - kAlike) && !passes(found, *at, hubs_.by_rank[entry.hub]))
+        if (sum >= at->length * (1 - kAlike) &&
+            (at->tied || !passes(found, *at, hubs_.by_rank[entry.hub])))
           found.ties.push_back(pair_of(hub, at->corner));
       }
       kept = kept || needed_[at->corner];

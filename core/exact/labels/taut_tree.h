@@ -1,10 +1,10 @@
 // Taut paths from one corner to others: Dijkstra's algorithm over stored edges.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -44,15 +44,16 @@ class alignas(64) TautTree {
     for (const Side side : {kColumn, kLine})
       for (const GraphEdge& edge : graph_->edges(root, side)) reach(root, 0, edge);
     while (!queue_.empty()) {
-      const Waiting waiting = queue_.top();
-      queue_.pop();
+      std::ranges::pop_heap(queue_, std::greater<>());
+      const Waiting waiting = queue_.back();
+      queue_.pop_back();
       Node& node = nodes_[waiting.second];
       if (node.settled) continue;
       node.settled = true;
       if (!settle(waiting.second, std::as_const(node))) continue;
       if (poller.stop_after(expand(waiting.second))) break;
     }
-    queue_ = {};
+    queue_.clear();
   }
 
  private:
@@ -90,7 +91,8 @@ class alignas(64) TautTree {
       if (node.settled || length >= node.length) return;
     }
     node = {length, from, stamp_, edge.side(), false, tied};
-    queue_.emplace(length, edge.to());
+    queue_.emplace_back(length, edge.to());
+    std::ranges::push_heap(queue_, std::greater<>());
   }
 
   // Do two corners and one that both see lie on one line?
@@ -103,7 +105,7 @@ class alignas(64) TautTree {
   const TautGraph* graph_;
   std::vector<Node> nodes_;
   std::uint32_t stamp_ = 0;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
+  std::vector<Waiting> queue_;  // a heap
 };
 
 }  // namespace lasius::exact

@@ -207,7 +207,7 @@ TEST(CornerLabels, TilesKnowWhatTheirCellsSee) {
 }
 
 TEST(CornerLabels, AreGivenUpWhereTheyWouldTakeTooMuch) {
-  const Grid grid = generate(MapKind::random, {200, 200, 20, 1});
+  const Grid grid = generate(MapKind::random, {200, 200, 0.2, 1});
   PrepareOptions options{.threads = 2};
   options.max_label_entries = 4;
   Preparation report;
