@@ -202,7 +202,7 @@ int run_command_line(int argc, const char* const* argv) {
     if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, words);
   app.allow_extras();
   try {
-    app.parse({whole.rbegin(), whole.rend() - 1});
+    app.parse(std::vector<std::string>(whole.rbegin(), whole.rend() - 1));
   } catch (const CLI::CallForHelp&) {
     return help();
   } catch (const CLI::CallForVersion&) {
