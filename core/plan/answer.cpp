@@ -66,15 +66,11 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
     return result;
   }
   ExactAnswer& answer = memory.exact_answer;
-  if (map.labels != nullptr && (!map.as_without || request.target_gap == 0)) {
-    const auto ask =
-        map.as_without ? &exact::LabelSearch::search_only : &exact::LabelSearch::search;
-    if ((memory.labels.*ask)(map.grid, *map.graph, *map.labels, places.from, places.to, options,
-                             request.stop, answer))
-      return result_of(answer);
-  }
+  if (map.labels != nullptr && memory.labels.search(map.grid, *map.graph, *map.labels, places.from,
+                                                    places.to, options, request.stop, answer))
+    return result_of(answer);
   exact::Anytime anytime(memory.bounding, map.grid, places.from, places.to, options, request.stop);
-  if (map.graph != nullptr && !map.as_without) {
+  if (map.graph != nullptr) {
     memory.prepared.search(map.grid, *map.graph, places.from, places.to, anytime.options(),
                            request.stop, answer);
   } else {

@@ -32,8 +32,6 @@ struct PlanningMap {
   const Grid& grid;  ///< where `disc` is given, the cells that its centre may walk on
   const exact::CornerGraph* graph = nullptr;    ///< of `grid`; null if not prepared
   const exact::CornerLabels* labels = nullptr;  ///< of `graph`; null if there are none
-  /// Both are asked only where the shortest path is the only one: answers are those without.
-  bool as_without = false;
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
   /// Runs the colony in the owner's way; empty: a new one a question, run_colony().

@@ -1,15 +1,12 @@
 #include "lasius/batch.h"
 
-#include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "core/colony/own_update.h"
 #include "core/loop/batch_run.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "core/plan/batch_labels.h"
 
 namespace lasius {
 
@@ -24,23 +21,12 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
     check_certifies(algorithm, request.target_gap);
     check_goal_tolerance(request.goal_tolerance);
   }
-  const bool unprepared = algorithm.kind == Algorithm::Kind::exact && planner.robot().radius == 0 &&
-                          planner.preparation().state == Preparation::State::none &&
-                          requests.size() >= BatchLabels::kFewest && own.none();
-  // A query's own deadline leaves no time for others.
-  const bool timed = std::ranges::any_of(requests, [](const Request& request) {
-    return request.stop.deadline != Clock::time_point::max();
-  });
-  std::optional<BatchLabels> labels;
-  if (unprepared && !timed && !options.time_limit)
-    labels.emplace(planner, requests.size(), options.token);
   const auto make_plan = [&] {
     Params mine = params;
     mine.threads = 1;
-    return [&planner, &own, &labels, mine, workspace = std::make_shared<Workspace>()](
+    return [&planner, &own, mine, workspace = std::make_shared<Workspace>()](
                const Request& request, std::uint64_t seed) mutable {
       mine.seed = seed;
-      if (labels) return labels->plan(request, mine, workspace.get());
       return planner.plan(request, mine, own, workspace.get());
     };
   };

@@ -61,7 +61,7 @@ class LabelSorter {
       std::uint32_t next, number;
     };
     std::vector<Place> by_next;
-    for (std::uint32_t i = 0; i < label.size(); ++i) by_next.push_back({label[i].next(), i});
+    for (std::uint32_t i = 0; i < label.size(); ++i) by_next.push_back({label[i].next, i});
     std::ranges::sort(by_next, [](const Place& a, const Place& b) {
       return a.next != b.next ? a.next < b.next : a.number < b.number;
     });
@@ -89,11 +89,11 @@ class LabelSorter {
     const auto& label = hubs_.entries[v];
     for (std::size_t i = 0; i < label.size(); ++i) {
       const HubEntry& entry = label[i];
-      LabelStep step{entry.next_and_tie, CornerLabels::kArrived};
-      if (entry.next() != hubs_.by_rank[entry.hub]) {
-        const auto& there = hubs_.entries[entry.next()];
+      LabelStep step{entry.next, CornerLabels::kArrived};
+      if (entry.next != hubs_.by_rank[entry.hub]) {
+        const auto& there = hubs_.entries[entry.next];
         const auto same = std::ranges::lower_bound(there, entry.hub, {}, &HubEntry::hub);
-        step.entry = places_[entry.next()][static_cast<std::size_t>(same - there.begin())];
+        step.entry = places_[entry.next][static_cast<std::size_t>(same - there.begin())];
       }
       to.steps[places_[v][i]] = step;
     }
@@ -131,8 +131,6 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
       return nullptr;
     }
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
-    labels->arrays_.ties = std::move(hubs.ties);
-    labels->mark_ties();
   }
   labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
   list_tiles(grid, taut, threads, options.stop, labels->arrays_);
@@ -146,16 +144,10 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
   return labels;
 }
 
-void CornerLabels::mark_ties() {
-  tied_.assign(arrays_.corners.size(), false);
-  for (const std::uint64_t pair : arrays_.ties)
-    for (const std::uint64_t corner : {pair >> 32, pair & 0xffffffff}) tied_[corner] = true;
-}
-
 std::int64_t CornerLabels::bytes() const noexcept {
   const LabelArrays& a = arrays_;
   return held_bytes(a.corners, a.groups, a.hubs, a.lengths, a.steps, a.tiles, a.live, a.dead,
-                    a.ties, a.masks);
+                    a.masks);
 }
 
 }  // namespace lasius::exact

@@ -1,7 +1,6 @@
 // Hub labels of a map's corners, and for each tile of cells which corners they see.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -33,13 +32,8 @@ struct LabelGroup {
 
 /// How the way of an entry goes on.
 struct LabelStep {
-  std::uint32_t corner_and_tie = 0;
-  std::uint32_t entry = 0;  ///< the next corner's for the same hub; kArrived: it is the hub
-
-  static constexpr std::uint32_t kTie = HubEntry::kTie;
-  std::uint32_t corner() const noexcept { return corner_and_tie & ~kTie; }  ///< the next one
-  /// Is there another way as short?
-  bool tied() const noexcept { return (corner_and_tie & kTie) != 0; }
+  std::uint32_t corner = 0;  ///< the next one
+  std::uint32_t entry = 0;   ///< the next corner's for the same hub; kArrived: it is the hub
 };
 
 /// A corner that a tile's cells see.
@@ -71,7 +65,6 @@ struct LabelArrays {
   std::vector<Tile> tiles;          ///< 8 x 8 cells each, row by row, and one past the end
   std::vector<TileCorner> live;
   std::vector<std::uint32_t> dead;   ///< numbers of corners
-  std::vector<std::uint64_t> ties;   ///< pairs of corners, see Hubs
   std::vector<std::uint64_t> masks;  ///< bit 8 y + x for the tile's cell (x, y)
 };
 
@@ -92,11 +85,6 @@ class CornerLabels {
            static_cast<std::size_t>(c.x >> kTileBits);
   }
   static int place_of(Cell c) noexcept { return (c.y & 7) << kTileBits | (c.x & 7); }
-  /// Are two corners ends of a tie, see Hubs::ties?
-  bool has_tie(std::uint32_t corner) const noexcept { return tied_[corner]; }
-  bool tied(std::uint32_t a, std::uint32_t b) const noexcept {
-    return std::ranges::binary_search(arrays_.ties, pair_of(a, b));
-  }
   std::int64_t entry_count() const noexcept {
     return static_cast<std::int64_t>(arrays_.hubs.size());
   }
@@ -108,10 +96,7 @@ class CornerLabels {
                                                   ArrayReader& from);
 
  private:
-  void mark_ties();
-
   LabelArrays arrays_;
-  std::vector<bool> tied_;  // by corner
   std::size_t tiles_across_ = 0;
 };
 

@@ -25,10 +25,9 @@ struct Found {
   struct Corner {
     double length;
     std::uint32_t corner, next;
-    bool tied, kept;
+    bool kept;
   };
   std::vector<Corner> corners;
-  std::vector<std::uint64_t> ties;
 };
 
 class HubFinder {
@@ -54,8 +53,6 @@ class HubFinder {
       first += count;
       if (count_ > most || hopeless(first, most)) return HubsEnd::too_many;
     }
-    std::ranges::sort(hubs_.ties);
-    hubs_.ties.erase(std::unique(hubs_.ties.begin(), hubs_.ties.end()), hubs_.ties.end());
     return stopped_ ? HubsEnd::stopped : HubsEnd::ready;
   }
 
@@ -115,42 +112,18 @@ class HubFinder {
     if (stopped_) return;
     const std::uint32_t hub = hubs_.by_rank[rank];
     for (const HubEntry& entry : hubs_.entries[hub]) worker.known[entry.hub] = entry.length;
-    found.ties.clear();
     worker.tree.grow(hub, worker.poller, [&](std::uint32_t v, const TautTree::Node& node) {
-      const double shorter = node.length * (1 - kAlike);
-      const double itself = worker.known[rank_[v]];
-      if (itself <= node.length * kTie) {
-        if (node.tied && itself >= shorter) found.ties.push_back(pair_of(hub, v));
-        return false;
-      }
+      const double most = node.length * kTie;
+      if (worker.known[rank_[v]] <= most) return false;
       const std::span<const HubEntry> label = hubs_.entries[v];
       worker.poller.stop_after(static_cast<std::int64_t>(label.size()));
-      double least = kInfinity;
-      for (const HubEntry& entry : label) {
-        least = std::min(least, worker.known[entry.hub] + entry.length);
-        if (least < shorter) return false;
-      }
-      if (least <= node.length * (1 + kAlike) && (node.tied || another_way(v, node, worker)))
-        found.ties.push_back(pair_of(hub, v));
-      if (least <= node.length * kTie) return false;
-      found.corners.push_back({node.length, v, node.parent, node.tied, false});
+      for (const HubEntry& entry : label)
+        if (worker.known[entry.hub] + entry.length <= most) return false;
+      found.corners.push_back({node.length, v, node.parent, false});
       return true;
     });
     for (const HubEntry& entry : hubs_.entries[hub]) worker.known[entry.hub] = kInfinity;
     if (worker.poller.stopped()) stopped_ = true;
-  }
-
-  // Is a way over a known hub as short as the one found, and not along its last edge?
-  bool another_way(std::uint32_t v, const TautTree::Node& node, const Worker& worker) const {
-    const GraphCorner &end = graph_.corner(v), &before = graph_.corner(node.parent);
-    for (const HubEntry& entry : hubs_.entries[v]) {
-      if (worker.known[entry.hub] + entry.length > node.length * (1 + kAlike)) continue;
-      const GraphCorner& hub = graph_.corner(hubs_.by_rank[entry.hub]);
-      const std::int64_t ax = hub.x() - before.x(), ay = hub.y() - before.y();
-      const std::int64_t bx = end.x() - hub.x(), by = end.y() - hub.y();
-      if (ax * by != ay * bx || ax * bx + ay * by < 0) return true;
-    }
-    return false;
   }
 
   // Puts what a search found into the labels, but for corners that hubs before it of its own batch,
@@ -166,21 +139,12 @@ class HubFinder {
     };
     for (const HubEntry& entry : of_batch(hub)) known[entry.hub] = entry.length;
     needed_.resize(graph_.size());
-    place_.resize(graph_.size());
-    for (std::uint32_t i = 0; i < found.corners.size(); ++i) place_[found.corners[i].corner] = i;
     for (auto at = found.corners.rbegin(); at != found.corners.rend(); ++at) {
       const double most = at->length * kTie;
       const std::uint32_t own = rank_[at->corner];
-      bool kept = true;
-      if (own >= first && own < rank && known[own] <= most) kept = false;
-      for (const HubEntry& entry : of_batch(at->corner)) {
-        const double sum = known[entry.hub] + entry.length;
-        if (sum > at->length * (1 + kAlike)) continue;
-        if (sum <= most) kept = false;
-        if (sum >= at->length * (1 - kAlike) &&
-            (at->tied || !passes(found, *at, hubs_.by_rank[entry.hub])))
-          found.ties.push_back(pair_of(hub, at->corner));
-      }
+      bool kept = !(own >= first && own < rank && known[own] <= most);
+      for (const HubEntry& entry : of_batch(at->corner))
+        if (known[entry.hub] + entry.length <= most) kept = false;
       kept = kept || needed_[at->corner];
       needed_[at->corner] = false;
       at->kept = kept;
@@ -189,28 +153,13 @@ class HubFinder {
     for (const HubEntry& entry : of_batch(hub)) known[entry.hub] = kInfinity;
     for (const auto& at : found.corners) {
       if (!at.kept) continue;
-      hubs_.entries[at.corner].emplace_back(at.length, rank, at.next, at.tied);
+      hubs_.entries[at.corner].push_back({at.length, rank, at.next});
       ++count_;
     }
-    hubs_.ties.insert(hubs_.ties.end(), found.ties.begin(), found.ties.end());
   }
 
   // A few hubs tell: where they are known at most corners, as in noise and warehouses, others will
   // be, too. Each of these shares of what is allowed was passed on no map whose labels were within.
-  // Does the way that was found go over this corner?
-  bool passes(const Found& found, const Found::Corner& from, std::uint32_t corner) {
-    const GraphCorner& over = graph_.corner(corner);
-    for (const Found::Corner* at = &from;;) {
-      const GraphCorner &end = graph_.corner(at->corner), &before = graph_.corner(at->next);
-      const std::int64_t ax = over.x() - before.x(), ay = over.y() - before.y();
-      const std::int64_t bx = end.x() - over.x(), by = end.y() - over.y();
-      if (ax * by == ay * bx && ax * bx + ay * by >= 0) return true;
-      const std::uint32_t next = place_[at->next];
-      if (next >= found.corners.size() || found.corners[next].corner != at->next) return false;
-      at = &found.corners[next];
-    }
-  }
-
   bool hopeless(std::uint32_t hubs, std::int64_t most) const {
     if (hubs < 16 || graph_.size() < 64 * hubs) return false;
     const double share = 0.1 * (std::bit_width(hubs) - 4);
@@ -223,8 +172,7 @@ class HubFinder {
   Hubs& hubs_;
   std::vector<std::uint32_t> rank_;  // by corner
   std::vector<std::unique_ptr<Worker>> team_;
-  std::vector<char> needed_;          // by corner
-  std::vector<std::uint32_t> place_;  // by corner, in what was found
+  std::vector<char> needed_;  // by corner
   std::int64_t count_ = 0;
   std::atomic<bool> stopped_ = false;
 };

@@ -160,7 +160,7 @@ void LabelSearch::follow(const Chain& chain, std::vector<std::uint32_t>& corners
   corners.assign(1, chain.corner);
   for (std::uint32_t entry = chain.entry; entry != CornerLabels::kArrived;) {
     const LabelStep& step = arrays_->steps[entry];
-    corners.push_back(step.corner());
+    corners.push_back(step.corner);
     entry = step.entry;
   }
 }
@@ -180,8 +180,6 @@ bool LabelSearch::find(const Grid& grid, const CornerGraph& graph, const CornerL
   goal_.at = QueryEnd(goal);
   begin(graph, labels);
   corners_.clear();
-  hubs_.clear();
-  bends_.clear();
   if (start_.at.sees(map, goal_.at)) {
     best_ = exact::distance(start_.at.x, start_.at.y, goal_.at.x, goal_.at.y);
     return true;
@@ -191,7 +189,6 @@ bool LabelSearch::find(const Grid& grid, const CornerGraph& graph, const CornerL
   const auto bend = [&](std::uint32_t corner) {
     if (marks_[corner] != stamp_) return;
     const double length = distance_to(start_, corner) + distance_to(goal_, corner);
-    if (certify_ && length <= best_ * (1 + kAlike)) bends_.emplace_back(corner, length);
     if (length >= best_) return;
     best_ = length;
     best_bend_ = corner;
@@ -206,9 +203,8 @@ bool LabelSearch::find(const Grid& grid, const CornerGraph& graph, const CornerL
   const End& to = from_goal ? start_ : goal_;
   scatter(from);
   merge(from, to);
-  const bool told = best_ < kInfinity && (!certify_ || list_hubs(from, to));
   clear(from);
-  if (!told) return false;
+  if (best_ == kInfinity) return false;
   if (best_bend_ != kNone)
     corners_.assign(1, best_bend_);
   else
@@ -219,7 +215,6 @@ bool LabelSearch::find(const Grid& grid, const CornerGraph& graph, const CornerL
 bool LabelSearch::search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
                          Point start, Point goal, const ExactOptions& options,
                          const StopCondition& stop, ExactAnswer& answer) {
-  certify_ = false;
   if (!find(grid, graph, labels, start, goal, stop)) return false;
   write_path(options, answer);
   return true;
@@ -286,8 +281,7 @@ void LabelSearch::lengths_to(const Grid& grid, const CornerGraph& graph, const C
 }
 
 std::int64_t LabelSearch::bytes() const noexcept {
-  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_, hubs_, bends_,
-                    chains_, other_chains_, outline_, ties_) +
+  return held_bytes(lengths_, marks_, start_.blocks, goal_.blocks, corners_, more_) +
          improvements_.bytes();
 }
 

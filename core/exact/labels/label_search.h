@@ -27,12 +27,6 @@ class LabelSearch {
   bool search(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point start,
               Point goal, const ExactOptions& options, const StopCondition& stop,
               ExactAnswer& answer);
-  /// The same, and false as well where another path may be as short: what it tells is then the
-  /// path of any exact search, bit for bit.
-  bool search_only(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,
-                   Point start, Point goal, const ExactOptions& options, const StopCondition& stop,
-                   ExactAnswer& answer);
-
   /// Entries that an end reaches over one corner.
   struct Block {
     std::uint32_t first, last;
@@ -66,10 +60,6 @@ class LabelSearch {
 
   bool find(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point start,
             Point goal, const StopCondition& stop);
-  bool is_only();
-  bool list_hubs(const End& from, const End& to);
-  bool list_chains(const End& end, std::uint32_t hub, double most,
-                   std::vector<Chain>& chains) const;
   void begin(const CornerGraph& graph, const CornerLabels& labels);
   template <class Dead>
   bool gather(const kernels::BitmapView& map, End& end, Poller& poller, const Dead& dead);
@@ -96,15 +86,9 @@ class LabelSearch {
   std::uint32_t stamp_ = 0;
   End start_, goal_;
   std::vector<std::uint32_t> corners_, more_;
-  double best_ = 0;                                      // length of the best path
-  std::uint32_t best_hub_ = kNone;                       // rank
-  std::uint32_t best_bend_ = kNone;                      // the corner, if there is but one
-  bool certify_ = false;                                 // list what may be as short
-  std::vector<std::uint32_t> hubs_;                      // over which a path may be as short
-  std::vector<std::pair<std::uint32_t, double>> bends_;  // the same of one corner, and its length
-  std::vector<Chain> chains_, other_chains_;
-  std::vector<Point> outline_;
-  std::vector<std::uint32_t> ties_;
+  double best_ = 0;                  // length of the best path
+  std::uint32_t best_hub_ = kNone;   // rank
+  std::uint32_t best_bend_ = kNone;  // the corner, if there is but one
   Improvements improvements_;
 };
 

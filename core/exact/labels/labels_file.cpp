@@ -14,7 +14,6 @@ void CornerLabels::save(ArrayWriter& to) const {
   to.array(a.tiles);
   to.array(a.live);
   to.array(a.dead);
-  to.array(a.ties);
   to.array(a.masks);
 }
 
@@ -31,7 +30,6 @@ std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const C
   a.tiles = from.array<Tile>();
   a.live = from.array<TileCorner>();
   a.dead = from.array<std::uint32_t>();
-  a.ties = from.array<std::uint64_t>();
   a.masks = from.array<std::uint64_t>();
   const std::uint32_t count = graph.size();
   const std::size_t entries = a.hubs.size();
@@ -47,7 +45,7 @@ std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const C
     from.require(a.groups[i - 1].first <= a.groups[i].first);
   for (std::size_t e = 0; e < entries; ++e) {
     const LabelStep step = a.steps[e];
-    from.require(a.hubs[e] < count && step.corner() < count && a.lengths[e] > 0);
+    from.require(a.hubs[e] < count && step.corner < count && a.lengths[e] > 0);
     // Ways get shorter: none goes round for ever.
     from.require(step.entry == kArrived ||
                  (step.entry < entries && a.lengths[step.entry] < a.lengths[e]));
@@ -68,9 +66,6 @@ std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const C
                a.tiles.front().dead_full == 0 && a.tiles.front().masks == 0);
   for (const TileCorner& c : a.live) from.require(c.number < count);
   for (const std::uint32_t v : a.dead) from.require(v < count);
-  for (const std::uint64_t pair : a.ties)
-    from.require(pair >> 32 < count && (pair & 0xffffffff) < count);
-  made->mark_ties();
   return made;
 }
 

@@ -9,9 +9,6 @@
 
 namespace lasius::exact {
 
-/// Lengths that differ by less of themselves may be equal.
-inline constexpr double kAlike = 1e-11;
-
 /// The edges of a CornerGraph side by side, and for each that leads one way only the way back: it
 /// lies on the side on which a path that goes the other way leaves. So a taut path can be walked
 /// from either end. 8 bytes an edge, 8 a corner.

@@ -25,7 +25,6 @@ class alignas(64) TautTree {
     std::uint32_t stamp = 0;
     Side side = kColumn;  ///< on which to go on
     bool settled = false;
-    bool tied = false;  ///< there is another way as short
   };
 
   explicit TautTree(const TautGraph& graph) : graph_(&graph), nodes_(graph.size()) {}
@@ -40,7 +39,7 @@ class alignas(64) TautTree {
       nodes_.assign(nodes_.size(), {});
       stamp_ = 1;
     }
-    nodes_[root] = {0, kNone, stamp_, kColumn, true, false};
+    nodes_[root] = {0, kNone, stamp_, kColumn, true};
     for (const Side side : {kColumn, kLine})
       for (const GraphEdge& edge : graph_->edges(root, side)) reach(root, 0, edge);
     while (!queue_.empty()) {
@@ -80,26 +79,10 @@ class alignas(64) TautTree {
     const double x = edge.x - corner.x(), y = edge.y - corner.y();
     const double length = before + std::sqrt(x * x + y * y);
     Node& node = nodes_[edge.to()];
-    bool tied = nodes_[from].tied;
-    if (node.stamp == stamp_) {
-      if (length <= node.length * (1 + kAlike) && length >= node.length * (1 - kAlike)) {
-        // Of two on one line the nearer one is kept: then no corner on the way is skipped.
-        const bool same = in_line(node.parent, from, edge);
-        tied = node.tied = tied || node.tied || !same;
-        if (same && !node.settled) node.parent = from;
-      }
-      if (node.settled || length >= node.length) return;
-    }
-    node = {length, from, stamp_, edge.side(), false, tied};
+    if (node.stamp == stamp_ && (node.settled || length >= node.length)) return;
+    node = {length, from, stamp_, edge.side(), false};
     queue_.emplace_back(length, edge.to());
     std::ranges::push_heap(queue_, std::greater<>());
-  }
-
-  // Do two corners and one that both see lie on one line?
-  bool in_line(std::uint32_t a, std::uint32_t b, const GraphEdge& to) const {
-    const GraphCorner &one = graph_->corner(a), &two = graph_->corner(b);
-    return std::int64_t{to.x - one.x()} * (to.y - two.y()) ==
-           std::int64_t{to.y - one.y()} * (to.x - two.x());
   }
 
   const TautGraph* graph_;

@@ -167,20 +167,6 @@ TEST(PreparedPlanner, AFileKeepsWhatWasPrepared) {
   EXPECT_THROW((void)Planner(map()).load_preparation(file + ".none"), Error);
 }
 
-// A batch makes labels for itself, which show in no answer.
-TEST(PreparedPlanner, LabelsOfABatchChangeNothing) {
-  const Planner planner(map());
-  const auto queries = some_queries(1500);
-  Workspace workspace;
-  plan_batch(planner, queries, {}, {.threads = 2}, [&](const BatchAnswer& answer) {
-    const Result alone = planner.plan(queries[answer.index], {}, &workspace);
-    EXPECT_EQ(answer.result.status, alone.status);
-    EXPECT_EQ(answer.result.path, alone.path);
-    EXPECT_EQ(answer.result.lower_bound, alone.lower_bound);
-    EXPECT_EQ(answer.result.optimal, alone.optimal);
-  });
-}
-
 TEST(PreparedPlanner, ThreadsChangeNothing) {
   const auto queries = some_queries(60);
   std::vector<std::vector<Point>> first;

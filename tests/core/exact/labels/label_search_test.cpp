@@ -108,49 +108,6 @@ TEST(LabelSearch, TakesAnyPointsAsEnds) {
   EXPECT_GT(searches.found, 300);
 }
 
-/// Blocks in rows and columns: most paths have others as short.
-Grid pillars(int side, int apart) {
-  Grid grid(side, side);
-  for (int y = apart; y + apart < side; y += 2 * apart)
-    for (int x = apart; x + apart < side; x += 2 * apart) grid.fill({x, y, apart, apart}, true);
-  return grid;
-}
-
-// What is told to be the only path is that of the ordinary search, bit for bit.
-TEST(LabelSearch, KnowsWhereAPathIsTheOnlyOne) {
-  std::mt19937 random(3);
-  exact::LabelSearch by_labels;
-  ExactSearch plain;
-  int told = 0, left = 0;
-  const auto ask = [&](const Grid& grid, int queries) {
-    const LabelledMap map(grid);
-    for (int i = 0; i < queries && !testing::Test::HasFailure(); ++i) {
-      const auto start = random_free(grid, random), goal = random_free(grid, random);
-      if (!start || !goal) continue;
-      const ExactAnswer expected = lasius::solve(plain, grid, *start, *goal);
-      ExactAnswer answer;
-      const bool only = by_labels.search_only(grid, *map.graph, *map.labels, centre(*start),
-                                              centre(*goal), {}, {}, answer);
-      told += only;
-      left += !only && expected.optimal;
-      if (!only) continue;
-      SCOPED_TRACE(testing::Message()
-                   << start->x << ',' << start->y << " to " << goal->x << ',' << goal->y);
-      EXPECT_EQ(answer.path, expected.path);
-      EXPECT_EQ(answer.length, expected.length);
-      EXPECT_EQ(answer.lower_bound, expected.lower_bound);
-    }
-  };
-  for (const int apart : {1, 2, 3}) ask(pillars(30, apart), 800);
-  for (int i = 0; i < scaled(800) && !HasFailure(); ++i) {
-    SCOPED_TRACE("grid " + std::to_string(i));
-    ask(random_small_grid(i, random), 6);
-    if (i % 40 == 0) ask(random_large_grid(i / 40, random), 60);
-  }
-  EXPECT_GT(told, 2000);
-  EXPECT_GT(left, 500);
-}
-
 template <class T>
 void expect_same(const std::vector<T>& a, const std::vector<T>& b) {
   ASSERT_EQ(a.size(), b.size());
