@@ -87,7 +87,7 @@ class Prepare(ProgramTest):
         self.assertEqual(self.run_program("verify", "l.json").code, 0)
 
     def test_labels_where_there_are_none(self):
-        for more, note in ((("--radius", "1"), "labels are for a point"),
+        for more, note in ((("--radius", "0.5"), "labels are for a point"),
                            (("--algorithm", "fan2004", "--iterations", "3"), "has no effect")):
             self.ended(self.fan("--json", "--prepare", "labels", *more), 0, note)
 
