@@ -162,8 +162,8 @@ class CornerGraph {
   std::int64_t edge_count() const noexcept { return edge_count_; }
   std::int64_t bytes() const noexcept;
 
-  /// To a file and back; of a graph that saw no edits. What is read is checked to be a graph, not to
-  /// be that of the map. @throws Error(file_broken)
+  /// To a file and back; of a graph that saw no edits. What is read is checked to be a graph, not
+  /// to be that of the map. @throws Error(file_broken)
   void save(ArrayWriter& to) const;
   static std::shared_ptr<CornerGraph> load(const Grid& grid, ArrayReader& from);
 
