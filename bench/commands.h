@@ -18,6 +18,7 @@ void add_anytime_command(CLI::App& app);
 void add_exact_command(CLI::App& app);
 void add_costs_command(CLI::App& app);
 void add_disc_command(CLI::App& app);
+void add_labels_command(CLI::App& app);
 void add_edits_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
 void add_overshoot_command(CLI::App& app);

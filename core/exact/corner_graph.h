@@ -88,6 +88,9 @@ struct DirectedEdge {
   GraphEdge edge;
 };
 
+class ArrayWriter;
+class ArrayReader;
+
 /// The tangent visibility graph of a map: an edge joins two corners that see each other where a
 /// taut path may come along at both ends. Corners are numbered tile by tile, 8 x 8 lattice points
 /// each; after edits some numbers stand for no corner.
@@ -158,6 +161,11 @@ class CornerGraph {
   }
   std::int64_t edge_count() const noexcept { return edge_count_; }
   std::int64_t bytes() const noexcept;
+
+  /// To a file and back; of a graph that saw no edits. What is read is checked to be a graph, not
+  /// to be that of the map. @throws Error(file_broken)
+  void save(ArrayWriter& to) const;
+  static std::shared_ptr<CornerGraph> load(const Grid& grid, ArrayReader& from);
 
  private:
   static constexpr int kChunkBits = 6;

@@ -58,6 +58,7 @@ class Landmarks {
     bounds_.fill(true);
   }
 
+  double grain() const noexcept { return grain_; }
   bool empty() const noexcept { return cells_.empty(); }
   /// A landmark is the centre of a cell.
   const std::vector<Cell>& cells() const noexcept { return cells_; }

@@ -8,6 +8,7 @@ void conclude(double lower, double upper, StopCondition::Cause cause, double tar
               ExactAnswer& answer) {
   const bool found = std::isfinite(upper);
   answer.cause = cause;
+  answer.stored_legs = false;
   answer.length = found ? path_length(answer.path) : kNaN;
   const bool proven = found && lower >= upper;
   answer.optimal = proven && rounding(upper) <= kRounding;

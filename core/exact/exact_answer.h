@@ -49,6 +49,9 @@ struct ExactAnswer {
   /// the optimum, up to exact::kRounding of it; else less by exact::rounding.
   double lower_bound = 0;
   bool optimal = false;
+  /// All legs of the path but the first and the last are made of edges that were in sight when the
+  /// map was prepared.
+  bool stored_legs = false;
 };
 
 namespace exact {

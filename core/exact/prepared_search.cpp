@@ -304,6 +304,7 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Point st
   if (upper_ < kInfinity) trace(answer.path);
   conclude(lower_, upper_, told_to_stop_ ? StopCondition::Cause::token : poller.cause(),
            options.target_gap, answer);
+  answer.stored_legs = true;
 }
 
 bool PreparedSearch::tell_improvement() {

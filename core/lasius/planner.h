@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lasius/export.h"
@@ -206,6 +207,14 @@ class LASIUS_EXPORT Planner {
 
   /// What came of the visibility graph.
   const Preparation& preparation() const noexcept;
+  /// Writes the visibility graph and its labels, if any, to a file, with the map's hash; under a
+  /// temporary name first. @throws Error(output_failed); Error(invalid_parameter) where nothing is
+  /// prepared, or for a disc's.
+  void save_preparation(const std::string& file) const;
+  /// A planner for the same map with what such a file holds; this one stays as it is. Checks that
+  /// the file is whole. @throws Error(file_missing); Error(file_broken) where it is not of this
+  /// map, damaged, or of another version; Error(invalid_parameter) for a disc.
+  Planner load_preparation(const std::string& file) const;
 
   /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
   /// 8-connected. Labels these first, see `label`.
@@ -215,7 +224,7 @@ class LASIUS_EXPORT Planner {
   struct Footprint {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
-    std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
+    std::int64_t visibility_graph = 0;  ///< with labels; 0 where the map is not prepared
     std::int64_t disc = 0;              ///< the map before it grew, a disc's free space, and
                                         ///< what widest_disc() keeps
   };

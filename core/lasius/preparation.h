@@ -18,6 +18,13 @@ struct PrepareOptions {
   /// Ends the preparation; what was made of the graph is dropped. Planner::make_prepared
   /// asks it while components are labelled, too.
   StopCondition stop = {};
+  /// Gives corners hub labels as well: then a query looks around nowhere, and searches nothing. Not
+  /// for a disc. Where they would take too much, planning goes on by the graph alone.
+  bool labels = false;
+  /// Labels with more entries a vertex than this, on average, are abandoned.
+  int max_label_entries = 128;
+  /// And those whose entries would take more than this, 20 bytes each.
+  std::int64_t max_label_bytes = std::int64_t{64} << 20;
 };
 
 /// What came of it.
@@ -35,6 +42,14 @@ struct Preparation {
   std::int64_t edges = 0;  ///< from vertex to vertex in sight, if ready
   std::int64_t bytes = 0;  ///< held, if ready
   double seconds = 0;      ///< spent
+  /// Of hub labels.
+  struct Labels {
+    State state = State::none;  ///< how they ended; too_large: as PrepareOptions say
+    std::int64_t entries = 0;   ///< hubs that vertices know, if ready
+    std::int64_t bytes = 0;     ///< held, with what each tile of cells sees, if ready
+    double seconds = 0;         ///< spent, beside those of the graph
+  };
+  Labels labels = {};  ///< where they were asked for
 };
 /// The name, as in "too_large".
 LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;

@@ -12,6 +12,7 @@
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
 #include "core/exact/corner_graph.h"
+#include "core/exact/labels/corner_labels.h"
 #include "core/grid/nearest_free.h"
 #include "lasius/planner.h"
 
@@ -29,7 +30,8 @@ struct DiscMap {
 /// A map, and what its owner knows about it.
 struct PlanningMap {
   const Grid& grid;  ///< where `disc` is given, the cells that its centre may walk on
-  const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
+  const exact::CornerGraph* graph = nullptr;    ///< of `grid`; null if not prepared
+  const exact::CornerLabels* labels = nullptr;  ///< of `graph`; null if there are none
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
   /// Searches between the centres of two cells in the owner's way: a colony (empty: a new one a

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
@@ -50,6 +51,38 @@ std::optional<std::vector<double>> searched(const Planner::Impl& map, std::span<
   return lengths;
 }
 
+// By labels: a look from each place, and a merge for each pair.
+std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<const Cell> sources,
+                                          std::span<const Cell> targets, bool same, int threads,
+                                          const StopCondition& stop) {
+  using exact::LabelSearch;
+  std::vector<LabelSearch> searches(static_cast<std::size_t>(threads));
+  std::vector<LabelSearch::View> seen(targets.size());
+  std::atomic<bool> stopped{false};
+  const auto over = [&] {
+    if (stop.poll() != StopCondition::Cause::none) stopped = true;
+    return stopped.load();
+  };
+  parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
+    if (!over()) seen[to] = searches[thread].view(map.grid, *map.graph, *map.labels, targets[to]);
+  });
+  const std::size_t columns = targets.size();
+  std::vector<double> lengths(sources.size() * columns, 0);
+  parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
+    const std::size_t first = same ? row + 1 : 0;
+    if (first >= columns || over()) return;
+    LabelSearch& search = searches[thread];
+    const auto from = search.view(map.grid, *map.graph, *map.labels, sources[row]);
+    search.lengths_to(map.grid, *map.graph, *map.labels, from, std::span(seen).subspan(first),
+                      std::span(lengths).subspan(row * columns + first, columns - first));
+  });
+  if (stopped) return std::nullopt;
+  for (std::size_t row = 0; same && row < columns; ++row)
+    for (std::size_t to = row + 1; to < columns; ++to)
+      lengths[to * columns + row] = lengths[row * columns + to];
+  return lengths;
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sources,
@@ -62,6 +95,8 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sour
         throw Error(ErrorCode::invalid_parameter, "the cell " + cell_name(c) + " is no free cell",
                     "ask from and to free cells of the map");
   const bool same = sources.data() == targets.data() && sources.size() == targets.size();
+  if (impl_->labels != nullptr)
+    return merged(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
   if (impl_->graph != nullptr && impl_->disc == nullptr &&
       impl_->preparation.edges <= kEdgesPerTarget * static_cast<std::int64_t>(targets.size()))
     return searched(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);

@@ -136,7 +136,7 @@ std::int64_t Planner::components(Corners corners) const {
 Planner::Footprint Planner::footprint() const noexcept {
   return {.bitmap = bitmap_bytes(impl_->grid),
           .components = impl_->component_bytes(),
-          .visibility_graph = impl_->preparation.bytes,
+          .visibility_graph = impl_->preparation.bytes + impl_->preparation.labels.bytes,
           .disc = (impl_->disc != nullptr ? disc_bytes(*impl_->disc) : 0) + impl_->region_bytes()};
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/exact/corner_graph.h"
+#include "core/exact/labels/corner_labels.h"
 #include "core/grid/components.h"
 #include "core/grid/grid_view.h"
 #include "core/params/parameter_table.h"
@@ -46,6 +47,8 @@ class Planner::Impl {
     const auto begin = Clock::now();
     if (disc == nullptr) {
       graph = exact::CornerGraph::make(grid, options, preparation);
+      if (options.labels && graph != nullptr)
+        labels = exact::CornerLabels::make(grid, *graph, options, preparation.labels);
     } else if (disc->space) {
       disc_graph = disc::DiscGraph::make(*disc->space, options, preparation);
     }
@@ -70,6 +73,7 @@ class Planner::Impl {
   PlanningMap planning_map(const StopCondition& stop) const {
     return {.grid = grid,
             .graph = graph.get(),
+            .labels = labels.get(),
             .connected = [this, &stop](Cell a, Cell b,
                                        Corners corners) { return connected(a, b, corners, stop); },
             .disc = disc.get(),
@@ -134,6 +138,7 @@ class Planner::Impl {
   const std::vector<Direction> excluded;
   const std::vector<Cell> closed;                     ///< blocked in `map()` by `excluded` alone
   std::shared_ptr<const exact::CornerGraph> graph;    ///< of `grid`; null if not prepared
+  std::shared_ptr<const exact::CornerLabels> labels;  ///< of `graph`; null if there are none
   const std::shared_ptr<const DiscMap> disc;          ///< null for a point
   std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared
   Preparation preparation;

@@ -42,8 +42,8 @@ class SharedWorkspace {
   Workspace workspace_;
 };
 
-PrepareOptions prepare_options(int threads, std::int64_t max_bytes, Call& call) {
-  return {.threads = threads, .max_bytes = max_bytes, .stop = call.condition()};
+PrepareOptions prepare_options(int threads, std::int64_t max_bytes, bool labels, Call& call) {
+  return {.threads = threads, .max_bytes = max_bytes, .stop = call.condition(), .labels = labels};
 }
 
 /// (error, Planner or None)
@@ -52,9 +52,15 @@ py::tuple made(const Grid& grid, double radius) {
   return call.answer([&] { return Planner::make(Grid(grid), Disc{radius}, call.condition()); });
 }
 
-py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) {
+py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes, bool labels) {
   Call call;
-  return call.answer([&] { return planner.prepared(prepare_options(threads, max_bytes, call)); });
+  return call.answer(
+      [&] { return planner.prepared(prepare_options(threads, max_bytes, labels, call)); });
+}
+
+py::tuple load_preparation(const Planner& planner, const std::string& file) {
+  Call call;
+  return call.answer([&] { return planner.load_preparation(file); });
 }
 
 py::tuple widest_disc(const Planner& planner, Cell a, Cell b) {
@@ -144,7 +150,9 @@ py::array_t<std::int32_t> excluded(const Planner& planner) {
 }
 
 py::tuple preparation(const Preparation& p) {
-  return py::make_tuple(text(to_string(p.state)), p.vertices, p.edges, p.bytes, p.seconds);
+  return py::make_tuple(text(to_string(p.state)), p.vertices, p.edges, p.bytes, p.seconds,
+                        text(to_string(p.labels.state)), p.labels.entries, p.labels.bytes,
+                        p.labels.seconds);
 }
 
 /// Of all cells, [y, x].
@@ -187,6 +195,12 @@ void bind_planner(py::module_& module) {
       .def("clear", &Planner::clear)
       .def("widest_disc", &widest_disc)
       .def("prepared", &prepared)
+      .def("load_preparation", &load_preparation)
+      .def("save_preparation",
+           [](const Planner& planner, const std::string& file) {
+             const py::gil_scoped_release released;
+             planner.save_preparation(file);
+           })
       .def("plan", &plan)
       .def("edited", &edited)
       .def("exclude", &changed<static_cast<Change>(&Planner::exclude)>)

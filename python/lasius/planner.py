@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -22,14 +23,29 @@ Observer = Callable[[Progress], Any]
 
 
 class Preparation:
-    """What came of a map's visibility graph."""
+    """What came of a map's visibility graph, and of hub labels of its vertices."""
 
-    def __init__(self, state: str, vertices: int, edges: int, bytes: int, seconds: float) -> None:
+    def __init__(
+        self,
+        state: str,
+        vertices: int,
+        edges: int,
+        bytes: int,
+        seconds: float,
+        labels: str = "none",
+        label_entries: int = 0,
+        label_bytes: int = 0,
+        label_seconds: float = 0.0,
+    ) -> None:
         self.state = state  #: "none", "ready", "too_large" or "stopped"
         self.vertices = vertices  #: corners at which a path may bend
         self.edges = edges  #: from vertex to vertex in sight
         self.bytes = bytes  #: held
         self.seconds = seconds  #: spent
+        self.labels = labels  #: as state
+        self.label_entries = label_entries  #: hubs that vertices know
+        self.label_bytes = label_bytes  #: held
+        self.label_seconds = label_seconds  #: spent on labels
 
     def __repr__(self) -> str:
         return f"<Preparation: {self.state}, {self.vertices} vertices, {self.edges} edges, {self.bytes} bytes>"
@@ -50,22 +66,25 @@ class Planner:
         radius: of the robot, a disc, in cells: its centre keeps that distance from every blocked cell and
             from the outside. `exact` plans its curve, for radii of 0.05 to 54, and all doors are open that it
             passes; the other algorithms plan on `passable` cells, and keep the radius, too. 0: a point.
-        prepare: also makes the visibility graph, so that `exact` answers faster; see `prepared`.
+        prepare: also makes the visibility graph, so that `exact` answers faster; "labels": and hub labels of its
+            vertices, of which answers are read; see `prepared`.
         threads: to prepare with, to 1024; 0: as many as OpenMP gives.
         max_bytes: a visibility graph that would take more is abandoned.
     """
 
     __slots__ = ("_raw", "_grid")
 
-    def __init__(self, grid: Grid, *, radius: float = 0.0, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
+    def __init__(self, grid: Grid, *, radius: float = 0.0, prepare: Union[bool, str] = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
         if not isinstance(grid, Grid):
             remedy = "give its .grid" if isinstance(grid, Map) else "make one by lasius.Grid(array, free=...)"
             raise TypeError(f"grid is a {type(grid).__name__}: {remedy}")
         threads = whole("threads", threads)
         self._grid = grid
         self._raw = made(*_lasius.make_planner(grid, radius))
+        if prepare not in (False, True, "graph", "labels"):
+            raise invalid(f"prepare is {prepare!r}", 'it must be False, True, "graph" or "labels"')
         if prepare:
-            self._raw = made(*self._raw.prepared(threads, max_bytes))
+            self._raw = made(*self._raw.prepared(threads, max_bytes, prepare == "labels"))
 
     @classmethod
     def _of(cls, raw: Any) -> Planner:
@@ -285,9 +304,24 @@ class Planner:
         own = own_rules(heuristic, update, schedule, self._grid)
         return chosen(Params, params, named(settings, update, heuristic)), own
 
-    def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30) -> Planner:
-        """A planner for the same map with its visibility graph, in which `exact` answers faster."""
-        planner = Planner._of(made(*self._raw.prepared(threads, max_bytes)))
+    def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30, labels: bool = False) -> Planner:
+        """A planner for the same map with its visibility graph, in which `exact` answers faster.
+
+        Args:
+            labels: give vertices hub labels as well: answers of a point take some microseconds. Where labels
+                would take too much, as in noise, the graph alone is used.
+        """
+        planner = Planner._of(made(*self._raw.prepared(threads, max_bytes, labels)))
+        planner._grid = self._grid
+        return planner
+
+    def save_preparation(self, file: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes visibility graph and labels to a file, for `load_preparation` of the same map."""
+        self._raw.save_preparation(os.fspath(file))
+
+    def load_preparation(self, file: Union[str, "os.PathLike[str]"]) -> Planner:
+        """A planner for the same map with what such a file holds; refused where it is of another map or damaged."""
+        planner = Planner._of(made(*self._raw.load_preparation(os.fspath(file))))
         planner._grid = self._grid
         return planner
 
@@ -348,19 +382,24 @@ class Planner:
     def __reduce__(self) -> Tuple[Any, ...]:
         excluded = self.excluded  # what they block counts as blocked in the planner's map
         grid = self.allow(excluded).grid if len(excluded) else self._grid
-        return (restored, (grid, self.preparation.state == "ready", excluded, self.radius))
+        return (restored, (grid, self._how_prepared, excluded, self.radius))
+
+    @property
+    def _how_prepared(self) -> Union[bool, str]:
+        """As `prepare` of the constructor."""
+        return "labels" if self.preparation.labels == "ready" else self.preparation.state == "ready"
 
     def __repr__(self) -> str:
         radius = f", radius={self.radius:g}" if self.radius else ""
-        return f"Planner({self._grid!r}{radius}{', prepare=True' if self.preparation.state == 'ready' else ''})"
+        return f"Planner({self._grid!r}{radius}{f', prepare={self._how_prepared!r}' if self._how_prepared else ''})"
 
 
-def restored(grid: Grid, prepare: bool, excluded: IntArray, radius: float = 0.0) -> Planner:
+def restored(grid: Grid, prepare: Union[bool, str], excluded: IntArray, radius: float = 0.0) -> Planner:
     """A planner that was pickled: its map is labelled and prepared anew."""
     planner = Planner(grid, radius=radius)
     if len(excluded):
         planner = planner.exclude(excluded)
-    return planner.prepared() if prepare else planner
+    return planner.prepared(labels=prepare == "labels") if prepare else planner
 
 
 def directions_of(rows: npt.ArrayLike) -> IntArray:

@@ -308,11 +308,20 @@ def test_a_workspace_is_used_again_and_by_one_call_at_a_time(planner):
     assert planner.plan(START, GOAL, workspace=workspace).optimal
 
 
-def test_prepared_and_edited(planner):
+def test_prepared_and_edited(planner, tmp_path):
     prepared = planner.prepared(threads=1)
     assert prepared.preparation.state == "ready" and prepared.preparation.edges > 0
     assert planner.preparation.state == "none" and prepared.plan(START, GOAL).length == 445.0006683543657
     assert lasius.Planner(planner.grid, prepare=True, max_bytes=1).preparation.state == "too_large"
+    labelled = planner.prepared(threads=2, labels=True)
+    assert labelled.preparation.labels == "ready" and labelled.preparation.label_entries > 0
+    assert labelled.plan(START, GOAL).length == 445.0006683543657
+    assert pickle.loads(pickle.dumps(labelled)).preparation.labels == "ready"
+    labelled.save_preparation(tmp_path / "fan.prepared")
+    loaded = planner.load_preparation(tmp_path / "fan.prepared")
+    assert np.array_equal(loaded.plan(START, GOAL).path, labelled.plan(START, GOAL).path)
+    with pytest.raises(lasius.FileBroken, match="prepared for another map"):
+        planner.edited([[0, 0]], blocked=True).load_preparation(tmp_path / "fan.prepared")
     assert prepared.footprint[2] > 0 and pickle.loads(pickle.dumps(prepared)).preparation.state == "ready"
     path = planner.plan(START, GOAL).path
     x, y = (int(v) for v in path[1])

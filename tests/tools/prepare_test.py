@@ -72,6 +72,46 @@ class Prepare(ProgramTest):
         text = self.run_program("info", FAN, "--prepare").out
         self.assertRegex(text, r"--prepare +\d+ vertices, \d+ edges, \d+ bytes, [\d.]+ ms\n")
 
+    def test_labels_are_as_short_and_shown(self):
+        plain, labelled = [self.fan("--json", *how).json for how in ((), ("--prepare", "labels"))]
+        self.assertAlmostEqual(labelled["length"], plain["length"], delta=1e-9 * plain["length"])
+        self.assertEqual((labelled["optimal"], labelled["parameters"]["prepare"]), (True, "labels"))
+        self.assertIs(self.fan("--json", "--prepare", "graph").json["parameters"]["prepare"], True)
+        shown = self.run_program("info", FAN, "--json", "--prepare", "labels").json["preparation"]
+        self.assertEqual(shown["labels"]["state"], "ready")
+        self.assertGreater(shown["labels"]["entries"], shown["corners"])
+        self.assertRegex(self.run_program("info", FAN, "--prepare", "labels").out,
+                         r"labels +\d+ entries, \d+ bytes, [\d.]+ ms\n")
+        self.write("q.tsv", QUERIES)
+        self.quiet(self.run_program("batch", FAN, "q.tsv", "--prepare", "labels", "-o", "l.json"))
+        self.assertEqual(self.run_program("verify", "l.json").code, 0)
+
+    def test_labels_where_there_are_none(self):
+        for more, note in ((("--radius", "0.5"), "labels are for a point"),
+                           (("--algorithm", "fan2004", "--iterations", "3"), "has no effect")):
+            self.ended(self.fan("--json", "--prepare", "labels", *more), 0, note)
+
+    def test_a_file_of_what_was_prepared(self):
+        made = self.quiet(self.fan("--json", "--prepared", "fan.prepared")).json
+        kept = self.quiet(self.fan("--json", "--prepared", "fan.prepared")).json
+        self.assertEqual((kept["path"], kept["parameters"]), (made["path"], made["parameters"]))
+        self.assertEqual(made["parameters"]["prepare"], "labels")
+        with open(os.path.join(self.folder, "fan.prepared"), "rb") as file:
+            whole = file.read()
+        damaged = whole[:5000] + bytes([whole[5000] ^ 1]) + whole[5001:]
+        for name, content, problem in (("short", whole[:-9], "is cut short"),
+                                       ("long", whole + b"x", "more than"),
+                                       ("damaged", damaged, "its checksum differs"),
+                                       ("none", b"lasius", "is no file of a prepared map")):
+            with open(os.path.join(self.folder, name), "wb") as file:
+                file.write(content)
+            self.ended(self.fan("--prepared", name), 3, problem)
+        other = os.path.join(MAPS, "grid30a.map")
+        self.ended(self.plan("--prepared", "fan.prepared", start="0,0", goal="29,29",
+                             map_file=other), 3, "was prepared for another map")
+        self.ended(self.fan("--prepared", "no/folder"), 7, "no/folder")
+        self.ended(self.fan("--prepared", "new", "--radius", "1"), 2, "--prepared is for a point")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -128,7 +128,7 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
   const bool same = map && map->file == run.map.file && map->radius == run.map.radius &&
                     map->unknown_is_free == run.map.unknown_is_free &&
                     (map->costs ? map->costs->asked : CostLayers()) == run.map.costs &&
-                    map->prepare == run.map.prepare;
+                    map->prepare == run.map.prepare && map->labels == run.map.labels;
   if (!same)
     map =
         std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, run.threads));
@@ -173,6 +173,10 @@ void note_map(const LoadedMap& map, RunOptions& run) {
                         std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
   if (map.costs)
     run.notes.insert(run.notes.end(), map.costs->notes.begin(), map.costs->notes.end());
+  if (prepared.labels.state == Preparation::State::too_large)
+    run.notes.push_back(
+        "--prepare labels has no effect beyond that of graph: there would be more than " +
+        std::to_string(PrepareOptions{}.max_label_entries) + " entries a vertex");
   if (!run.messages.verbose) return;
   run.notes.push_back(map.file +
                       printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
@@ -183,6 +187,11 @@ void note_map(const LoadedMap& map, RunOptions& run) {
         printed("--prepare: %lld vertices, %lld edges, %.1f MB, %.1f ms",
                 static_cast<long long>(prepared.vertices), static_cast<long long>(prepared.edges),
                 1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds));
+  if (prepared.labels.state == Preparation::State::ready)
+    run.notes.push_back(printed("--prepare labels: %lld entries, %.1f MB, %.1f ms",
+                                static_cast<long long>(prepared.labels.entries),
+                                1e-6 * static_cast<double>(prepared.labels.bytes),
+                                1e3 * prepared.labels.seconds));
   run.notes.push_back(algorithm_text(run, find_algorithm(run.params.algorithm()), true));
 }
 

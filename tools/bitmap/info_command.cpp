@@ -36,11 +36,18 @@ Json frame_json(const std::optional<WorldFrame>& frame) {
 Json preparation_json(const LoadedMap& map) {
   if (!map.prepare) return nullptr;
   const Preparation& prepared = map.planner->preparation();
+  Json labels;
+  if (map.labels)
+    labels = {{"state", to_string(prepared.labels.state)},
+              {"entries", prepared.labels.entries},
+              {"bytes", prepared.labels.bytes},
+              {"ms", number(1000 * prepared.labels.seconds)}};
   return {{"state", to_string(prepared.state)},
           {"corners", prepared.vertices},
           {"edges", prepared.edges},
           {"bytes", prepared.bytes},
-          {"ms", number(1000 * prepared.seconds)}};
+          {"ms", number(1000 * prepared.seconds)},
+          {"labels", std::move(labels)}};
 }
 
 /// Whether two places are joined, and with how wide a radius they would be: by a disc's curves, and
@@ -153,6 +160,13 @@ std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand&
                                       " bytes, " + ms(more["ms"])
                                 : "not made: it would take more than " +
                                       std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
+    if (const Json& labels = more["labels"]; !labels.is_null())
+      row("labels", labels["state"] == to_string(Preparation::State::ready)
+                        ? dumped(labels["entries"]) + " entries, " + dumped(labels["bytes"]) +
+                              " bytes, " + ms(labels["ms"])
+                        : "not made after " + ms(labels["ms"]) + ": there would be more than " +
+                              std::to_string(PrepareOptions{}.max_label_entries) +
+                              " entries a vertex");
   }
   row("memory", dumped(memory["total"]) + " bytes, " +
                     printed("%.3f", memory["bits_per_cell"].get<double>()) +
@@ -184,8 +198,9 @@ Subcommand add_info(CLI::App& app) {
   table.text("--goal", text->goal_text, "The other end", "X,Y");
   table.flag("--unknown-free", text->map.unknown_is_free,
              "Unknown cells of a ROS map count as free");
-  table.flag("--prepare", text->map.prepare,
-             "Show the visibility graph that plan --prepare makes for exact, and its cost");
+  add_prepare(table, text->map,
+              "Show the visibility graph that plan --prepare makes for exact, or its labels as "
+              "well, and their cost");
   add_world_options(table, text->world);
   table.flag("--json", text->json, "Print one JSON object");
   return table.command(

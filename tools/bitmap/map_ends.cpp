@@ -140,7 +140,7 @@ Record map_record(const MapEnds& ends, const SearchResult& result) {
   add_limits(json, run);
   json["radius"] = number(ends.map.radius);
   json["unknown"] = ends.map.unknown_is_free ? "free" : "blocked";
-  if (ends.map.prepare) json["prepare"] = true;
+  if (ends.map.prepare) json["prepare"] = ends.map.labels ? Json("labels") : Json(true);
   json["frame"] = kFrames[ends.in_metres() ? 1 : 0];
   if (ends.in_metres() && ends.start.point) json["ends"] = "points";
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
@@ -205,8 +205,10 @@ RunOptions recorded_run(const Recorded& from) {
   run.map.file = from.map_file();
   run.map.radius = recorded<double>(result, "parameters/radius");
   run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
-  if (result["parameters"].contains("prepare"))
-    run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (result["parameters"].contains("prepare")) {
+    run.map.labels = result["parameters"]["prepare"] == "labels";
+    run.map.prepare = run.map.labels || recorded<bool>(result, "parameters/prepare");
+  }
   const bool world = recorded<std::string>(result, "parameters/frame") == kFrames[1];
   const bool metres = result["parameters"].contains("ends");  // before 0.4.0: centres of cells
   if (result.contains("via")) {

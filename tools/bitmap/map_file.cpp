@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -24,10 +25,11 @@ double finite(double number) {
 }
 
 /// Nothing, and the grid as it was, when stopped.
-std::optional<Planner> make_planner(Grid& grid, Disc robot, bool prepare, int threads,
+std::optional<Planner> make_planner(Grid& grid, Disc robot, const MapOptions& options, int threads,
                                     Corners corners, const StopCondition& stop) {
-  const PrepareOptions more{.threads = threads, .stop = stop};
-  auto planner = prepare ? Planner::make_prepared(std::move(grid), robot, more)
+  const PrepareOptions more{.threads = threads, .stop = stop, .labels = options.labels};
+  const bool at_once = options.prepare && options.prepared.empty();
+  auto planner = at_once ? Planner::make_prepared(std::move(grid), robot, more)
                          : Planner::make(std::move(grid), robot, stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
@@ -55,6 +57,8 @@ LoadedMap read_map(const MapOptions& options, Frame frame) {
                 .unknown_is_free = options.unknown_is_free,
                 .radius = radius,
                 .prepare = options.prepare,
+                .labels = options.labels,
+                .prepared = options.prepared,
                 .grid_alone = std::move(read.grid),
                 .unknown = std::move(read.unknown)};
   map.read_ms = ms_since(start);
@@ -69,9 +73,9 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   if (options.costs.asked())
     map.costs = load_costs(*map.grid_alone, map.frame, options.costs,
                            map.cells_of(options.radius_metres, 1), map.radius);
-  map.planner =
-      make_planner(*map.grid_alone, {map.radius}, options.prepare, threads, corners, stop);
+  map.planner = make_planner(*map.grid_alone, {map.radius}, options, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
+  if (map.planner && options.prepare && !options.prepared.empty()) prepare(map, threads, token);
   if (map.planner && map.costs) map.costs->planner.emplace(*map.planner, map.costs->field);
   map.ready_ms = ms_since(start);
   return map;
@@ -79,7 +83,20 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
 
 void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
   const auto start = Clock::now();
-  map.planner = map.planner->prepared({.threads = threads, .stop = {.token = token}});
+  if (!map.prepared.empty() && std::filesystem::exists(map.prepared)) {
+    map.planner = map.planner->load_preparation(map.prepared);
+    if (map.labels && map.planner->preparation().labels.state != Preparation::State::ready)
+      throw Error(ErrorCode::file_broken, {.file = map.prepared}, "holds no labels",
+                  "leave out labels, or remove it, to have it made anew");
+    map.labels = map.planner->preparation().labels.state == Preparation::State::ready;
+  } else {
+    map.planner =
+        map.planner->prepared({.threads = threads, .stop = {.token = token}, .labels = map.labels});
+    const Preparation& made = map.planner->preparation();
+    const bool labelled = !map.labels || made.labels.state == Preparation::State::ready;
+    if (!map.prepared.empty() && made.state == Preparation::State::ready && labelled)
+      map.planner->save_preparation(map.prepared);
+  }
   map.ready_ms += ms_since(start);
 }
 

@@ -26,6 +26,8 @@ struct LoadedMap {
   bool unknown_is_free = false;
   double radius = 0;                 ///< cells
   bool prepare = false;              ///< more was asked for: see Planner::preparation
+  bool labels = false;               ///< the same of hub labels
+  std::string prepared = {};         ///< a file of them
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
   std::optional<Grid> grid_alone{};  ///< without a planner: the grid as read
   std::optional<Grid> unknown{};     ///< as Map::unknown

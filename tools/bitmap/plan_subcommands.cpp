@@ -92,7 +92,8 @@ void finish_costs(RunOptions& run, bool batch) {
   if (proof && (costs.eight_moves || batch))
     throw UsageError("-o of a .proof.json is for one plan of any angle");
   if (run.map.prepare) {
-    run.map.prepare = false;
+    run.map.prepare = run.map.labels = false;
+    run.map.prepared.clear();
     run.notes.push_back("--prepare has no effect over costs");
   }
   for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
@@ -140,7 +141,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
       file != command.outputs.end())
     throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
   for (const char* option :
-       {"--frame", "--unknown-free", "--prepare", "--tracks", "--spacing", "--via"})
+       {"--frame", "--unknown-free", "--prepare", "--prepared", "--tracks", "--spacing", "--via"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
                               (option == std::string_view("--unknown-free")

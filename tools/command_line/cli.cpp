@@ -166,6 +166,17 @@ std::string line_of(std::span<const std::string_view> words) {
   return text;
 }
 
+/// The words, with the value of an option that may do without it.
+std::vector<std::string> with_values(std::span<const std::string_view> words) {
+  std::vector<std::string> whole(words.begin(), words.end());
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == "--") break;
+    const std::string_view next = i + 1 < words.size() ? words[i + 1] : "";
+    if (words[i] == "--prepare" && next != "graph" && next != "labels") whole[i] += "=graph";
+  }
+  return whole;
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
@@ -182,6 +193,7 @@ int run_command_line(int argc, const char* const* argv) {
         HelpCommand{.manual = manual(), .topic = chosen.front()->get_name(), .of_command = true});
   };
   const std::vector<std::string_view> words(argv, argv + argc);
+  const std::vector<std::string> whole = with_values(words);
   if (argc < 2) throw UsageError("no command; " + known_commands(commands));
   if (words[1] == "complete")
     return run_command(CompleteCommand{manual(), {words.begin() + 2, words.end()}});
@@ -190,7 +202,7 @@ int run_command_line(int argc, const char* const* argv) {
     if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, words);
   app.allow_extras();
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(whole.rbegin(), whole.rend() - 1));
   } catch (const CLI::CallForHelp&) {
     return help();
   } catch (const CLI::CallForVersion&) {

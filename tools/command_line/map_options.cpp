@@ -11,10 +11,19 @@ namespace lasius::tool {
 namespace {
 
 constexpr const char* kPrepare =
-    "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers "
-    "are as short as without; lasius info MAP --prepare shows what it costs";
+    "Make the map's visibility graph for exact (at most 1 GB), or with labels hub labels of its "
+    "vertices as well, of which answers are read: worth it for many queries (alone: graph). "
+    "Answers are as short as without; lasius info MAP --prepare shows what it costs";
+constexpr std::string_view kPreparations[] = {"graph", "labels"};
 
 }  // namespace
+
+void add_prepare(OptionTable& table, MapOptions& to, const char* help) {
+  table.add("--prepare", help, "graph|labels", [&to](const std::string& text) {
+    to.prepare = true;
+    to.labels = choice_value("--prepare", text, kPreparations) == 1;
+  });
+}
 
 void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help) {
   add_search_options(table, to, help);
@@ -43,7 +52,11 @@ void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help)
       "(metres with --frame world)",
       "R");
   table.flag("--unknown-free", to.map.unknown_is_free, "Unknown cells of a ROS map count as free");
-  table.flag("--prepare", to.map.prepare, kPrepare);
+  add_prepare(table, to.map, kPrepare);
+  table.file("--prepared", to.map.prepared,
+             "Read what --prepare makes from this file, or where it is not there make it and write "
+             "it (with labels, unless --prepare graph); refused where it is not of this map",
+             {});
   table.flag("--gap", to.with_optimum,
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
              "null where a time limit or a signal ended the search for it, or where --corners "
@@ -64,9 +77,20 @@ void finish_run(RunOptions& run) {
     note("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
   if (run.target_gap > 0 && !certifies)
     note("--target-gap has no effect: " + algorithm + " certifies no gap");
+  if (!map.prepared.empty()) {
+    if (map.radius > 0)
+      throw UsageError("--prepared is for a point; leave --radius out, or prepare without a file");
+    if (!map.prepare) map.prepare = map.labels = true;
+    run.inputs.push_back(map.prepared);
+  }
   if (map.prepare && !run.with_optimum && !certifies) {
-    map.prepare = false;
+    map.prepare = map.labels = false;
+    map.prepared.clear();
     note("--prepare has no effect: it is for exact, and for --gap");
+  }
+  if (map.labels && map.radius > 0) {
+    map.labels = false;
+    note("--prepare labels has the effect of graph: labels are for a point; leave --radius out");
   }
   if (run.track_iterations.empty()) return;
   if (find_algorithm(algorithm).kind != Algorithm::Kind::colony)

@@ -17,6 +17,8 @@ void finish_run(RunOptions& run);
 /// The same of a plan, with its start and goal as they were typed.
 PlanCommand plan_command(RunOptions& run, const std::string& start, const std::string& goal);
 
+/// `--prepare [graph|labels]`.
+void add_prepare(OptionTable& table, MapOptions& to, const char* help);
 void add_world_options(OptionTable& table, WorldOptions& to);
 /// @throws UsageError where an option of polygon worlds is given with a bitmap.
 void refuse_world_options(const OptionTable& table);

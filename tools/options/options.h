@@ -44,6 +44,8 @@ struct MapOptions {
   double radius = 0;           ///< of the robot, a disc
   bool radius_metres = false;  ///< else cells; so a goal tolerance
   bool prepare = false;        ///< make the visibility graph
+  bool labels = false;         ///< and hub labels of its vertices
+  std::string prepared = {};   ///< file that keeps both; empty: none
   CostLayers costs = {};
 };
 

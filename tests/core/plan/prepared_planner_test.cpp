@@ -1,6 +1,10 @@
 // Planning on a map with the heavier preparation, and on what is made from it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "lasius/batch.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"
@@ -122,6 +126,45 @@ TEST(PreparedPlanner, EditsLeaveThePreparationBehind) {
   EXPECT_EQ(allowed.preparation().state, Preparation::State::none);
   EXPECT_NEAR(allowed.plan(request).length, before, 1e-9 * before);
   EXPECT_EQ(prepared.plan(request).length, before);
+}
+
+TEST(PreparedPlanner, LabelsAnswerAndMeasureAsTheUnpreparedOne) {
+  const Planner plain(map()), labelled(map(), PrepareOptions{.threads = 2, .labels = true});
+  ASSERT_EQ(labelled.preparation().labels.state, Preparation::State::ready);
+  EXPECT_EQ(labelled.footprint().visibility_graph,
+            labelled.preparation().bytes + labelled.preparation().labels.bytes);
+  Workspace workspace;
+  std::vector<Cell> places;
+  for (const Request& request : some_queries(200)) {
+    expect_as_good(labelled.plan(request, {}, &workspace), plain.plan(request));
+    if (map().free(request.start)) places.push_back(request.start);
+  }
+  const auto expected = plain.distances(places, places), found = labelled.distances(places, places);
+  ASSERT_EQ(found->size(), expected->size());
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    if (std::isinf((*expected)[i])) {
+      EXPECT_EQ((*found)[i], (*expected)[i]);
+    } else {
+      EXPECT_NEAR((*found)[i], (*expected)[i], 1e-9 * (*expected)[i]);
+    }
+  }
+}
+
+TEST(PreparedPlanner, AFileKeepsWhatWasPrepared) {
+  const Planner labelled(map(), PrepareOptions{.threads = 2, .labels = true});
+  const std::string file = testing::TempDir() + "prepared_planner_test.prepared";
+  labelled.save_preparation(file);
+  const Planner loaded = Planner(map()).load_preparation(file);
+  EXPECT_EQ(loaded.preparation().edges, labelled.preparation().edges);
+  EXPECT_EQ(loaded.preparation().labels.entries, labelled.preparation().labels.entries);
+  for (const Request& request : some_queries(100))
+    EXPECT_EQ(loaded.plan(request).path, labelled.plan(request).path);
+  Grid other = map();
+  other.set_blocked({1, 1}, other.free({1, 1}));
+  EXPECT_THROW((void)Planner(other).load_preparation(file), Error);
+  EXPECT_THROW((void)Planner(map(), Disc{1}).load_preparation(file), Error);
+  EXPECT_THROW(Planner(map()).save_preparation(file), Error);
+  EXPECT_THROW((void)Planner(map()).load_preparation(file + ".none"), Error);
 }
 
 TEST(PreparedPlanner, ThreadsChangeNothing) {

@@ -1,0 +1,229 @@
+#include "core/exact/labels/tile_views.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <memory>
+
+#include "core/base/parallel.h"
+#include "core/base/poller.h"
+#include "core/exact/labels/cell_raster.h"
+#include "core/grid/grid_view.h"
+
+namespace lasius::exact {
+namespace {
+
+/// The map seen in a mirror: column x is column width - 1 - x.
+class MirroredMap {
+ public:
+  explicit MirroredMap(const kernels::BitmapView& map)
+      : stride_((map.width >> 6) + 3),
+        words_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(map.height + 2),
+               ~std::uint64_t{0}) {
+    view_ = {words_.data() + stride_ + 1, stride_, map.width, map.height};
+    for (int y = 0; y < map.height; ++y) {
+      std::uint64_t* row = words_.data() + (y + 1) * stride_ + 1;
+      for (int x = 0; x < map.width; ++x)
+        if (!map.blocked(x, y))
+          row[(map.width - 1 - x) >> 6] ^= std::uint64_t{1} << ((map.width - 1 - x) & 63);
+    }
+  }
+  const kernels::BitmapView& view() const noexcept { return view_; }
+
+ private:
+  std::ptrdiff_t stride_;
+  std::vector<std::uint64_t> words_;
+  kernels::BitmapView view_{};
+};
+
+/// That cells of a tile see a corner.
+struct Seen {
+  std::uint32_t tile, corner;
+  std::uint64_t cells;
+};
+
+class TileLister {
+ public:
+  TileLister(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
+             LabelArrays& labels)
+      : map_(view_of(grid)),
+        mirrored_(map_),
+        graph_(graph),
+        threads_(threads),
+        stop_(stop),
+        labels_(labels),
+        tiles_across_((map_.width + 7) >> 3),
+        tiles_(tiles_across_ * ((map_.height + 7) >> 3)) {}
+
+  void run() {
+    const std::uint32_t n = graph_.size();
+    const auto blocks = static_cast<int>((n + kBlock - 1) / kBlock);
+    std::vector<std::vector<Seen>> seen(static_cast<std::size_t>(blocks));
+    std::vector<std::unique_ptr<Worker>> team;
+    for (int i = 0; i < threads_; ++i) team.push_back(std::make_unique<Worker>(tiles_, stop_));
+    parallel_for(blocks, threads_, [&](int block, int thread) {
+      const auto begin = static_cast<std::uint32_t>(block) * kBlock;
+      Worker& worker = *team[static_cast<std::size_t>(thread)];
+      for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v)
+        look(v, worker, seen[static_cast<std::size_t>(block)]);
+      if (worker.poller.stopped()) stopped_ = true;
+    });
+    team.clear();
+    if (!stopped_) deal_out(seen);
+  }
+
+ private:
+  static constexpr std::uint32_t kBlock = 64;  // corners that one thread looks from in turn
+  struct alignas(64) Worker {
+    Worker(std::int64_t tiles, const StopCondition& stop)
+        : poller(stop), cells(static_cast<std::size_t>(tiles)) {}
+    Poller poller;
+    CellRaster raster;
+    std::vector<std::uint64_t> cells;  // by tile
+    std::vector<std::uint32_t> touched;
+  };
+
+  void look(std::uint32_t v, Worker& worker, std::vector<Seen>& seen) {
+    const GraphCorner& corner = graph_.corner(v);
+    if (!is_corner(corner)) return;
+    for (const Side side : {kColumn, kLine}) {
+      const Quadrant q = corner.quadrant(side);
+      const bool mirror = q.right < 0;
+      const auto span = [&](int row, int first, int last) {
+        if (mirror) {
+          const int other = map_.width - 1 - last;
+          last = map_.width - 1 - first;
+          first = other;
+        }
+        mark(row, first, last, worker);
+      };
+      worker.poller.stop_after(worker.raster.run(
+          mirror ? mirrored_.view() : map_, mirror ? map_.width - q.x : q.x, q.y, q.down, span));
+    }
+    for (const std::uint32_t tile : worker.touched) {
+      seen.push_back({tile, v, worker.cells[tile]});
+      worker.cells[tile] = 0;
+    }
+    worker.touched.clear();
+  }
+
+  // Numbers of no corner, after edits, have no block there.
+  bool is_corner(const GraphCorner& c) const noexcept {
+    return c.x() > 0 && c.y() > 0 &&
+           map_.blocked(c.block_x() > 0 ? c.x() : c.x() - 1, c.block_y() > 0 ? c.y() : c.y() - 1);
+  }
+
+  void mark(int row, int first, int last, Worker& worker) const {
+    for (int tx = first >> 3; tx <= last >> 3; ++tx) {
+      const int from = std::max(first - 8 * tx, 0), to = std::min(last - 8 * tx, 7);
+      const auto bits = static_cast<std::uint64_t>((0xff >> (7 - to)) & (0xff << from) & 0xff);
+      const auto tile = static_cast<std::uint32_t>((row >> 3) * tiles_across_ + tx);
+      if (worker.cells[tile] == 0) worker.touched.push_back(tile);
+      worker.cells[tile] |= bits << ((row & 7) << 3);
+    }
+  }
+
+  // Can a way over the corner go on from some of these cells?
+  bool is_live(const Seen& seen) const noexcept {
+    const GraphCorner& corner = graph_.corner(seen.corner);
+    const int x0 = static_cast<int>(seen.tile % tiles_across_) * 16 + 1;
+    const int y0 = static_cast<int>(seen.tile / tiles_across_) * 16 + 1;
+    for (std::uint64_t left = seen.cells; left != 0; left &= left - 1) {
+      const int place = std::countr_zero(left);
+      const int x = x0 + 2 * (place & 7), y = y0 + 2 * (place >> 3);
+      const Side side = corner.side_from(x, y);
+      const auto edges = graph_.edges(seen.corner, side);
+      if (edges.empty()) continue;
+      const std::int64_t turn = std::int64_t{2 * corner.x() - x} * (edges.front().y - corner.y()) -
+                                std::int64_t{2 * corner.y() - y} * (edges.front().x - corner.x());
+      if (turn * corner.bend(side) >= 0) return true;
+    }
+    return false;
+  }
+
+  std::uint64_t free_cells(std::uint32_t tile) const noexcept {
+    const int x0 = static_cast<int>(tile % tiles_across_) * 8;
+    const int y0 = static_cast<int>(tile / tiles_across_) * 8;
+    std::uint64_t free = 0;
+    for (int y = 0; y < 8; ++y) {
+      if (y0 + y >= map_.height) break;
+      const std::uint64_t row = ~map_.row(y0 + y)[x0 >> 6] >> (x0 & 63) & 0xff;
+      free |= row << (8 * y);
+    }
+    return free;
+  }
+
+  // Into the order of tiles; within one that of the corners.
+  void deal_out(std::vector<std::vector<Seen>>& seen) {
+    std::vector<std::uint32_t> first(static_cast<std::size_t>(tiles_) + 1);
+    for (const auto& part : seen)
+      for (const Seen& s : part) ++first[s.tile + 1];
+    for (std::size_t t = 0; t + 1 < first.size(); ++t) first[t + 1] += first[t];
+    std::vector<Seen> sorted(first.back());
+    auto at = first;
+    for (auto& part : seen) {
+      for (const Seen& s : part) sorted[at[s.tile]++] = s;
+      part = {};
+    }
+    std::vector<char> live(sorted.size());
+    parallel_for(static_cast<int>(tiles_), threads_, [&](int t, int) {
+      for (std::uint32_t i = first[t]; i < first[t + 1]; ++i) live[i] = is_live(sorted[i]);
+    });
+    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(tiles_); ++t) {
+      const std::uint64_t all = free_cells(t);
+      Tile tile{};
+      tile.masks = count(labels_.masks);
+      for (const bool is_live : {true, false}) {
+        for (const bool full : {true, false}) {
+          auto& begin = is_live ? (full ? tile.live_full : tile.live_partial)
+                                : (full ? tile.dead_full : tile.dead_partial);
+          begin = is_live ? count(labels_.live) : count(labels_.dead);
+          for (std::uint32_t i = first[t]; i < first[t + 1]; ++i) {
+            const Seen& s = sorted[i];
+            if ((live[i] != 0) != is_live || (s.cells == all) != full) continue;
+            if (is_live)
+              labels_.live.push_back(corner_of(s.corner));
+            else
+              labels_.dead.push_back(s.corner);
+            if (!full) labels_.masks.push_back(s.cells);
+          }
+        }
+      }
+      labels_.tiles.push_back(tile);
+    }
+    const std::uint32_t live_end = count(labels_.live), dead_end = count(labels_.dead);
+    labels_.tiles.push_back({live_end, live_end, dead_end, dead_end, count(labels_.masks)});
+    labels_.live.shrink_to_fit();
+    labels_.dead.shrink_to_fit();
+    labels_.masks.shrink_to_fit();
+  }
+
+  template <class T>
+  static std::uint32_t count(const std::vector<T>& list) {
+    return static_cast<std::uint32_t>(list.size());
+  }
+
+  TileCorner corner_of(std::uint32_t v) const noexcept {
+    const GraphCorner& c = graph_.corner(v);
+    return {v, static_cast<std::uint16_t>(c.x() | (c.block_x() > 0 ? 0x8000 : 0)),
+            static_cast<std::uint16_t>(c.y() | (c.block_y() > 0 ? 0x8000 : 0))};
+  }
+
+  const kernels::BitmapView map_;
+  const MirroredMap mirrored_;
+  const TautGraph& graph_;
+  const int threads_;
+  const StopCondition& stop_;
+  LabelArrays& labels_;
+  const std::int64_t tiles_across_, tiles_;
+  std::atomic<bool> stopped_ = false;
+};
+
+}  // namespace
+
+void list_tiles(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
+                LabelArrays& labels) {
+  TileLister(grid, graph, threads, stop, labels).run();
+}
+
+}  // namespace lasius::exact
