@@ -104,6 +104,11 @@ struct End : Point {
   bool point = false;  ///< the path goes there; else to the centre of the cell that holds it
 };
 
+/// A start or goal of a vehicle.
+struct PoseEnd : End {
+  double yaw = 0;  ///< radians, from +x towards +y of the frame in use
+};
+
 /// The options that `plan` and `batch` share on bitmaps.
 struct RunOptions : SearchOptions {
   MapOptions map;

@@ -1,0 +1,36 @@
+// Poses, segments and vehicles as JSON and as the command line has them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lasius/vehicle/motion.h"
+#include "lasius/vehicle/vehicle.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/options/options.h"
+#include "tools/record/json_values.h"
+
+namespace lasius::tool {
+
+/// "X,Y,YAW": a point as `plan` takes it, and radians or, as in 90deg, degrees. @throws UsageError
+PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame);
+
+/// A yaw of the map's frame as one of cells and, by the same sum, back: more than -pi, at most pi.
+double yaw_across(const LoadedMap& map, double yaw);
+/// A pose in cells in metres of the map's frame.
+vehicle::Pose to_world(const LoadedMap& map, const vehicle::Pose& cells);
+
+/// [x, y, yaw]
+Json pose_json(const vehicle::Pose& pose);
+/// A list of segments from which every pose follows; `metres`: in the map's frame.
+Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& segments,
+                   bool metres);
+/// Back, of a result's "segments". @throws UsageError
+std::vector<vehicle::Segment> recorded_segments(const Json& result);
+
+/// A vehicle in cells, whole. And back, validated. @throws UsageError
+Json vehicle_json(const vehicle::Vehicle& vehicle);
+vehicle::Vehicle recorded_vehicle(const Json& parameters);
+
+}  // namespace lasius::tool
