@@ -12,8 +12,8 @@
 namespace lasius::tool {
 
 std::span<const ProblemKind* const> kinds() {
-  static const ProblemKind* const kAll[] = {&bitmap_kind(), &drive_kind(), &arm_kind(),
-                                            &polygon_kind(), &tour_kind()};
+  static const ProblemKind* const kAll[] = {&bitmap_kind(),  &drive_kind(), &arm_kind(),
+                                            &polygon_kind(), &tour_kind(),  &vehicle_kind()};
   return kAll;
 }
 

@@ -1,6 +1,9 @@
 // lasius plan, lasius batch.
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <numbers>
+#include <utility>
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/command_line/map_options.h"
@@ -113,6 +116,7 @@ void add_spacing(OptionTable& table, RunOptions& to) {
 struct PlanText {
   RunOptions run;
   WorldOptions world;
+  VehicleCommand vehicle;
   std::string start, goal, queries;
   std::vector<std::string> via;
 };
@@ -120,6 +124,76 @@ struct PlanText {
 void add_via(OptionTable& table, PlanText& to) {
   table.repeatable("--via", to.via,
                    "Go through this cell or point on the way (repeatable, in order)", "X,Y");
+}
+
+void add_vehicle(OptionTable& table, VehicleCommand& to) {
+  table.file("--vehicle", to.file,
+             "The robot has this footprint and smallest turn (YAML or JSON, see lasius help "
+             "vehicles): its motions touch nothing over their whole sweep; start and goal are "
+             "X,Y,YAW, YAW in radians or, as in 90deg, degrees, from +x towards +y",
+             kDocuments);
+  table.add("--heading-tolerance",
+            "Of a vehicle: the path may end turned so far from the goal's YAW (radians, or as in "
+            "15deg; 180deg: any heading); --goal-tolerance is of its point",
+            "ANGLE", [&to](const auto& text) {
+              to.heading_tolerance = angle_value("--heading-tolerance", text, 0, std::numbers::pi);
+            });
+}
+
+/// `plan` and `batch` of a vehicle. @throws UsageError for what is of points and discs.
+VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
+  VehicleCommand command = text.vehicle;
+  command.run = text.run;
+  command.queries = text.queries;
+  RunOptions& run = command.run;
+  if (is_polygon_file(run.map.file))
+    throw UsageError("--vehicle is for bitmaps; a polygon world's robot is a disc, --margin");
+  constexpr const char* kLattice = "lattice";
+  if (!run.algorithm.empty() && run.algorithm != kLattice)
+    throw UsageError("--algorithm " + run.algorithm +
+                     ": vehicles are planned by lattice alone; leave it out");
+  run.algorithm.clear();
+  refuse_world_options(table);
+  for (const auto& [option, why] : {std::pair("--radius", "a vehicle's footprint is in its file"),
+                                    {"--cost", "vehicles are planned by length"},
+                                    {"--inflation", "vehicles are planned by length"},
+                                    {"--moves", "vehicles are planned by length"},
+                                    {"--via", "plan a vehicle from one pose to the next"},
+                                    {"--gap", "a vehicle's plan always tells its certified gap"},
+                                    {"--set", "it is of algorithms on cells"},
+                                    {"--ants", "it is of colonies"},
+                                    {"--iterations", "it is of colonies"},
+                                    {"--tracks", "it is of colonies"},
+                                    {"--preset", "it is of algorithms on cells"},
+                                    {"--neighbours", "it is of algorithms on cells"},
+                                    {"--corners", "it is of algorithms on cells"},
+                                    {"--prepare", "a vehicle's map is prepared without"}})
+    if (table.given(option))
+      throw UsageError(std::string(option) + " with --vehicle: " + why + "; leave it out");
+  if (table.given("--polish")) {
+    constexpr std::array<std::string_view, 2> kPolish{"none", "taut"};
+    command.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);
+    run.named.clear();
+  }
+  finish_run(run);
+  run.inputs.push_back(command.file);
+  if (run.ranged)
+    throw UsageError("--seed " + table.in_order("--seed").front().second +
+                     ": a vehicle's plan draws nothing; leave it out");
+  if (run.target_gap > 0) run.notes.emplace_back("--target-gap has no effect with --vehicle");
+  if (const auto page = std::ranges::find_if(run.outputs, is_page); page != run.outputs.end())
+    throw UsageError("-o " + *page + ": pages are of paths without a vehicle; write .svg or .png");
+  if (const auto proof = std::ranges::find_if(run.outputs, is_proof); proof != run.outputs.end())
+    throw UsageError("-o " + *proof + " is for plans over --cost or --inflation");
+  if (!command.queries.empty()) {
+    run.inputs.push_back(command.queries);
+    return command;
+  }
+  require("", "--start", text.start);
+  require("", "--goal", text.goal);
+  command.start = pose_value("--start", text.start, run.frame);
+  command.goal = pose_value("--goal", text.goal, run.frame);
+  return command;
 }
 
 /// `plan` among polygons.
@@ -153,8 +227,11 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
 int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   RunOptions& asked = text.run;
   asked.called = call.line;
+  if (!text.vehicle.file.empty()) return run_command(vehicle_command(table, text));
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
+  if (table.given("--heading-tolerance"))
+    throw UsageError("--heading-tolerance is for --vehicle; leave it out");
   asked.via.clear();
   for (const std::string& via : text.via)
     asked.via.push_back(point_value("--via", via, asked.frame));
@@ -187,6 +264,7 @@ Subcommand add_plan(CLI::App& app) {
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -224,6 +302,7 @@ Subcommand add_batch(CLI::App& app) {
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,

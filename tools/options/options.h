@@ -126,6 +126,16 @@ struct PlanCommand {
   std::string queries = {};  ///< of `batch`: a file, in place of these
 };
 
+/// `plan` and `batch` of a vehicle.
+struct VehicleCommand {
+  RunOptions run;
+  std::string file = {};
+  PoseEnd start = {}, goal = {};
+  std::string queries = {};      ///< of `batch`: a file, in place of these
+  double heading_tolerance = 0;  ///< radians; pi: any heading
+  bool smooth = true;            ///< shorten what the search finds
+};
+
 struct DriveCommand : PlanCommand {
   static constexpr double kLeastSense = 1, kMostSense = 1e6;
   static constexpr std::int64_t kMostTicks = 1'000'000'000;

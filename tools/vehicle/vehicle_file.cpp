@@ -10,32 +10,17 @@
 
 #include "lasius/error.h"
 #include "tools/record/json_values.h"
+#include "tools/vehicle/vehicle_json.h"
 #include "tools/yaml/document.h"
 
 namespace lasius::tool {
 namespace {
 
-using vehicle::SpeedLimits;
 using vehicle::Vehicle;
 
 constexpr double kMost = 1e9;     // of a length or a price in the file's unit
 constexpr double kLeast = 1e-9;   // of what is above 0
 constexpr double kWidest = 1024;  // cells from the reference point
-
-/// A file's value, and how it becomes one in cells.
-struct Speed {
-  std::string_view key;
-  double SpeedLimits::*value;
-  bool length;  ///< in the file's unit of lengths, else radians
-};
-constexpr std::array<Speed, 7> kSpeeds{
-    {{"speed", &SpeedLimits::speed, true},
-     {"reverse_speed", &SpeedLimits::reverse_speed, true},
-     {"acceleration", &SpeedLimits::acceleration, true},
-     {"braking", &SpeedLimits::braking, true},
-     {"lateral_acceleration", &SpeedLimits::lateral_acceleration, true},
-     {"turn_rate", &SpeedLimits::turn_rate, false},
-     {"turn_acceleration", &SpeedLimits::turn_acceleration, false}}};
 
 constexpr std::array<std::string_view, 3> kTypes{"car", "differential", "omni"};
 constexpr std::array<std::string_view, 2> kUnits{"cells", "metres"};
@@ -44,7 +29,7 @@ std::vector<std::string_view> all_keys() {
   std::vector<std::string_view> keys{"type",           "units",           "footprint",
                                      "turning_radius", "reverse",         "reverse_cost",
                                      "cusp_cost",      "rotate_in_place", "rotation_cost"};
-  for (const Speed& speed : kSpeeds) keys.push_back(speed.key);
+  for (const SpeedKey& speed : speed_keys()) keys.push_back(speed.key);
   return keys;
 }
 
@@ -122,7 +107,7 @@ LoadedVehicle read_vehicle(const std::string& name, const LoadedMap& map, Frame 
   if (!to.rotate_in_place && !(to.turning_radius > 0))
     file.at("rotate_in_place")
         .fail("is false, and there is no turning_radius", "give a turning_radius above 0");
-  for (const Speed& speed : kSpeeds) {
+  for (const SpeedKey& speed : speed_keys()) {
     const double in_cells = speed.length ? scale : 1;
     double& value = loaded.speeds.*speed.value;
     if (const Node* const given = file.find(speed.key))

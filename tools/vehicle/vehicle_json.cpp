@@ -1,6 +1,7 @@
 #include "tools/vehicle/vehicle_json.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -21,26 +22,6 @@ double turned_once(double yaw) {
 }
 
 }  // namespace
-
-PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame) {
-  const auto comma = text.find_last_of(',');
-  const auto refuse = [&] {
-    throw UsageError(std::string(option) + ": \"" + text +
-                     "\" is not X,Y,YAW; YAW in radians, as 1.57, or in degrees, as 90deg");
-  };
-  if (comma == text.npos || text.find(',') == comma) refuse();
-  std::string_view angle = std::string_view(text).substr(comma + 1);
-  const bool degrees = angle.ends_with("deg");
-  if (degrees) angle.remove_suffix(3);
-  const auto value = parse_real(angle);
-  if (!value) refuse();
-  const double yaw = degrees ? *value / 180 * std::numbers::pi : *value;
-  if (!(std::abs(yaw) <= kMostTurned))
-    throw UsageError(std::string(option) + ": yaw " + std::string(angle) +
-                     " is more than 100000 radians; give it within a turn");
-  const bool point = frame == Frame::world || is_point(text.substr(0, comma));
-  return {{pair_value(option, text.substr(0, comma), !point), point}, yaw};
-}
 
 double yaw_across(const LoadedMap& map, double yaw) { return turned_once(map.frame->yaw - yaw); }
 
@@ -94,6 +75,36 @@ std::vector<vehicle::Segment> recorded_segments(const Json& result) {
     segments.push_back(segment);
   }
   return segments;
+}
+
+std::span<const SpeedKey> speed_keys() {
+  using vehicle::SpeedLimits;
+  static constexpr SpeedKey kKeys[] = {
+      {"speed", &SpeedLimits::speed, true},
+      {"reverse_speed", &SpeedLimits::reverse_speed, true},
+      {"acceleration", &SpeedLimits::acceleration, true},
+      {"braking", &SpeedLimits::braking, true},
+      {"lateral_acceleration", &SpeedLimits::lateral_acceleration, true},
+      {"turn_rate", &SpeedLimits::turn_rate, false},
+      {"turn_acceleration", &SpeedLimits::turn_acceleration, false}};
+  return kKeys;
+}
+
+Json speeds_json(const vehicle::SpeedLimits& speeds) {
+  Json json = Json::object();
+  for (const SpeedKey& key : speed_keys()) json[std::string(key.key)] = number(speeds.*key.value);
+  return json;
+}
+
+vehicle::SpeedLimits recorded_speeds(const Json& parameters) {
+  vehicle::SpeedLimits speeds;
+  const Json& from = value_at(parameters, "speeds");
+  for (const SpeedKey& key : speed_keys()) {
+    const std::string name(key.key);
+    if (!value_at(from, name).is_null())
+      speeds.*key.value = recorded_real(from, name, std::numeric_limits<double>::min(), kNoLimit);
+  }
+  return speeds;
 }
 
 Json vehicle_json(const vehicle::Vehicle& vehicle) {

@@ -1,20 +1,18 @@
-// Poses, segments and vehicles as JSON and as the command line has them.
+// Poses, segments and vehicles as JSON, in cells and in metres.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lasius/vehicle/motion.h"
+#include "lasius/vehicle/profile.h"
 #include "lasius/vehicle/vehicle.h"
 #include "tools/bitmap/map_file.h"
-#include "tools/options/options.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
-
-/// "X,Y,YAW": a point as `plan` takes it, and radians or, as in 90deg, degrees. @throws UsageError
-PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame);
 
 /// A yaw of the map's frame as one of cells and, by the same sum, back: more than -pi, at most pi.
 double yaw_across(const LoadedMap& map, double yaw);
@@ -32,5 +30,16 @@ std::vector<vehicle::Segment> recorded_segments(const Json& result);
 /// A vehicle in cells, whole. And back, validated. @throws UsageError
 Json vehicle_json(const vehicle::Vehicle& vehicle);
 vehicle::Vehicle recorded_vehicle(const Json& parameters);
+/// Its limits of speed, null where there is none. And back. @throws UsageError
+Json speeds_json(const vehicle::SpeedLimits& speeds);
+vehicle::SpeedLimits recorded_speeds(const Json& parameters);
+
+/// The limits by the names that files have; `length`: of cells, else of radians.
+struct SpeedKey {
+  std::string_view key;
+  double vehicle::SpeedLimits::*value;
+  bool length;
+};
+std::span<const SpeedKey> speed_keys();
 
 }  // namespace lasius::tool

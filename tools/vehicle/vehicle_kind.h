@@ -6,6 +6,7 @@
 
 namespace lasius::tool {
 
+const ProblemKind& vehicle_kind();
 Subcommand add_check_path(CLI::App& program);
 
 }  // namespace lasius::tool
