@@ -51,7 +51,7 @@ LASIUS_EXPORT std::vector<PathPose> poses(std::span<const Segment> segments, dou
 /// Reeds & Shepp where it may reverse (there a cell backwards counts as one forwards).
 /// @param radius above 0
 LASIUS_EXPORT double free_length(const Pose& from, const Pose& to, double radius, bool reverse);
-/// The segments of that way, from `from`; they end at `to` within 1e-9 of each coordinate at |x|,
+/// The segments of that way, from `from`; they end at `to` within 1e-8 of each coordinate at |x|,
 /// |y| up to 32768, the yaw modulo a turn.
 LASIUS_EXPORT std::vector<Segment> free_way(const Pose& from, const Pose& to, double radius,
                                             bool reverse);

@@ -17,16 +17,16 @@ namespace lasius::vehicle {
 struct Contact {
   int segment = 0;  ///< index of the segment, or of the pose before
   double at = 0;    ///< extent of the segment before it; between poses the share of the way, 0 to 1
-  Pose
-      pose;  ///< where it touches, or might within 0.05 cells: what the certificate cannot rule out
-  Cell cell{};  ///< blocked or outside, met by the footprint there (grown by at most 0.05 cells)
+  Pose pose;        ///< where it touches, or comes nearer than 0.001 cells along each axis
+  Cell cell{};      ///< blocked or outside, and met there
   bool proven = false;  ///< the footprint itself meets the cell at the pose
 };
 
 /// A map seen by a vehicle. Blocked are the closed squares of blocked cells and all that is outside
 /// the map; the footprint is closed, too: what only touches is blocked. `true` from free() is a
-/// proof for every pose of a motion; `false` can be wrong only where the footprint comes within
-/// 0.05 cells of what is blocked (0.1% of motions). Copies share what they hold. Thread-safe.
+/// proof for every pose of a motion; `false` is wrong only where the footprint comes nearer than
+/// 0.02 cells along each axis to what is blocked (0.1% of motions). Copies share what they hold.
+/// Thread-safe.
 class LASIUS_EXPORT Space {
  public:
   /// Takes a copy of the map. O(cells), 10 bytes a cell.

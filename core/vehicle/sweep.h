@@ -1,0 +1,91 @@
+// Whether a motion touches anything, certified over its whole sweep.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "core/vehicle/bit_columns.h"
+#include "core/vehicle/outline.h"
+#include "lasius/clearance.h"
+#include "lasius/vehicle/space.h"
+
+namespace lasius::vehicle {
+
+/// A map as a vehicle sees it.
+class Space::Impl {
+ public:
+  Impl(const Vehicle& vehicle, const Grid& grid, ClearanceField field);
+
+  const Vehicle& vehicle() const noexcept { return vehicle_; }
+  const Outline& outline() const noexcept { return outline_; }
+  const BitColumns& bits() const noexcept { return bits_; }
+  const ClearanceField& field() const noexcept { return field_; }
+  int width() const noexcept { return bits_.width(); }
+  int height() const noexcept { return bits_.height(); }
+
+  /// No more than what lies between the point and the nearest that is blocked; 0 outside.
+  double clearance(double x, double y) const noexcept;
+  /// Whether the footprint, grown by so much along each axis, meets nothing.
+  bool free_at(const Pose& pose, double grown) const;
+  /// The first blocked cell that it meets.
+  std::optional<Cell> met(const Pose& pose, double grown) const;
+
+  /// What is left open: a motion that comes nearer than that may be refused. Cells, along each
+  /// axis.
+  static constexpr double kCoarse = 0.008;
+  static constexpr double kFine = 0.0005;
+
+  /// The share of the motion, in [0, 1], at which it touches or comes nearer than `open`; above 1
+  /// where it touches nothing. With `earliest` the first such share.
+  ///
+  /// A piece of a motion over which no point of the footprint moves by more than 2 r lies inside
+  /// the footprint at its middle, grown by r.
+  /// @param pose_at   the pose after a share
+  /// @param reach     no point of the footprint moves farther than that
+  /// @param driven    nor the reference point than that
+  template <class PoseAt>
+  double touch(PoseAt&& pose_at, double reach, double driven, double open, bool earliest) const {
+    const double slack = outline_.around() + 1e-6;
+    double from = 0;
+    while (from < 1) {
+      const Pose pose = pose_at(from);
+      const double room = clearance(pose.x, pose.y) - slack;
+      if (room > 0 && room >= driven * (1 - from)) return 2;
+      if (room > 0.5) {
+        from += room / driven;
+        continue;
+      }
+      const double to = reach > 0 ? std::min(1.0, from + kPiece / reach) : 1;
+      const double found = touch_piece(pose_at, reach, from, to, open, earliest);
+      if (found <= 1) return found;
+      from = to;
+    }
+    return 2;
+  }
+
+  /// The same of a segment.
+  double touch(const Segment& motion, double open, bool earliest) const;
+
+ private:
+  static constexpr double kPiece = 4;  ///< by which a point of the footprint moves, cells
+
+  template <class PoseAt>
+  double touch_piece(PoseAt&& pose_at, double reach, double from, double to, double open,
+                     bool earliest) const {
+    const double middle = (from + to) / 2;
+    const double grown = reach * (to - from) / 2;
+    const Pose pose = pose_at(middle);
+    if (free_at(pose, grown)) return 2;
+    if (grown <= open) return middle;
+    if (!earliest && !free_at(pose, 0)) return middle;
+    const double found = touch_piece(pose_at, reach, from, middle, open, earliest);
+    return found <= 1 ? found : touch_piece(pose_at, reach, middle, to, open, earliest);
+  }
+
+  Vehicle vehicle_;
+  Outline outline_;
+  BitColumns bits_;
+  ClearanceField field_;
+};
+
+}  // namespace lasius::vehicle
