@@ -38,11 +38,11 @@ struct Verdict {
   int assumed_straight = 0;
 };
 
-Curve curve_of(const PathFile& file, const LoadedMap& map) {
+lasius::Curve curve_of(const PathFile& file, const LoadedMap& map) {
   if (!file.curve.empty()) return file.curve;
   const std::vector<Point> points = points_of(file, map);
   const auto poses = poses_of(file, map);
-  Curve curve = lines_between(points);
+  lasius::Curve curve = lines_between(points);
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const auto motion = motion_between(poses[i], poses[i + 1]);
     if (!motion || motion->gear == 0 || std::abs(motion->curvature) < 1e-9) continue;
@@ -91,7 +91,7 @@ Verdict verdict_of(const Asked& asked, const LoadedMap& map, const PathFile& fil
   Verdict verdict;
   std::optional<PathFault> fault;
   if (radius > 0) {
-    const Curve curve = curve_of(file, map);
+    const lasius::Curve curve = curve_of(file, map);
     verdict.judged_as = "disc";
     verdict.length = length_of(curve);
     verdict.pieces = curve.size();

@@ -155,15 +155,15 @@ bool is_half(Point p) { return 2 * p.x == std::floor(2 * p.x) && 2 * p.y == std:
 
 }  // namespace
 
-Curve lines_between(std::span<const Point> path) {
-  Curve curve;
+lasius::Curve lines_between(std::span<const Point> path) {
+  lasius::Curve curve;
   if (path.size() == 1) curve.push_back({.from = path[0], .to = path[0]});
   for (std::size_t i = 1; i < path.size(); ++i)
     curve.push_back({.from = path[i - 1], .to = path[i]});
   return curve;
 }
 
-double length_of(const Curve& curve) {
+double length_of(const lasius::Curve& curve) {
   double length = 0;
   for (const CurvePiece& piece : curve) length += length_of(piece);
   return length;
@@ -205,7 +205,7 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
   return std::nullopt;
 }
 
-std::optional<PathFault> disc_fault(const Grid& grid, double radius, const Curve& curve) {
+std::optional<PathFault> disc_fault(const Grid& grid, double radius, const lasius::Curve& curve) {
   constexpr double kPart = 8;  // cells: of longer pieces too many squares would be looked at
   const double limit = radius - kSlack;
   double along = 0;

@@ -23,11 +23,11 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
 
 /// Of a disc along lines and arcs: it keeps `radius` from blocked squares and from the outside, to
 /// 1e-9 cells.
-std::optional<PathFault> disc_fault(const Grid& grid, double radius, const Curve& curve);
+std::optional<PathFault> disc_fault(const Grid& grid, double radius, const lasius::Curve& curve);
 
 /// Lines between points.
-Curve lines_between(std::span<const Point> path);
+lasius::Curve lines_between(std::span<const Point> path);
 /// Of lines and arcs.
-double length_of(const Curve& curve);
+double length_of(const lasius::Curve& curve);
 
 }  // namespace lasius::tool

@@ -96,8 +96,8 @@ class TableReader {
 };
 
 /// Points, and arcs between them, as `plan --radius` tells a curve. @throws UsageError
-Curve recorded_curve(const Json& list) {
-  Curve curve;
+lasius::Curve recorded_curve(const Json& list) {
+  lasius::Curve curve;
   const auto refuse = [] { throw UsageError("\"curve\" is no list of points and arcs"); };
   const auto point_at = [&](std::size_t i) {
     return recorded_point(Json{{"curve", list[i]}}, "curve");

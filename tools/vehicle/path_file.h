@@ -20,7 +20,7 @@ struct PathFile {
   std::vector<double> yaws = {};                ///< with a column yaw: one a point, else empty
   std::vector<double> curvatures = {};          ///< with a column kappa, likewise
   bool metres = false;                          ///< all of these in the map's frame, else in cells
-  Curve curve = {};                             ///< of a disc's result, in cells
+  lasius::Curve curve = {};                     ///< of a disc's result, in cells
   std::vector<vehicle::Segment> segments = {};  ///< of a vehicle's result, in cells
   Json parameters = {};                         ///< of a result: what it was planned with
 

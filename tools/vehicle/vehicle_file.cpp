@@ -99,7 +99,7 @@ LoadedVehicle read_vehicle(const std::string& name, const LoadedMap& map, Frame 
   loaded.vehicle = usual_of(file, scale, footprint_of(file, scale, frame == Frame::world));
   Vehicle& to = loaded.vehicle;
   to.reverse = file.flag_or("reverse", to.reverse);
-  to.reverse_cost = file.number_or("reverse_cost", to.reverse_cost, 1, kMost);
+  to.reverse_cost = file.number_or("reverse_cost", to.reverse_cost, 1, 1000);
   to.cusp_cost = scale * file.number_or("cusp_cost", to.cusp_cost / scale, 0, kMost);
   to.rotate_in_place = file.flag_or("rotate_in_place", to.rotate_in_place);
   to.rotation_cost =
@@ -118,7 +118,10 @@ LoadedVehicle read_vehicle(const std::string& name, const LoadedMap& map, Frame 
   try {
     validate(to);
   } catch (const Error& error) {
-    file.at("footprint").fail("or another value cannot be: " + error.problem(), error.remedy());
+    std::string_view key = "footprint";
+    for (const auto each : kKeys)
+      if (error.problem().starts_with(each) && file.find(each) != nullptr) key = each;
+    file.at(key).fail("cannot be, in cells: " + error.problem(), error.remedy());
   }
   return loaded;
 }

@@ -12,7 +12,7 @@ namespace lasius::tool {
 
 /// A vehicle as plans and checks take it: in cells.
 struct LoadedVehicle {
-  std::string file;
+  std::string file = {};
   std::uint64_t hash = 0;         ///< of the file's bytes
   vehicle::Vehicle vehicle = {};  ///< y of its footprint as that of cells: down
   vehicle::SpeedLimits speeds = {};
