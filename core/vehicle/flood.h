@@ -1,0 +1,63 @@
+// How far cells are from the goals for a vehicle that only has to fit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/vehicle/lattice.h"
+#include "core/vehicle/sweep.h"
+
+namespace lasius::vehicle {
+
+/// For each cell a bit a heading: whether the footprint is free at its centre.
+class FreeHeadings {
+ public:
+  /// Stops where the poller asks to; what is left then is not free.
+  FreeHeadings(const Space::Impl& space, const Lattice& lattice, Poller& poller);
+  std::uint16_t at(int x, int y) const noexcept {
+    return bits_[static_cast<std::size_t>(y) * width_ + x];
+  }
+  std::uint16_t operator[](std::size_t cell) const noexcept { return bits_[cell]; }
+
+ private:
+  int width_;
+  std::vector<std::uint16_t> bits_;
+};
+
+/// Distances over eight neighbours, told as far as they are asked for. A step counts where the
+/// vehicle is free at both ends at a heading near the step's direction. Of a step along a row or
+/// column 29 units, along a diagonal 41: never more than its length.
+class Flood {
+ public:
+  static constexpr int kUnits = 29;
+
+  Flood(const FreeHeadings& free, int width, int height, bool reverse);
+  /// A cell from which a goal is so far; before the first question.
+  void add_source(int x, int y, double cells);
+  /// Cells to the goals; infinite where there is no way.
+  double at(int x, int y) {
+    const std::size_t cell = static_cast<std::size_t>(y) * width_ + x;
+    while (distance_[cell] > level_ && waiting_ > 0) advance();
+    return distance_[cell] == kFar ? kInfinite : distance_[cell] * (1.0 / kUnits);
+  }
+
+ private:
+  static constexpr int kBuckets = 64;
+  static constexpr std::int32_t kFar = 1 << 30;
+  static constexpr double kInfinite = 1e30;
+  void advance();
+  void put(std::size_t cell, std::int32_t distance);
+
+  const FreeHeadings& free_;
+  int width_, height_;
+  std::array<std::uint16_t, 8> near_{};  ///< headings for a step
+  std::vector<std::int32_t> distance_;
+  std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
+  std::vector<std::pair<std::int32_t, std::uint32_t>> sources_;  ///< not yet reached, sorted once
+  std::size_t next_source_ = 0;
+  std::int32_t level_ = -1;
+  std::int64_t waiting_ = 0;
+};
+
+}  // namespace lasius::vehicle
