@@ -39,9 +39,19 @@ FreeHeadings::FreeHeadings(const Space::Impl& space, const Lattice& lattice, Pol
   }
 }
 
-Flood::Flood(const FreeHeadings& free, int width, int height, bool reverse)
-    : free_(free), width_(width), height_(height) {
-  distance_.assign(static_cast<std::size_t>(width) * height, kFar);
+Flood::Flood(const FreeHeadings& free, const Space::Impl& space, bool squeeze, Memory& memory)
+    : free_(free),
+      clearance_(space.field().squared_half_cells),
+      squeeze_(squeeze),
+      needed_(space.needed_by_disc()),
+      width_(space.width()),
+      height_(space.height()),
+      memory_(memory) {
+  memory_.distance.resize(clearance_.size(), kFar);
+  for (const std::uint32_t cell : memory_.touched) memory_.distance[cell] = kFar;
+  memory_.touched.clear();
+  for (std::vector<std::uint32_t>& bucket : memory_.buckets) bucket.clear();
+  const bool reverse = space.vehicle().reverse;
   for (int step = 0; step < 8; ++step) {
     // Heading 2 * step has the direction of the step.
     for (int off = -1; off <= 1; ++off) {
@@ -59,9 +69,11 @@ void Flood::add_source(int x, int y, double cells) {
 }
 
 void Flood::put(std::size_t cell, std::int32_t distance) {
-  if (distance >= distance_[cell]) return;
-  distance_[cell] = distance;
-  buckets_[distance % kBuckets].push_back(static_cast<std::uint32_t>(cell));
+  std::int32_t& known = memory_.distance[cell];
+  if (distance >= known) return;
+  if (known == kFar) memory_.touched.push_back(static_cast<std::uint32_t>(cell));
+  known = distance;
+  memory_.buckets[distance % kBuckets].push_back(static_cast<std::uint32_t>(cell));
   ++waiting_;
 }
 
@@ -73,10 +85,10 @@ void Flood::advance() {
     --waiting_;
     put(sources_[next_source_].second, level_);
   }
-  std::vector<std::uint32_t>& bucket = buckets_[level_ % kBuckets];
+  std::vector<std::uint32_t>& bucket = memory_.buckets[level_ % kBuckets];
   for (std::size_t i = 0; i < bucket.size(); ++i) {
     const std::uint32_t cell = bucket[i];
-    if (distance_[cell] != level_) continue;
+    if (memory_.distance[cell] != level_) continue;
     const int x = static_cast<int>(cell) % width_;
     const int y = static_cast<int>(cell) / width_;
     const unsigned here = free_[cell];
@@ -86,9 +98,13 @@ void Flood::advance() {
       const int ny = y - kStepY[step];
       if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
       const std::size_t next = static_cast<std::size_t>(ny) * width_ + nx;
-      const std::int32_t distance = level_ + ((step & 1) != 0 ? 41 : kUnits);
-      if (distance >= distance_[next] || (here & near_[step] & free_[next]) == 0) continue;
-      put(next, distance);
+      std::int32_t length = (step & 1) != 0 ? 41 : kUnits;
+      if (level_ + length >= memory_.distance[next]) continue;
+      if ((here & near_[step] & free_[next]) == 0) {
+        if (!squeeze_ || clearance_[next] < needed_) continue;
+        length *= kUnfit;
+      }
+      put(next, level_ + length);
     }
   }
   waiting_ -= static_cast<std::int64_t>(bucket.size());

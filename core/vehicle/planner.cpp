@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -19,9 +20,24 @@ class Planner::Impl {
         lattice(space.vehicle(), space.impl().outline()),
         free(space.impl(), lattice, poller) {}
 
+  /// Memory that no other search holds.
+  std::unique_ptr<SearchMemory> take() const {
+    const std::scoped_lock lock(mutex);
+    if (spare.empty()) return std::make_unique<SearchMemory>();
+    std::unique_ptr<SearchMemory> taken = std::move(spare.back());
+    spare.pop_back();
+    return taken;
+  }
+  void give_back(std::unique_ptr<SearchMemory> memory) const {
+    const std::scoped_lock lock(mutex);
+    spare.push_back(std::move(memory));
+  }
+
   Space space;
   Lattice lattice;
   FreeHeadings free;
+  mutable std::mutex mutex;
+  mutable std::vector<std::unique_ptr<SearchMemory>> spare;
 };
 
 namespace {
@@ -69,9 +85,7 @@ bool cut_off(const Space::Impl& space, const Pose& start, std::span<const Pose> 
              double tolerance) {
   const double inside = space.outline().inside();
   if (inside <= 0) return false;
-  constexpr double kHalfDiagonal = 0.70711;
-  const double least = std::max(0.0, 2 * (inside - kHalfDiagonal));
-  const auto needed = std::max(1, static_cast<int>(least * least));
+  const std::int32_t needed = space.needed_by_disc();
   const int width = space.width();
   const int height = space.height();
   std::vector<std::uint8_t> met(static_cast<std::size_t>(width) * height, 0);
@@ -190,11 +204,13 @@ Result Planner::plan(const Request& request) const {
   const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
   SearchOptions options{request.weight, request.goal_tolerance, request.heading_tolerance, false,
                         request.max_states};
-  Found found = search(prepared, request.start, goals, options, result, poller);
+  std::unique_ptr<SearchMemory> memory = impl_->take();
+  Found found = search(prepared, request.start, goals, options, *memory, result, poller);
   if (found.goal < 0 && !poller.stopped() && !found.full) {
     options.wide = true;
-    found = search(prepared, request.start, goals, options, result, poller);
+    found = search(prepared, request.start, goals, options, *memory, result, poller);
   }
+  impl_->give_back(std::move(memory));
   if (poller.stopped()) {
     result.status =
         poller.cause() == StopCondition::Cause::token ? Status::interrupted : Status::limit;

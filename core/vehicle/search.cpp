@@ -5,7 +5,6 @@
 #include <limits>
 #include <unordered_map>
 
-#include "core/base/bucket_queue.h"
 #include "core/vehicle/angle.h"
 #include "core/vehicle/steering.h"
 
@@ -16,68 +15,10 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kBucket = 0.125;
 constexpr int kProbed = 2000;  ///< states of the probe from the goals
 
-/// States of the lattice that were entered, a block a cell.
-template <class State>
-class States {
- public:
-  States(const Space::Impl& space, int layers)
-      : width_(space.width()),
-        per_cell_(Lattice::kHeadings * layers),
-        block_(static_cast<std::size_t>(space.width()) * space.height(), -1) {}
-  std::uint32_t index(int x, int y, int heading, int layer) {
-    std::int32_t& block = block_[static_cast<std::size_t>(y) * width_ + x];
-    if (block < 0) {
-      block = static_cast<std::int32_t>(cells_.size());
-      cells_.push_back({x, y});
-      states_.resize(states_.size() + per_cell_);
-    }
-    return static_cast<std::uint32_t>(block * per_cell_ + layer * Lattice::kHeadings + heading);
-  }
-  /// The state if its cell was entered.
-  State* find(int x, int y, int heading, int layer) {
-    const std::int32_t block = block_[static_cast<std::size_t>(y) * width_ + x];
-    return block < 0 ? nullptr
-                     : &states_[static_cast<std::size_t>(block) * per_cell_ +
-                                layer * Lattice::kHeadings + heading];
-  }
-  State& operator[](std::uint32_t index) { return states_[index]; }
-  Cell cell(std::uint32_t index) const { return cells_[index / per_cell_]; }
-  int heading(std::uint32_t index) const { return static_cast<int>(index % Lattice::kHeadings); }
-  int layer(std::uint32_t index) const {
-    return static_cast<int>(index % per_cell_) / Lattice::kHeadings;
-  }
-  std::int64_t size() const { return static_cast<std::int64_t>(states_.size()); }
-
- private:
-  int width_;
-  int per_cell_;
-  std::vector<std::int32_t> block_;
-  std::vector<Cell> cells_;
-  std::vector<State> states_;
-};
-
-constexpr std::int32_t kNoEdge = std::numeric_limits<std::int32_t>::min();
-
-/// Forwards: the cost from the start, and how the state was reached.
-struct Reached {
-  float cost = std::numeric_limits<float>::infinity();
-  float left = -1;            ///< estimate of the cost to a goal; -1: not yet asked
-  std::uint32_t before = 0;   ///< state
-  std::int32_t by = kNoEdge;  ///< edge; below 0: ~connector
-  bool expanded = false;
-};
-/// Backwards: the cost to a goal, and the way.
-struct Leads {
-  float cost = std::numeric_limits<float>::infinity();
-  std::uint32_t next = 0;
-  std::int32_t by = kNoEdge;
-  bool expanded = false;
-};
-
 class Search {
  public:
   Search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
-         const SearchOptions& options, Result& counts, Poller& poller)
+         const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller)
       : space_(prepared.space),
         lattice_(prepared.lattice),
         vehicle_(prepared.space.vehicle()),
@@ -88,9 +29,13 @@ class Search {
         poller_(poller),
         layers_(vehicle_.reverse && vehicle_.cusp_cost > 0 ? 2 : 1),
         steering_(vehicle_),
-        flood_(prepared.free, space_.width(), space_.height(), vehicle_.reverse),
-        reached_(space_, layers_),
-        leads_(space_, layers_) {}
+        flood_(prepared.free, space_, options.wide, memory.flood),
+        reached_(memory.reached),
+        leads_(memory.leads),
+        queue_(memory.queue) {
+    reached_.reset(space_, layers_);
+    leads_.reset(space_, layers_);
+  }
 
   Found run() {
     shots_from_start();
@@ -198,7 +143,7 @@ class Search {
   /// Dijkstra from the goals backwards. True if it ran dry: what it met is all from which they can
   /// be reached on the lattice, and no connector of the start leads there.
   bool probe() {
-    BucketQueue queue;
+    BucketQueue& queue = queue_;
     queue.reset(0, kBucket);
     const auto offer = [&](int x, int y, int heading, int gear, double cost, std::uint32_t next,
                            std::int32_t by) {
@@ -376,9 +321,9 @@ class Search {
   int layers_;
   Steering steering_;
   Flood flood_;
-  States<Reached> reached_;
-  States<Leads> leads_;
-  BucketQueue queue_;
+  States<Reached>& reached_;
+  States<Leads>& leads_;
+  BucketQueue& queue_;
   std::vector<Connector> from_start_, to_goal_;
   std::vector<Segment> shot_;
   Found best_;
@@ -387,8 +332,8 @@ class Search {
 }  // namespace
 
 Found search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
-             const SearchOptions& options, Result& counts, Poller& poller) {
-  return Search(prepared, start, goals, options, counts, poller).run();
+             const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller) {
+  return Search(prepared, start, goals, options, memory, counts, poller).run();
 }
 
 }  // namespace lasius::vehicle

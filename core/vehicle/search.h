@@ -8,7 +8,7 @@
 
 #include "core/base/poller.h"
 #include "core/vehicle/connectors.h"
-#include "core/vehicle/flood.h"
+#include "core/vehicle/search_memory.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
@@ -44,6 +44,6 @@ struct SearchOptions {
 
 /// Searches once. Counts what it does in the result.
 Found search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
-             const SearchOptions& options, Result& counts, Poller& poller);
+             const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller);
 
 }  // namespace lasius::vehicle

@@ -25,6 +25,12 @@ class Space::Impl {
 
   /// No more than what lies between the point and the nearest that is blocked; 0 outside.
   double clearance(double x, double y) const noexcept;
+  /// Squared clearance of a centre, in half cells, below which the middle of the disc in the
+  /// footprint is nowhere in the cell; at least 1.
+  std::int32_t needed_by_disc() const noexcept {
+    const double least = std::max(0.0, 2 * (outline_.inside() - 0.70711));
+    return std::max(1, static_cast<std::int32_t>(least * least));
+  }
   /// Whether the footprint, grown by so much along each axis, meets nothing.
   bool free_at(const Pose& pose, double grown) const;
   /// The first blocked cell that it meets.

@@ -10,67 +10,10 @@
 #include <string>
 
 #include "lasius/error.h"
+#include "tests/core/vehicle/dense_check.h"
 
 namespace lasius::vehicle {
 namespace {
-
-constexpr int kSide = 160;
-
-Grid blobs(std::uint64_t seed, int count) {
-  Grid grid(kSide, kSide - 30);
-  std::mt19937_64 random(seed);
-  for (int i = 0; i < count; ++i) {
-    const int w = 1 + static_cast<int>(random() % 6);
-    const int h = 1 + static_cast<int>(random() % 6);
-    grid.fill({static_cast<int>(random() % (kSide - w)),
-               static_cast<int>(random() % (kSide - 30 - h)), w, h},
-              true);
-  }
-  return grid;
-}
-
-using Part = std::vector<Point>;
-
-bool apart(const Part& a, const Part& b) {
-  for (const auto& [of, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    for (std::size_t i = 0; i < of->size(); ++i) {
-      const Point p = (*of)[i];
-      const Point q = (*of)[(i + 1) % of->size()];
-      const double nx = q.y - p.y;
-      const double ny = p.x - q.x;  // outwards where the corners go round by growing yaw
-      double most = -1e300;
-      double least = 1e300;
-      for (const Point& v : *of) most = std::max(most, (v.x - p.x) * nx + (v.y - p.y) * ny);
-      for (const Point& v : *other) least = std::min(least, (v.x - p.x) * nx + (v.y - p.y) * ny);
-      if (least > most) return true;
-    }
-  }
-  return false;
-}
-
-bool touches(const Grid& grid, const std::vector<Part>& parts, const Pose& pose) {
-  for (const Part& part : parts) {
-    Part placed;
-    Point low{1e9, 1e9};
-    Point high{-1e9, -1e9};
-    for (const Point& p : part) {
-      const Point q{pose.x + p.x * std::cos(pose.yaw) - p.y * std::sin(pose.yaw),
-                    pose.y + p.x * std::sin(pose.yaw) + p.y * std::cos(pose.yaw)};
-      placed.push_back(q);
-      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-      high = {std::max(high.x, q.x), std::max(high.y, q.y)};
-    }
-    for (int y = static_cast<int>(std::floor(low.y)) - 1; y <= high.y + 1; ++y) {
-      for (int x = static_cast<int>(std::floor(low.x)) - 1; x <= high.x + 1; ++x) {
-        if (!grid.blocked({x, y})) continue;
-        const double cx = x;
-        const double cy = y;
-        if (!apart(placed, {{cx, cy}, {cx + 1, cy}, {cx + 1, cy + 1}, {cx, cy + 1}})) return true;
-      }
-    }
-  }
-  return false;
-}
 
 struct Shape {
   std::string name;
@@ -111,7 +54,7 @@ TEST(VehicleSpace, NoFalseFreeAndHardlyAFalseBlocked) {
     int refused = 0;
     int free = 0;
     int motions = 0;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 2500; ++i) {
       const Segment motion = random_motion(random);
       ASSERT_EQ(space.free(motion.begin), !touches(grid, shape.parts, motion.begin)) << i;
       if (!space.free(motion.begin)) continue;
@@ -136,8 +79,8 @@ TEST(VehicleSpace, NoFalseFreeAndHardlyAFalseBlocked) {
         }
       }
     }
-    EXPECT_GT(free, 300) << shape.name;
-    EXPECT_LE(refused, motions * 0.003) << shape.name;
+    EXPECT_GT(free, 100) << shape.name;
+    EXPECT_LE(refused, 3 + motions * 0.001) << shape.name;
   }
 }
 
