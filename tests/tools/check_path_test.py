@@ -50,8 +50,8 @@ class CheckPath(ProgramTest):
             ([(0.5, 0.5), (23.5, 0.5)], None),
             ([(0.3, 2.7), (3.9, 2.1), (4, 2), (6, 2), (7.25, 3.125)], None),  # along an edge, by a corner
             ([(0.5, 0.5), (8.5, 4.5)], r"enters the blocked cell \(4, 2\)"),
-            ([(0.25, 0.25), (3.3, 2.7), (4.2, 2.7)], r"meets a blocked cell.*, 4\.6\d* along the path, at \(4, 2\.7\)"),
-            ([(0.5, 0.5), (30, 0.5)], r"leaves the map, 23\.5 along"),
+            ([(0.25, 0.25), (3.3, 2.7), (4.2, 2.7)], r"meets a blocked cell.*, 4\.6\d* cells along the path, at \(4, 2\.7\)"),
+            ([(0.5, 0.5), (30, 0.5)], r"leaves the map, 23\.5 cells along"),
             ([(-1, 3), (2, 3)], "begins outside the map"),
         ]
         for points, fault in cases:
@@ -81,7 +81,7 @@ class CheckPath(ProgramTest):
 
     def test_own_results_hold_for_what_they_were_planned_with(self):
         for radius in ("0", "0.5", "1.3", "2"):
-            run = self.run_program("plan", "room.map", "--start", "2,6", "--goal", "21,7", "--radius", radius,
+            run = self.run_program("plan", "room.map", "--start", "4,6", "--goal", "21,2", "--radius", radius,
                               "--spacing", "0.3", "-o", "run.json", "-o", "run.csv")
             self.assertEqual(run.code, 0, run.err)
             self.assertEqual(self.run_program("check-path", "room.map", "run.json").code, 0)
@@ -94,11 +94,11 @@ class CheckPath(ProgramTest):
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [
-            ("", r"path\.csv:1: .*holds no point"),
-            ("a,b\n1,2\n", r"path\.csv:1: the header has no column x"),
-            ("x,y\n1,2\n3,z\n", r"path\.csv:3: y is 'z'"),
-            ("x,y\n1,nan\n", r"path\.csv:2: y is 'nan'"),
-            ("x,y,yaw\n1,2\n", r"path\.csv:2: 2 fields instead of 3"),
+            ("", r"path\.csv, line 1: .*holds no point"),
+            ("a,b\n1,2\n", r"path\.csv, line 1: the header has no column x"),
+            ("x,y\n1,2\n3,z\n", r"path\.csv, line 3: y is 'z'"),
+            ("x,y\n1,nan\n", r"path\.csv, line 2: y is 'nan'"),
+            ("x,y,yaw\n1,2\n", r"path\.csv, line 2: 2 fields instead of 3"),
         ]
         for content, text in cases:
             with self.subTest(content=content):

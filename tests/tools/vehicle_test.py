@@ -122,7 +122,7 @@ class Vehicles(ProgramTest):
                     continue
                 solved += 1
                 self.check(run.json, vehicle)
-                self.assertGreaterEqual(run.json["length"], run.json["lower_bound"] * (1 - 1e-9))
+                self.assertGreaterEqual(run.json["length"], (run.json["lower_bound"] or 0) * (1 - 1e-9))
                 self.quiet(self.run_program("verify", "-q", "run.json"))
                 self.assertEqual(self.run_program("check-path", "yard.map", "run.json").code, 0)
         self.assertGreaterEqual(solved, 12)
@@ -147,7 +147,7 @@ class Vehicles(ProgramTest):
 
     def test_contacts_are_named(self):
         run = self.drive("car.json", "10.5,5,0", "38,26,0")
-        self.refused(run, 4, "start (10.5, 5, 0): the footprint meets the blocked cell (12, ", "nearest pose of this heading")
+        self.ended(run, 4, "start (10.5, 5, 0): the footprint meets the blocked cell (12, ", "nearest pose of this heading")
         run = self.drive("car.json", "5,5,0", "43,26,0", "--json")
         self.assertEqual((run.code, run.json["status"]), (4, "invalid"))
         x, y, yaw = run.json["nearest_free"]
@@ -161,7 +161,7 @@ class Vehicles(ProgramTest):
 
     def test_planted_contacts_are_found_and_clean_paths_pass(self):
         draw, verdicts = random.Random(8), [0, 0]
-        for _ in range(24):
+        for _ in range(36):
             x, y, yaw = draw.uniform(3, 41), draw.uniform(3, 27), draw.uniform(-3, 3)
             rows, deepest = ["x,y,yaw"], -math.inf
             k = draw.choice([0, 1 / 4, -1 / 7])
@@ -181,8 +181,8 @@ class Vehicles(ProgramTest):
 
     def test_what_cannot_be_driven(self):
         cases = [
-            ("5,15,0\n6,15,0.7\n", "turns sharper than the vehicle can", "car"),
-            ("9,5,0\n6,5,0\n", "drives backwards", "forward"),
+            ("5,15,0\n5.958851,15.244835,0.5\n", "turns sharper than the vehicle can", "car"),
+            ("8,5,0\n6,5,0\n", "drives backwards", "forward"),
             ("5,15,0\n5,15,1\n", "turns in place", "car"),
             ("5,15,0\n5,16,0\n", "slip aside", "car"),
         ]
@@ -195,18 +195,18 @@ class Vehicles(ProgramTest):
 
     def test_files_of_vehicles_are_refused_by_line_and_key(self):
         cases = [
-            ("footprint: [[0,0],[1,0],[1,1]]\nturning_radios: 3\n", ":2: 'turning_radios' is unknown", "turning_radius"),
-            ("turning_radius: 3\n", ":1: ", "'footprint' is missing"),
-            ("footprint: [[0,0],[1,0]]\nturning_radius: 3\n", ":1: 'footprint' has 2 corners", "3"),
-            ("turning_radius: 3\nfootprint: [[0,0],[2,2],[2,0],[0,2]]\n", ":2: 'footprint' cannot be", "meets another"),
-            ("turning_radius: 3\nfootprint: [[0,0],[.nan,2],[2,0]]\n", ":2: 'footprint' is \".nan\"", "number"),
-            ("turning_radius: 3\nfootprint: [[0,0],[2],[2,0]]\n", ":2: ", "not [x, y]"),
-            ("type: car\nfootprint: [[0,0],[1,0],[1,1]]\n", ":1: ", "'turning_radius' is missing"),
-            ("type: car\nturning_radius: 0\nfootprint: [[0,0],[1,0],[1,1]]\n", ":2: 'turning_radius' is 0", "differential"),
-            ("type: cat\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", ":1: 'type' is \"cat\"", "car"),
-            ("units: metres\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", ":1: 'units' is metres", "resolution"),
-            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nreverse_cost: 0.5\n", ":3: 'reverse_cost' is \"0.5\"", "from 1"),
-            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nspeed: -1\n", ":3: 'speed' is \"-1\"", "number"),
+            ("footprint: [[0,0],[1,0],[1,1]]\nturning_radios: 3\n", "line 2: 'turning_radios' is unknown", "turning_radius"),
+            ("turning_radius: 3\n", "line 1: ", "'footprint' is missing"),
+            ("footprint: [[0,0],[1,0]]\nturning_radius: 3\n", "line 1: 'footprint' has 2 corners", "3"),
+            ("turning_radius: 3\nfootprint: [[0,0],[2,2],[2,0],[0,2]]\n", "line 2: 'footprint' cannot be", "meets another"),
+            ("turning_radius: 3\nfootprint: [[0,0],[.nan,2],[2,0]]\n", "line 2: 'footprint' is \".nan\"", "number"),
+            ("turning_radius: 3\nfootprint: [[0,0],[2],[2,0]]\n", "line 2: ", "not [x, y]"),
+            ("type: car\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: ", "'turning_radius' is missing"),
+            ("type: car\nturning_radius: 0\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 2: 'turning_radius' is 0", "differential"),
+            ("type: cat\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'type' is \"cat\"", "car"),
+            ("units: metres\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'units' is metres", "resolution"),
+            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nreverse_cost: 0.5\n", "line 3: 'reverse_cost' is \"0.5\"", "from 1"),
+            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nspeed: -1\n", "line 3: 'speed' is \"-1\"", "number"),
         ]
         for text, *words in cases:
             with self.subTest(text=text):
