@@ -306,7 +306,8 @@ Subcommand add_batch(CLI::App& app) {
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,
-            "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen",
+            "A TSV with columns sx sy gx gy, with --vehicle syaw and gyaw too; of a bitmap also a "
+            "MovingAI .scen",
             {".scen", ".tsv", ".txt"})
       ->required();
   add_part(table, text->run.part,

@@ -120,6 +120,7 @@ const ProblemKind& vehicle_kind() {
 }
 
 int run_command(const VehicleCommand& command) {
+  if (!command.queries.empty()) return run_vehicle_batch(command);
   VehicleProblem problem(command);
   return run(problem);
 }
