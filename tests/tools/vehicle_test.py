@@ -224,6 +224,27 @@ class Vehicles(ProgramTest):
                 self.refused(self.drive("car.json", start, "20,20,0"), 2, "--start")
         self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "9,9", "--heading-tolerance", "1"), 2, "--vehicle")
 
+    def test_batch_gives_what_plan_gives(self):
+        poses = [("4,4,0", "38,26,180deg"), ("10.5,5,0", "38,26,0"), ("20.5,15.5,90deg", "4.5,24.5,-1")]
+        lines = ["\t".join(a.split(",") + b.split(",")) for a, b in poses]
+        self.write("poses.tsv", "sx\tsy\tsyaw\tgx\tgy\tgyaw\n" + "\n".join(lines) + "\n")
+        run = self.run_program("batch", "yard.map", "poses.tsv", "--vehicle", "car.json", "--threads", "2", "-o", "b.csv", "-o", "b.png")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual([line["status"] for line in run.lines], ["solved", "invalid", "solved"])
+        for i, (start, goal) in enumerate(poses):
+            alone = self.drive("car.json", start, goal, "--json").json
+            self.assertEqual((run.lines[i]["index"], run.lines[i]["segments"]), (i, alone["segments"]))
+        rows = self.rows("b.csv")
+        self.assertEqual([row["status"] for row in rows], ["solved", "invalid", "solved"])
+        self.assertEqual(float(rows[0]["gyaw"]), math.pi)
+        self.write("b.jsonl", run.out)
+        self.quiet(self.run_program("verify", "-q", "b.jsonl"))
+        for text, problem in [("sx sy gx gy\n", "line 1: the header has no column syaw"),
+                              ("sx sy syaw gx gy gyaw\n1 2 3\n", "line 2: 3 fields"),
+                              ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle")]:
+            self.write("bad.tsv", text)
+            self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
+
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""
         grey = bytes(0 if c == "@" else 255 for row in ROWS for c in row)

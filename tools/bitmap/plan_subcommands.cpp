@@ -278,6 +278,9 @@ Subcommand add_plan(CLI::App& app) {
                     {"lasius plan world.map --start 1,2 --goal 36,25 --cost 'world.pfm*0.5' "
                      "--inflation 4,0.5,3 -o world.proof.json",
                      "the cheapest path over costs, with the proof of its bound"},
+                    {"lasius plan world.map --vehicle car.yaml --start 4,4,0 --goal 33,25,90deg "
+                     "-o drive.png",
+                     "a car's motion from pose to pose, certified over its whole sweep"},
                     {"lasius plan maps/maklink200.geojson --algorithm maklink-acs",
                      "among polygons, whose file names start and goal"}},
        .exits = {{kFound, "a path was returned"},

@@ -209,8 +209,7 @@ Subcommand add_check_path(CLI::App& app) {
                      "whether a disc may follow another planner's points"}},
        .exits = {{kFound, "the path holds"},
                  {kInternal, "it does not: the first fault is printed; internal error"},
-                 {kBadFile, "map, path or vehicle is missing or broken"}},
-       .json = "program/JSON of check-path"},
+                 {kBadFile, "map, path or vehicle is missing or broken"}}},
       [=](const Call&) {
         asked->radius_given = table.given("--radius");
         if (asked->radius_given && !asked->vehicle.empty())

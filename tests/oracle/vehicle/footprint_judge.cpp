@@ -81,7 +81,8 @@ std::optional<Cell> FootprintJudge::touched(double x, double y, double yaw) cons
   for (const Triangle& triangle : triangles_) {
     Triangle at;
     for (std::size_t i = 0; i < 3; ++i)
-      at[i] = {x + c * triangle[i].x - s * triangle[i].y, y + s * triangle[i].x + c * triangle[i].y};
+      at[i] = {x + c * triangle[i].x - s * triangle[i].y,
+               y + s * triangle[i].x + c * triangle[i].y};
     const auto columns = std::minmax({at[0].x, at[1].x, at[2].x});
     const auto rows = std::minmax({at[0].y, at[1].y, at[2].y});
     for (int row = static_cast<int>(std::floor(rows.first)) - 1; row <= rows.second; ++row)
