@@ -202,8 +202,9 @@ Result Planner::plan(const Request& request) const {
   }
   Poller poller(request.stop, Poller::kSteps * 16);
   const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
-  SearchOptions options{request.weight, request.goal_tolerance, request.heading_tolerance, false,
-                        request.max_states};
+  SearchOptions options{
+      request.weight, request.goal_tolerance, request.heading_tolerance, request.goals,
+      false,          request.max_states};
   std::unique_ptr<SearchMemory> memory = impl_->take();
   Found found = search(prepared, request.start, goals, options, *memory, result, poller);
   if (found.goal < 0 && !poller.stopped() && !found.full) {
