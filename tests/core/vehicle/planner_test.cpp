@@ -127,7 +127,7 @@ TEST(VehiclePlanner, SaysWhyNot) {
   EXPECT_THROW(why({15, 20, 0}, {45, std::nan(""), 0}), Error);
   // A gap for the disc, which the vehicle cannot turn into, proves nothing.
   grid.fill({29, 18, 2, 5}, false);
-  const Result narrow = Planner(grid, car(rectangle(6, 6, 3.6), 4))
+  const Result narrow = Planner(grid, car(rectangle(6, 6, 2.6), 4))
                             .plan({.start = {15, 20, 1.57}, .goals = {{45, 20, 0}}});
   EXPECT_EQ(narrow.status, Status::unreachable);
   const Result wide =
