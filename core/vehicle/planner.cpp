@@ -9,16 +9,18 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/vehicle/angle.h"
+#include "core/vehicle/bound.h"
 #include "core/vehicle/search.h"
 
 namespace lasius::vehicle {
 
 class Planner::Impl {
  public:
-  Impl(Space the_space, Poller& poller)
+  Impl(const Grid& grid, Space the_space, Poller& poller)
       : space(std::move(the_space)),
         lattice(space.vehicle(), space.impl().outline()),
-        free(space.impl(), lattice, poller) {}
+        free(space.impl(), lattice, poller),
+        bound(grid, space.vehicle()) {}
 
   /// Memory that no other search holds.
   std::unique_ptr<SearchMemory> take() const {
@@ -36,6 +38,7 @@ class Planner::Impl {
   Space space;
   Lattice lattice;
   FreeHeadings free;
+  Bound bound;
   mutable std::mutex mutex;
   mutable std::vector<std::unique_ptr<SearchMemory>> spare;
 };
@@ -77,49 +80,6 @@ std::vector<Goal> goals_of(const Space& space, const Lattice& lattice, const Req
     }
   }
   return goals;
-}
-
-/// Whether a disc that lies in the footprint cannot get from the start to any goal: over cells in
-/// which its middle might be, joined to all eight neighbours.
-bool cut_off(const Space::Impl& space, const Pose& start, std::span<const Pose> goals,
-             double tolerance) {
-  const double inside = space.outline().inside();
-  if (inside <= 0) return false;
-  const std::int32_t needed = space.needed_by_disc();
-  const int width = space.width();
-  const int height = space.height();
-  std::vector<std::uint8_t> met(static_cast<std::size_t>(width) * height, 0);
-  std::vector<Cell> open;
-  const auto enter = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= width || y >= height) return;
-    const std::size_t cell = static_cast<std::size_t>(y) * width + x;
-    if (met[cell] != 0 || space.field().squared_half_cells[cell] < needed) return;
-    met[cell] = 1;
-    open.push_back({x, y});
-  };
-  // The point may lie on the border of its cell.
-  const auto around = [](const Pose& pose, double far, auto&& put) {
-    for (int y = floor_of(pose.y - far - 1e-6); y <= floor_of(pose.y + far + 1e-6); ++y) {
-      for (int x = floor_of(pose.x - far - 1e-6); x <= floor_of(pose.x + far + 1e-6); ++x)
-        put(x, y);
-    }
-  };
-  around(start, 0, enter);
-  while (!open.empty()) {
-    const Cell at = open.back();
-    open.pop_back();
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) enter(at.x + dx, at.y + dy);
-    }
-  }
-  bool reached = false;
-  for (const Pose& goal : goals) {
-    around(goal, tolerance, [&](int x, int y) {
-      if (x < 0 || y < 0 || x >= width || y >= height) return;
-      reached = reached || met[static_cast<std::size_t>(y) * width + x] != 0;
-    });
-  }
-  return !reached;
 }
 
 /// Joins motions that go on as one.
@@ -174,7 +134,7 @@ std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
   if (!space) return std::nullopt;
   Poller poller(stop);
   Planner planner;
-  planner.impl_ = std::make_shared<const Impl>(std::move(*space), poller);
+  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), poller);
   if (poller.stopped()) return std::nullopt;
   return planner;
 }
@@ -202,8 +162,9 @@ Result Planner::plan(const Request& request) const {
   }
   Poller poller(request.stop, Poller::kSteps * 16);
   const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
-  SearchOptions options{request.weight, request.goal_tolerance, request.heading_tolerance, false,
-                        request.max_states};
+  SearchOptions options{
+      request.weight, request.goal_tolerance, request.heading_tolerance, request.goals,
+      false,          request.max_states};
   std::unique_ptr<SearchMemory> memory = impl_->take();
   Found found = search(prepared, request.start, goals, options, *memory, result, poller);
   if (found.goal < 0 && !poller.stopped() && !found.full) {
@@ -229,13 +190,14 @@ Result Planner::plan(const Request& request) const {
     result.length = driven_length(result.segments);
     result.cost = cost(space.vehicle(), result.segments);
     result.cusps = cusps(result.segments);
+    if (request.bound) result.lower_bound = impl_->bound.length(request);
     return result;
   }
   if (poller.stopped()) {
     result.error = "stopped before a path was found";
     return result;
   }
-  if (cut_off(space.impl(), request.start, request.goals, request.goal_tolerance)) {
+  if (impl_->bound.cut_off(request)) {
     result.status = Status::unreachable;
     result.fault = Fault::disconnected;
     result.error = "no way is wide enough for the disc inside the footprint";

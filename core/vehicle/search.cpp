@@ -106,16 +106,16 @@ class Search {
         c.end = goals_[i].index;
         to_goal_.push_back(std::move(c));
       }
-      tolerated(goals_[i]);
     }
+    for (std::size_t i = 0; i < options_.wanted.size(); ++i) tolerated(static_cast<int>(i));
     for (const Connector& c : to_goal_) flood_.add_source(c.x, c.y, c.cost);
   }
 
   /// Poses of the lattice that are as good as the goal.
-  void tolerated(const Goal& goal) {
+  void tolerated(int goal) {
     const double far = options_.lattice_tolerance;
     if (far <= 0) return;
-    const Pose& at = goal.pose;
+    const Pose& at = options_.wanted[goal];
     for (int y = std::max(0, floor_of(at.y - far)); y <= at.y + far && y < space_.height(); ++y) {
       for (int x = std::max(0, floor_of(at.x - far)); x <= at.x + far && x < space_.width(); ++x) {
         const double dx = x + 0.5 - at.x;
@@ -125,7 +125,7 @@ class Search {
           const double off = std::fabs(half_turned(lattice_.yaw(h) - at.yaw));
           if (off > options_.heading_tolerance + 1e-12) continue;
           if (!lattice_.masks().free(lattice_.footprint(h), space_.bits(), x, y)) continue;
-          to_goal_.push_back({.x = x, .y = y, .heading = h, .motions = {}, .end = goal.index});
+          to_goal_.push_back({.x = x, .y = y, .heading = h, .motions = {}, .end = goal});
         }
       }
     }

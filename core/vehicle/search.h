@@ -38,7 +38,8 @@ struct SearchOptions {
   double weight = 1.5;
   double lattice_tolerance = 0;  ///< poses of the lattice so near a goal are ends, too, cells
   double heading_tolerance = 0;
-  bool wide = false;  ///< longer connectors and more shots
+  std::span<const Pose> wanted = {};  ///< goals as they were asked for
+  bool wide = false;                  ///< longer connectors and more shots
   std::int64_t max_states = 0;
 };
 

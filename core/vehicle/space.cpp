@@ -111,6 +111,7 @@ Space::Space(const Grid& grid, const Vehicle& vehicle) : Space(*make(grid, vehic
 std::optional<Space> Space::make(const Grid& grid, const Vehicle& vehicle,
                                  const StopCondition& stop) {
   validate(vehicle);
+  if (stop.poll() != StopCondition::Cause::none) return std::nullopt;
   Poller poller(stop);
   std::optional<ClearanceField> field = lasius::clearance(grid, ClearanceOf::centres, poller);
   if (!field) return std::nullopt;
