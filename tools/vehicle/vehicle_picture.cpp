@@ -40,9 +40,17 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
   const vehicle::Vehicle& vehicle = on.vehicle.vehicle;
   const auto along = timed_poses(on, command, answer);
   canvas.clip(box);
-  constexpr double kFaint = 0.05, kEnd = 0.35;
-  for (const auto& timed : along)
-    canvas.area(footprint_at(axes, vehicle, timed.at.pose), kSweep, kFaint, false);
+  constexpr double kFaint = 0.1, kEnd = 0.35;
+  // So far apart that outlines tell where it looks.
+  const double apart = vehicle::circumscribed_radius(vehicle) / 2;
+  vehicle::Pose last = answer.start.pose;
+  for (const auto& timed : along) {
+    const vehicle::Pose& pose = timed.at.pose;
+    const double turned = std::abs(pose.yaw - last.yaw) * apart;
+    if (std::hypot(pose.x - last.x, pose.y - last.y) + turned < apart) continue;
+    canvas.area(footprint_at(axes, vehicle, pose), kSweep, kFaint);
+    last = pose;
+  }
   for (const vehicle::Pose& end : {answer.start.pose, answer.goal.pose})
     canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
   for (std::size_t i = 1; i < along.size(); ++i) {
