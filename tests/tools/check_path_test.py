@@ -98,6 +98,7 @@ class CheckPath(ProgramTest):
             ("a,b\n1,2\n", r"path\.csv, line 1: the header has no column x"),
             ("x,y\n1,2\n3,z\n", r"path\.csv, line 3: y is 'z'"),
             ("x,y\n1,nan\n", r"path\.csv, line 2: y is 'nan'"),
+            ("x,y,yaw\n1,2,3e5\n", r"path\.csv, line 2: yaw is '3e5'; give radians"),
             ("x,y,yaw\n1,2\n", r"path\.csv, line 2: 2 fields instead of 3"),
         ]
         for content, text in cases:

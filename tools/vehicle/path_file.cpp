@@ -78,14 +78,15 @@ class TableReader {
                std::to_string(columns_),
            "give every line what the header names");
     path_.points.push_back({number("x", fields[*x_]), number("y", fields[*y_])});
-    if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_]));
+    if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_], kMostTurned));
     if (kappa_) path_.curvatures.push_back(number("kappa", fields[*kappa_]));
   }
 
-  double number(std::string_view name, std::string_view field) const {
+  double number(std::string_view name, std::string_view field, double most = kNoLimit) const {
     const auto value = parse_real(field);
-    if (!value)
-      fail(std::string(name) + " is '" + std::string(field) + "'", "give a finite number");
+    if (!value || std::abs(*value) > most)
+      fail(std::string(name) + " is '" + std::string(field) + "'",
+           most < kNoLimit ? "give radians, at most " + to_text(most) : "give a finite number");
     return *value;
   }
 

@@ -13,8 +13,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr double kMostTurned = 1e5;  // radians
-
 /// More than -pi, at most pi.
 double turned_once(double yaw) {
   const double turned = std::remainder(yaw, 2 * std::numbers::pi);

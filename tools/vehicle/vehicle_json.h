@@ -14,6 +14,9 @@
 
 namespace lasius::tool {
 
+/// Yaws are at most so many radians, of either sign.
+inline constexpr double kMostTurned = 1e5;
+
 /// A yaw of the map's frame as one of cells and, by the same sum, back: more than -pi, at most pi.
 double yaw_across(const LoadedMap& map, double yaw);
 /// A pose in cells in metres of the map's frame.
