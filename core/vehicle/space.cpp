@@ -26,6 +26,32 @@ Outline::Outline(const Vehicle& vehicle)
     right = right || turn < 0;
   }
   convex_ = !(left && right);
+  lay_covers(vehicle);
+}
+
+// Slices of the rectangle around the footprint, across its longer side.
+void Outline::lay_covers(const Vehicle& vehicle) {
+  Point low = corners_[0];
+  Point high = corners_[0];
+  for (int i = 1; i < count_; ++i) {
+    low = {std::min(low.x, corners_[i].x), std::min(low.y, corners_[i].y)};
+    high = {std::max(high.x, corners_[i].x), std::max(high.y, corners_[i].y)};
+  }
+  const double along = std::max(high.x - low.x, high.y - low.y);
+  const double across = std::min(high.x - low.x, high.y - low.y);
+  const bool upright = high.y - low.y > high.x - low.x;
+  const double slices = std::min(double{kCovers}, std::ceil(3 * along / std::max(across, 1e-6)));
+  covers_count_ = static_cast<std::size_t>(std::max(1.0, slices));
+  const double width = along / static_cast<double>(covers_count_);
+  for (std::size_t i = 0; i < covers_count_; ++i) {
+    const double at = (static_cast<double>(i) + 0.5) * width;
+    const Point centre =
+        upright ? Point{(low.x + high.x) / 2, low.y + at} : Point{low.x + at, (low.y + high.y) / 2};
+    Vehicle seen = vehicle;
+    for (Point& p : seen.footprint) p = {p.x - centre.x, p.y - centre.y};
+    covers_[i] = {centre, std::sqrt(width * width + across * across) / 2 + 1e-6,
+                  std::max(0.0, inscribed_radius(seen) - 1e-6)};
+  }
 }
 
 BitColumns::BitColumns(const Grid& grid, int margin)
@@ -58,7 +84,31 @@ double Space::Impl::clearance(double x, double y) const noexcept {
   return field_.at(cell) - std::sqrt(dx * dx + dy * dy);
 }
 
+Space::Impl::Room Space::Impl::room(const Pose& pose) const noexcept {
+  const auto [sine, cosine] = kernels::sine_cosine(pose.yaw);
+  Room known{1e9, false};
+  for (const Outline::Cover& disc : outline_.covers()) {
+    const double x = pose.x + disc.centre.x * cosine - disc.centre.y * sine;
+    const double y = pose.y + disc.centre.x * sine + disc.centre.y * cosine;
+    if (!(x >= 0 && y >= 0 && x < width() && y < height())) {
+      known.free = -1;
+      continue;
+    }
+    const Cell cell{static_cast<int>(x), static_cast<int>(y)};
+    const double dx = x - cell.x - 0.5;
+    const double dy = y - cell.y - 0.5;
+    const double beside = std::sqrt(dx * dx + dy * dy);
+    const double clear = field_.at(cell);
+    known.free = std::min(known.free, clear - beside - disc.outer);
+    known.met = known.met || clear + beside < disc.inner;
+  }
+  return known;
+}
+
 bool Space::Impl::free_at(const Pose& pose, double grown) const {
+  const Room known = room(pose);
+  if (known.met) return false;
+  if (known.free > grown) return true;
   return !outline_.visit_cells(pose, grown, [&](int row, int first, int last) {
     return bits_.any_blocked(row, first, last);
   });
@@ -81,7 +131,7 @@ double Space::Impl::touch(const Segment& motion, double open, bool earliest) con
   const double turned = motion.gear == 0 ? extent : std::fabs(motion.curvature) * extent;
   const double driven = motion.gear == 0 ? 0 : extent;
   return touch([&](double share) { return motion.pose(share * extent); },
-               driven + turned * outline_.around(), driven, open, earliest);
+               driven + turned * outline_.around(), open, earliest);
 }
 
 namespace {
@@ -164,7 +214,7 @@ std::optional<Contact> Space::first_contact(std::span<const Pose> path) const {
     const double dy = b.y - a.y;
     const double driven = std::sqrt(dx * dx + dy * dy);
     const double reach = driven + std::fabs(turn) * impl_->outline().around();
-    const double share = inside ? impl_->touch(pose_at, reach, driven, Impl::kFine, true) : 0;
+    const double share = inside ? impl_->touch(pose_at, reach, Impl::kFine, true) : 0;
     if (share <= 1) return contact_at(*this, static_cast<int>(i), share, pose_at(share));
   }
   return std::nullopt;

@@ -31,6 +31,13 @@ class Space::Impl {
     const double least = std::max(0.0, 2 * (outline_.inside() - 0.70711));
     return std::max(1, static_cast<std::int32_t>(least * least));
   }
+  /// What is known from the discs about the footprint: how far its points may move at least without
+  /// meeting anything (below 0: nothing is known), and whether it meets something as it is.
+  struct Room {
+    double free = 0;
+    bool met = false;
+  };
+  Room room(const Pose& pose) const noexcept;
   /// Whether the footprint, grown by so much along each axis, meets nothing.
   bool free_at(const Pose& pose, double grown) const;
   /// The first blocked cell that it meets.
@@ -48,17 +55,16 @@ class Space::Impl {
   /// the footprint at its middle, grown by r.
   /// @param pose_at   the pose after a share
   /// @param reach     no point of the footprint moves farther than that
-  /// @param driven    nor the reference point than that
   template <class PoseAt>
-  double touch(PoseAt&& pose_at, double reach, double driven, double open, bool earliest) const {
-    const double slack = outline_.around() + 1e-6;
+  double touch(PoseAt&& pose_at, double reach, double open, bool earliest) const {
+    constexpr double kWorthAStep = 0.5;
     double from = 0;
     while (from < 1) {
-      const Pose pose = pose_at(from);
-      const double room = clearance(pose.x, pose.y) - slack;
-      if (room > 0 && room >= driven * (1 - from)) return 2;
-      if (room > 0.5) {
-        from += room / driven;
+      const Room known = room(pose_at(from));
+      if (known.met && !earliest) return from;
+      if (known.free > 0 && known.free >= reach * (1 - from)) return 2;
+      if (known.free > kWorthAStep) {
+        from += known.free / reach;
         continue;
       }
       const double to = reach > 0 ? std::min(1.0, from + kPiece / reach) : 1;
