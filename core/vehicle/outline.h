@@ -136,11 +136,11 @@ class Outline {
     return false;
   }
 
-  static constexpr int kCovers = 8;
+  static constexpr int kSlices = 8;
   void lay_covers(const Vehicle& vehicle);
 
   std::array<Point, kCorners> corners_{};
-  std::array<Cover, kCovers> covers_{};
+  std::array<Cover, kSlices + 2> covers_{};
   std::size_t covers_count_ = 0;
   int count_;
   bool convex_;

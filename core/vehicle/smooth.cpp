@@ -128,7 +128,7 @@ class Smoother {
   bool free(const std::vector<Segment>& motions) {
     for (const Segment& s : motions) {
       ++checked_;
-      if (space_.touch(s, Space::Impl::kCoarse, false) <= 1) return false;
+      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
     }
     return true;
   }

@@ -37,20 +37,26 @@ void Outline::lay_covers(const Vehicle& vehicle) {
     low = {std::min(low.x, corners_[i].x), std::min(low.y, corners_[i].y)};
     high = {std::max(high.x, corners_[i].x), std::max(high.y, corners_[i].y)};
   }
-  const double along = std::max(high.x - low.x, high.y - low.y);
-  const double across = std::min(high.x - low.x, high.y - low.y);
   const bool upright = high.y - low.y > high.x - low.x;
-  const double slices = std::min(double{kCovers}, std::ceil(3 * along / std::max(across, 1e-6)));
-  covers_count_ = static_cast<std::size_t>(std::max(1.0, slices));
-  const double width = along / static_cast<double>(covers_count_);
-  for (std::size_t i = 0; i < covers_count_; ++i) {
-    const double at = (static_cast<double>(i) + 0.5) * width;
-    const Point centre =
-        upright ? Point{(low.x + high.x) / 2, low.y + at} : Point{low.x + at, (low.y + high.y) / 2};
-    Vehicle seen = vehicle;
-    for (Point& p : seen.footprint) p = {p.x - centre.x, p.y - centre.y};
-    covers_[i] = {centre, std::sqrt(width * width + across * across) / 2 + 1e-6,
-                  std::max(0.0, inscribed_radius(seen) - 1e-6)};
+  const auto turned = [&](Point p) { return upright ? Point{p.y, p.x} : p; };
+  low = turned(low);
+  high = turned(high);
+  const double along = high.x - low.x;
+  const double across = high.y - low.y;
+  const int slices =
+      std::clamp(static_cast<int>(std::ceil(3 * along / std::max(across, 1e-6))), 3, kSlices);
+  const double width = along / slices;
+  for (int i = 0; i < slices; ++i) {
+    // At both ends two, that stand out less.
+    const int rows = i == 0 || i == slices - 1 ? 2 : 1;
+    for (int row = 0; row < rows; ++row) {
+      const double height = across / rows;
+      const Point centre = turned({low.x + (i + 0.5) * width, low.y + (row + 0.5) * height});
+      Vehicle seen = vehicle;
+      for (Point& p : seen.footprint) p = {p.x - centre.x, p.y - centre.y};
+      covers_[covers_count_++] = {centre, std::sqrt(width * width + height * height) / 2 + 1e-6,
+                                  std::max(0.0, inscribed_radius(seen) - 1e-6)};
+    }
   }
 }
 
@@ -108,7 +114,10 @@ Space::Impl::Room Space::Impl::room(const Pose& pose) const noexcept {
 bool Space::Impl::free_at(const Pose& pose, double grown) const {
   const Room known = room(pose);
   if (known.met) return false;
-  if (known.free > grown) return true;
+  return known.free > grown || raster_free(pose, grown);
+}
+
+bool Space::Impl::raster_free(const Pose& pose, double grown) const {
   return !outline_.visit_cells(pose, grown, [&](int row, int first, int last) {
     return bits_.any_blocked(row, first, last);
   });

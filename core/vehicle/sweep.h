@@ -47,6 +47,7 @@ class Space::Impl {
   /// axis.
   static constexpr double kCoarse = 0.008;
   static constexpr double kFine = 0.0005;
+  static constexpr double kLoose = 0.06;  ///< where another way would do: along walls it is quick
 
   /// The share of the motion, in [0, 1], at which it touches or comes nearer than `open`; above 1
   /// where it touches nothing. With `earliest` the first such share.
@@ -57,20 +58,22 @@ class Space::Impl {
   /// @param reach     no point of the footprint moves farther than that
   template <class PoseAt>
   double touch(PoseAt&& pose_at, double reach, double open, bool earliest) const {
-    constexpr double kWorthAStep = 0.5;
     double from = 0;
+    double size = kPiece;
     while (from < 1) {
-      const Room known = room(pose_at(from));
-      if (known.met && !earliest) return from;
-      if (known.free > 0 && known.free >= reach * (1 - from)) return 2;
-      if (known.free > kWorthAStep) {
-        from += known.free / reach;
+      const double share = size < reach * (1 - from) ? size / reach : 1 - from;
+      const double middle = from + share / 2;
+      const double grown = reach * share / 2;
+      const Pose pose = pose_at(middle);
+      const Room known = room(pose);
+      if (known.met && !earliest) return middle;
+      if (known.free > grown || (!known.met && grown < kLookCloser && raster_free(pose, grown))) {
+        from += share;
+        size = 2 * std::max(size, known.free);
         continue;
       }
-      const double to = reach > 0 ? std::min(1.0, from + kPiece / reach) : 1;
-      const double found = touch_piece(pose_at, reach, from, to, open, earliest);
-      if (found <= 1) return found;
-      from = to;
+      if (grown <= open) return middle;
+      size = grown;
     }
     return 2;
   }
@@ -79,20 +82,10 @@ class Space::Impl {
   double touch(const Segment& motion, double open, bool earliest) const;
 
  private:
-  static constexpr double kPiece = 4;  ///< by which a point of the footprint moves, cells
+  static constexpr double kPiece = 4;       ///< by which points move in the first piece, cells
+  static constexpr double kLookCloser = 2;  ///< grown by less the rows of cells are looked at
 
-  template <class PoseAt>
-  double touch_piece(PoseAt&& pose_at, double reach, double from, double to, double open,
-                     bool earliest) const {
-    const double middle = (from + to) / 2;
-    const double grown = reach * (to - from) / 2;
-    const Pose pose = pose_at(middle);
-    if (free_at(pose, grown)) return 2;
-    if (grown <= open) return middle;
-    if (!earliest && !free_at(pose, 0)) return middle;
-    const double found = touch_piece(pose_at, reach, from, middle, open, earliest);
-    return found <= 1 ? found : touch_piece(pose_at, reach, middle, to, open, earliest);
-  }
+  bool raster_free(const Pose& pose, double grown) const;
 
   Vehicle vehicle_;
   Outline outline_;
