@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/disc/disc_search.h"
 #include "core/disc/disc_cells.h"
+#include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
 #include "lasius/vehicle/planner.h"
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <span>
+#include <utility>
 
 #include "core/vehicle/angle.h"
 #include "lasius/vehicle/vehicle.h"
@@ -23,6 +24,14 @@ class Outline {
 
   double around() const noexcept { return around_; }  ///< radius of the circle that holds it
   double inside() const noexcept { return inside_; }  ///< radius of the disc in it
+
+  /// A disc in the frame of the vehicle. All together hold the footprint; each has within it a
+  /// smaller one that lies in the footprint.
+  struct Cover {
+    Point centre;
+    double outer = 0, inner = 0;  ///< radii; inner is 0 where the centre lies outside
+  };
+  std::span<const Cover> covers() const noexcept { return {covers_.data(), covers_count_}; }
 
   /// Calls visit(row, first column, last column) for the cells whose closed squares the footprint
   /// meets once every point of it is moved by up to `grown` along each axis. Cells may be told
@@ -127,7 +136,12 @@ class Outline {
     return false;
   }
 
+  static constexpr int kSlices = 8;
+  void lay_covers(const Vehicle& vehicle);
+
   std::array<Point, kCorners> corners_{};
+  std::array<Cover, kSlices + 2> covers_{};
+  std::size_t covers_count_ = 0;
   int count_;
   bool convex_;
   double around_, inside_;

@@ -11,6 +11,7 @@
 #include "core/vehicle/angle.h"
 #include "core/vehicle/bound.h"
 #include "core/vehicle/search.h"
+#include "core/vehicle/smooth.h"
 
 namespace lasius::vehicle {
 
@@ -172,20 +173,24 @@ Result Planner::plan(const Request& request) const {
     found = search(prepared, request.start, goals, options, *memory, result, poller);
   }
   impl_->give_back(std::move(memory));
-  if (poller.stopped()) {
+  const bool cut_short = poller.stopped();
+  if (cut_short) {
     result.status =
         poller.cause() == StopCondition::Cause::token ? Status::interrupted : Status::limit;
   }
   if (found.goal >= 0) {
     result.segments = joined(found.segments);
-    // The masks' proof is of motions told another way.
-    if (space.first_contact(result.segments)) {
-      result.segments.clear();
-      found.goal = -1;
+    // The masks' proof is of motions told another way: all is certified once more.
+    if (space.first_contact(result.segments)) found.goal = -1;
+    if (found.goal >= 0 && request.smooth && !poller.stopped()) {
+      std::vector<Segment> shorter =
+          joined(smoothed(space.impl(), result.segments, result.checked, poller));
+      if (!space.first_contact(shorter)) result.segments = std::move(shorter);
     }
+    if (found.goal < 0) result.segments.clear();
   }
   if (found.goal >= 0) {
-    if (!poller.stopped()) result.status = Status::solved;
+    if (!cut_short) result.status = Status::solved;
     result.goal = found.goal;
     result.length = driven_length(result.segments);
     result.cost = cost(space.vehicle(), result.segments);

@@ -88,7 +88,7 @@ class Search {
   bool free(const std::vector<Segment>& motions) {
     for (const Segment& s : motions) {
       ++counts_.checked;
-      if (space_.touch(s, Space::Impl::kCoarse, false) <= 1) return false;
+      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
     }
     return true;
   }

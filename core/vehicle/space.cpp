@@ -26,6 +26,38 @@ Outline::Outline(const Vehicle& vehicle)
     right = right || turn < 0;
   }
   convex_ = !(left && right);
+  lay_covers(vehicle);
+}
+
+// Slices of the rectangle around the footprint, across its longer side.
+void Outline::lay_covers(const Vehicle& vehicle) {
+  Point low = corners_[0];
+  Point high = corners_[0];
+  for (int i = 1; i < count_; ++i) {
+    low = {std::min(low.x, corners_[i].x), std::min(low.y, corners_[i].y)};
+    high = {std::max(high.x, corners_[i].x), std::max(high.y, corners_[i].y)};
+  }
+  const bool upright = high.y - low.y > high.x - low.x;
+  const auto turned = [&](Point p) { return upright ? Point{p.y, p.x} : p; };
+  low = turned(low);
+  high = turned(high);
+  const double along = high.x - low.x;
+  const double across = high.y - low.y;
+  const int slices =
+      std::clamp(static_cast<int>(std::ceil(3 * along / std::max(across, 1e-6))), 3, kSlices);
+  const double width = along / slices;
+  for (int i = 0; i < slices; ++i) {
+    // At both ends two, that stand out less.
+    const int rows = i == 0 || i == slices - 1 ? 2 : 1;
+    for (int row = 0; row < rows; ++row) {
+      const double height = across / rows;
+      const Point centre = turned({low.x + (i + 0.5) * width, low.y + (row + 0.5) * height});
+      Vehicle seen = vehicle;
+      for (Point& p : seen.footprint) p = {p.x - centre.x, p.y - centre.y};
+      covers_[covers_count_++] = {centre, std::sqrt(width * width + height * height) / 2 + 1e-6,
+                                  std::max(0.0, inscribed_radius(seen) - 1e-6)};
+    }
+  }
 }
 
 BitColumns::BitColumns(const Grid& grid, int margin)
@@ -58,7 +90,34 @@ double Space::Impl::clearance(double x, double y) const noexcept {
   return field_.at(cell) - std::sqrt(dx * dx + dy * dy);
 }
 
+Space::Impl::Room Space::Impl::room(const Pose& pose) const noexcept {
+  const auto [sine, cosine] = kernels::sine_cosine(pose.yaw);
+  Room known{1e9, false};
+  for (const Outline::Cover& disc : outline_.covers()) {
+    const double x = pose.x + disc.centre.x * cosine - disc.centre.y * sine;
+    const double y = pose.y + disc.centre.x * sine + disc.centre.y * cosine;
+    if (!(x >= 0 && y >= 0 && x < width() && y < height())) {
+      known.free = -1;
+      continue;
+    }
+    const Cell cell{static_cast<int>(x), static_cast<int>(y)};
+    const double dx = x - cell.x - 0.5;
+    const double dy = y - cell.y - 0.5;
+    const double beside = std::sqrt(dx * dx + dy * dy);
+    const double clear = field_.at(cell);
+    known.free = std::min(known.free, clear - beside - disc.outer);
+    known.met = known.met || clear + beside < disc.inner;
+  }
+  return known;
+}
+
 bool Space::Impl::free_at(const Pose& pose, double grown) const {
+  const Room known = room(pose);
+  if (known.met) return false;
+  return known.free > grown || raster_free(pose, grown);
+}
+
+bool Space::Impl::raster_free(const Pose& pose, double grown) const {
   return !outline_.visit_cells(pose, grown, [&](int row, int first, int last) {
     return bits_.any_blocked(row, first, last);
   });
@@ -81,7 +140,7 @@ double Space::Impl::touch(const Segment& motion, double open, bool earliest) con
   const double turned = motion.gear == 0 ? extent : std::fabs(motion.curvature) * extent;
   const double driven = motion.gear == 0 ? 0 : extent;
   return touch([&](double share) { return motion.pose(share * extent); },
-               driven + turned * outline_.around(), driven, open, earliest);
+               driven + turned * outline_.around(), open, earliest);
 }
 
 namespace {
@@ -164,7 +223,7 @@ std::optional<Contact> Space::first_contact(std::span<const Pose> path) const {
     const double dy = b.y - a.y;
     const double driven = std::sqrt(dx * dx + dy * dy);
     const double reach = driven + std::fabs(turn) * impl_->outline().around();
-    const double share = inside ? impl_->touch(pose_at, reach, driven, Impl::kFine, true) : 0;
+    const double share = inside ? impl_->touch(pose_at, reach, Impl::kFine, true) : 0;
     if (share <= 1) return contact_at(*this, static_cast<int>(i), share, pose_at(share));
   }
   return std::nullopt;

@@ -31,6 +31,13 @@ class Space::Impl {
     const double least = std::max(0.0, 2 * (outline_.inside() - 0.70711));
     return std::max(1, static_cast<std::int32_t>(least * least));
   }
+  /// What is known from the discs about the footprint: how far its points may move at least without
+  /// meeting anything (below 0: nothing is known), and whether it meets something as it is.
+  struct Room {
+    double free = 0;
+    bool met = false;
+  };
+  Room room(const Pose& pose) const noexcept;
   /// Whether the footprint, grown by so much along each axis, meets nothing.
   bool free_at(const Pose& pose, double grown) const;
   /// The first blocked cell that it meets.
@@ -40,6 +47,7 @@ class Space::Impl {
   /// axis.
   static constexpr double kCoarse = 0.008;
   static constexpr double kFine = 0.0005;
+  static constexpr double kLoose = 0.06;  ///< where another way would do: along walls it is quick
 
   /// The share of the motion, in [0, 1], at which it touches or comes nearer than `open`; above 1
   /// where it touches nothing. With `earliest` the first such share.
@@ -48,23 +56,24 @@ class Space::Impl {
   /// the footprint at its middle, grown by r.
   /// @param pose_at   the pose after a share
   /// @param reach     no point of the footprint moves farther than that
-  /// @param driven    nor the reference point than that
   template <class PoseAt>
-  double touch(PoseAt&& pose_at, double reach, double driven, double open, bool earliest) const {
-    const double slack = outline_.around() + 1e-6;
+  double touch(PoseAt&& pose_at, double reach, double open, bool earliest) const {
     double from = 0;
+    double size = kPiece;
     while (from < 1) {
-      const Pose pose = pose_at(from);
-      const double room = clearance(pose.x, pose.y) - slack;
-      if (room > 0 && room >= driven * (1 - from)) return 2;
-      if (room > 0.5) {
-        from += room / driven;
+      const double share = size < reach * (1 - from) ? size / reach : 1 - from;
+      const double middle = from + share / 2;
+      const double grown = reach * share / 2;
+      const Pose pose = pose_at(middle);
+      const Room known = room(pose);
+      if (known.met && !earliest) return middle;
+      if (known.free > grown || (!known.met && grown < kLookCloser && raster_free(pose, grown))) {
+        from += share;
+        size = 2 * std::max(size, known.free);
         continue;
       }
-      const double to = reach > 0 ? std::min(1.0, from + kPiece / reach) : 1;
-      const double found = touch_piece(pose_at, reach, from, to, open, earliest);
-      if (found <= 1) return found;
-      from = to;
+      if (grown <= open) return middle;
+      size = grown;
     }
     return 2;
   }
@@ -73,20 +82,10 @@ class Space::Impl {
   double touch(const Segment& motion, double open, bool earliest) const;
 
  private:
-  static constexpr double kPiece = 4;  ///< by which a point of the footprint moves, cells
+  static constexpr double kPiece = 4;       ///< by which points move in the first piece, cells
+  static constexpr double kLookCloser = 2;  ///< grown by less the rows of cells are looked at
 
-  template <class PoseAt>
-  double touch_piece(PoseAt&& pose_at, double reach, double from, double to, double open,
-                     bool earliest) const {
-    const double middle = (from + to) / 2;
-    const double grown = reach * (to - from) / 2;
-    const Pose pose = pose_at(middle);
-    if (free_at(pose, grown)) return 2;
-    if (grown <= open) return middle;
-    if (!earliest && !free_at(pose, 0)) return middle;
-    const double found = touch_piece(pose_at, reach, from, middle, open, earliest);
-    return found <= 1 ? found : touch_piece(pose_at, reach, middle, to, open, earliest);
-  }
+  bool raster_free(const Pose& pose, double grown) const;
 
   Vehicle vehicle_;
   Outline outline_;
