@@ -116,7 +116,7 @@ py::object first_contact(const vehicle::Planner& planner, const Rows& poses) {
 }  // namespace
 
 void bind_vehicle(py::module_& module) {
-  py::class_<vehicle::Planner>(module, "_VehiclePlanner")
+  py::class_<vehicle::Planner>(module, "VehiclePlanner")
       .def("plan",
            [](const vehicle::Planner& planner, const std::array<double, 3>& start,
               const Rows& goals, double goal_tolerance, double heading_tolerance, double weight,

@@ -304,7 +304,7 @@ class CostPlanner:
         observer: Optional[Callable[[Progress], Any]],
     ) -> Tuple[_Error, Tuple[Any, ...], float, Optional[float], Optional[str]]: ...
 
-class _VehiclePlanner:
+class VehiclePlanner:
     def plan(
         self,
         start: Sequence[float],
@@ -327,7 +327,7 @@ def make_vehicle_planner(
     cusp_cost: float,
     rotate_in_place: bool,
     rotation_cost: float,
-) -> Tuple[_Error, Optional[_VehiclePlanner]]: ...
+) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
 def vehicle_timed_poses(
     segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]
 ) -> npt.NDArray[np.float64]: ...
