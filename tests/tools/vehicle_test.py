@@ -219,6 +219,24 @@ class Vehicles(ProgramTest):
                 self.refused(self.drive("car.json", start, "20,20,0"), 2, "--start")
         self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "9,9", "--heading-tolerance", "1"), 2, "--vehicle")
 
+    def test_goals(self):
+        near, far = "9.5,15.5,0", "38.5,26.5,180deg"
+        run = self.drive("car.json", "4,4,0", far, "--goal", near, "-o", "g.json", "--json")
+        result = run.json
+        self.assertEqual((run.code, result["goal_index"], result["goal"], len(result["goals"])), (0, 1, [9.5, 15.5, 0], 2))
+        self.check(result, CAR)
+        self.quiet(self.run_program("verify", "-q", "g.json"))
+        self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "2,2", "--goal", "3,3"), 2, "more than once")
+        # Any heading will do where any is asked for, and a blocked goal is not met but neared.
+        free = self.drive("car.json", "4,4,0", "9,15,3", "--heading-tolerance", "180deg", "--json").json
+        self.assertLess(free["length"], self.drive("car.json", "4,4,0", "9,15,3", "--json").json["length"])
+        close = self.drive("car.json", "4,4,0", "12.5,6,0", "--goal-tolerance", "6", "--json").json
+        x, y, _ = close["goal_reached"]
+        self.assertEqual(close["status"], "solved")
+        self.assertLessEqual(math.hypot(x - 12.5, y - 6), 6)
+        limit = self.drive("car.json", "4,4,0", far, "--time-limit", "0")
+        self.ended(limit, 6, "the time limit ended the run, no path yet")
+
     def test_batch_gives_what_plan_gives(self):
         poses = [("4,4,0", "38,26,180deg"), ("10.5,5,0", "38,26,0"), ("20.5,15.5,90deg", "4.5,24.5,-1")]
         lines = ["\t".join(a.split(",") + b.split(",")) for a, b in poses]

@@ -117,8 +117,16 @@ struct PlanText {
   RunOptions run;
   WorldOptions world;
   VehicleCommand vehicle;
-  std::string start, goal, queries;
+  std::string start, queries;
+  std::vector<std::string> goals;  ///< several for a vehicle alone
   std::vector<std::string> via;
+
+  /// @throws UsageError where there are several
+  std::string goal() const {
+    if (goals.size() > 1)
+      throw UsageError("--goal is given more than once; several goals are for --vehicle");
+    return goals.empty() ? "" : goals.front();
+  }
 };
 
 void add_via(OptionTable& table, PlanText& to) {
@@ -190,9 +198,10 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
     return command;
   }
   require("", "--start", text.start);
-  require("", "--goal", text.goal);
+  require("", "--goal", text.goals.empty() ? "" : text.goals.front());
   command.start = pose_value("--start", text.start, run.frame);
-  command.goal = pose_value("--goal", text.goal, run.frame);
+  for (const std::string& goal : text.goals)
+    command.goals.push_back(pose_value("--goal", goal, run.frame));
   return command;
 }
 
@@ -203,7 +212,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
   command.world.file = text.run.map.file;
   command.inputs = {command.world.file, text.queries};
   if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
-  if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
+  if (!text.goal().empty()) command.goal = pair_value("--goal", text.goal(), false);
   command.with_optimum = true;  // it is found beside
   if (text.run.frame == Frame::world)
     throw UsageError("--frame world: " + command.world.file +
@@ -241,7 +250,7 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
     asked.inputs.push_back(text.queries);
     return run_bitmap_batch({asked, {}, {}, text.queries});
   }
-  PlanCommand plan = plan_command(asked, text.start, text.goal);
+  PlanCommand plan = plan_command(asked, text.start, text.goal());
   finish_costs(plan.run, plan.run.ranged);
   if (plan.run.ranged) return run_bitmap_batch(plan);
   BitmapProblem problem(plan);
@@ -257,7 +266,8 @@ Subcommand add_plan(CLI::App& app) {
              "Where the path starts: a cell, whole numbers, at its centre; with a decimal point a "
              "point; a polygon world may say",
              "X,Y");
-  table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
+  table.repeatable("--goal", text->goals,
+                   "Where it ends; likewise. Of a vehicle repeatable: one of them is met", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
   add_costs(table, text->run.map.costs);

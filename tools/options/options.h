@@ -130,7 +130,8 @@ struct PlanCommand {
 struct VehicleCommand {
   RunOptions run;
   std::string file = {};
-  PoseEnd start = {}, goal = {};
+  PoseEnd start = {};
+  std::vector<PoseEnd> goals = {};  ///< at least one; one of them is met
   std::string queries = {};      ///< of `batch`: a file, in place of these
   double heading_tolerance = 0;  ///< radians; pi: any heading
   bool smooth = true;            ///< shorten what the search finds

@@ -55,7 +55,7 @@ std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
                          const VehicleAnswer& answer) {
   const bool goal = at_goal(answer.result.fault);
   std::string text = goal ? "goal " : "start ";
-  text += pose_text(on, command, (goal ? answer.goal : answer.start).pose);
+  text += pose_text(on, command, (goal ? answer.goal() : answer.start).pose);
   const auto& cell = answer.result.touched;
   if (!cell)
     text += ": " + answer.result.error;
@@ -86,6 +86,10 @@ Json parameters_of(const VehicleMap& on, const VehicleCommand& command) {
   return json;
 }
 
+Json asked_json(const VehicleEnd& end) {
+  return {number(end.asked.x), number(end.asked.y), number(end.asked.yaw)};
+}
+
 Json path_json(const VehicleMap& on, const VehicleCommand& command, const VehicleAnswer& answer) {
   Json json = Json::object();
   const bool metres = in_metres(command), found = answer.has_path();
@@ -105,11 +109,16 @@ Json path_json(const VehicleMap& on, const VehicleCommand& command, const Vehicl
       found ? number(vehicle::Profile(segments, on.vehicle.speeds).duration()) : Json();
   if (command.run.goal_tolerance > 0 || command.heading_tolerance > 0)
     json["goal_reached"] = found ? pose_json(segments.back().end()) : Json();
+  if (answer.goals.size() > 1) {
+    for (const VehicleEnd& goal : answer.goals) {
+      json["goals"].push_back(pose_json(goal.pose));
+      if (metres) json["goals_world"].push_back(asked_json(goal));
+    }
+    json["goal_index"] = found ? Json(answer.result.goal) : Json();
+  }
   if (!metres) return json;
-  json["start_world"] = {number(answer.start.asked.x), number(answer.start.asked.y),
-                         number(answer.start.asked.yaw)};
-  json["goal_world"] = {number(answer.goal.asked.x), number(answer.goal.asked.y),
-                        number(answer.goal.asked.yaw)};
+  json["start_world"] = asked_json(answer.start);
+  json["goal_world"] = asked_json(answer.goal());
   json["length_m"] = found ? number(on.map.metres(answer.result.length)) : Json();
   json["path_world"] = points(path_world);
   json["segments_world"] = found ? segments_json(on.map, segments, true) : Json();
@@ -157,25 +166,27 @@ VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame) 
 }
 
 VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
-                           const VehicleEnd& start, const VehicleEnd& goal,
+                           const VehicleEnd& start, const std::vector<VehicleEnd>& goals,
                            const StopCondition& stop) {
-  VehicleAnswer answer{start, goal};
+  VehicleAnswer answer{start, goals};
   answer.result.status = Status::interrupted;
   if (!on.planner) return answer;
   const RunOptions& run = command.run;
+  std::vector<vehicle::Pose> poses;
+  for (const VehicleEnd& goal : goals) poses.push_back(goal.pose);
   const auto begin = Clock::now();
   answer.result = on.planner->plan(
       {.start = start.pose,
-       .goals = {goal.pose},
+       .goals = std::move(poses),
        .goal_tolerance = on.map.cells_of(run.map.radius_metres, run.goal_tolerance),
        .heading_tolerance = command.heading_tolerance,
        .smooth = command.smooth,
        .stop = stop});
   answer.elapsed_ms = ms_since(begin);
   if (answer.result.status == Status::invalid && answer.result.touched)
-    answer.nearest_free =
-        nearest_free(on.planner->space(), (at_goal(answer.result.fault) ? goal : start).pose,
-                     {.token = stop.token});
+    answer.nearest_free = nearest_free(on.planner->space(),
+                                       (at_goal(answer.result.fault) ? answer.goal() : start).pose,
+                                       {.token = stop.token});
   return answer;
 }
 
@@ -190,7 +201,7 @@ vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,
                             const VehicleAnswer& answer, const vehicle::Pose& cells) {
   if (!in_metres(command)) return cells;
   vehicle::Pose world = to_world(on.map, cells);
-  for (const VehicleEnd* end : {&answer.start, &answer.goal})
+  for (const VehicleEnd* end : {&answer.start, &answer.goal()})
     if (cells.x == end->pose.x && cells.y == end->pose.y) {
       world.x = end->asked.x;
       world.y = end->asked.y;
@@ -213,7 +224,7 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
       .algorithm = kLattice,
       .inputs = {{"map", map_json(on.map)}},
       .start = pose_json(answer.start.pose),
-      .goal = pose_json(answer.goal.pose),
+      .goal = pose_json(answer.goal().pose),
       .parameters = parameters_of(on, command),
       .result = result,
       .gap = answer.has_path() ? found.gap() : std::nullopt,

@@ -1,6 +1,7 @@
 // A plan of a vehicle, with all that is told of it.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,16 +35,21 @@ struct VehicleEnd {
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
 
 struct VehicleAnswer {
-  VehicleEnd start, goal;
+  VehicleEnd start;
+  std::vector<VehicleEnd> goals;
   vehicle::Result result = {};
   std::optional<vehicle::Pose> nearest_free = {};  ///< of an end that touches something
   double elapsed_ms = 0;
 
   bool has_path() const { return !result.segments.empty(); }
+  /// The one that is met, else the first.
+  const VehicleEnd& goal() const {
+    return goals[static_cast<std::size_t>(std::max(result.goal, 0))];
+  }
 };
 /// Plans under `stop`.
 VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
-                           const VehicleEnd& start, const VehicleEnd& goal,
+                           const VehicleEnd& start, const std::vector<VehicleEnd>& goals,
                            const StopCondition& stop);
 
 /// Poses along the answer's path, at most the command's spacing apart, timed.

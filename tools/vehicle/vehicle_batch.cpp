@@ -21,7 +21,8 @@ namespace lasius::tool {
 namespace {
 
 struct PoseQuery {
-  VehicleEnd start, goal;
+  VehicleEnd start;
+  std::vector<VehicleEnd> goals;
   StopCondition stop = {};
 };
 
@@ -72,7 +73,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
       }
     };
     const VehicleEnd start = end(0);
-    queries.push_back({start, end(3)});
+    queries.push_back({start, {end(3)}});
   }
   if (columns == 0) fail("is empty", "begin with sx sy syaw gx gy gyaw");
   return queries;
@@ -80,7 +81,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
 
 std::vector<std::string> end_texts(const VehicleAnswer& answer) {
   std::vector<std::string> texts;
-  for (const VehicleEnd* end : {&answer.start, &answer.goal})
+  for (const VehicleEnd* end : {&answer.start, &answer.goal()})
     for (const double value : {end->asked.x, end->asked.y, end->asked.yaw})
       texts.push_back(to_text(value));
   return texts;
@@ -109,7 +110,7 @@ int run_vehicle_batch(const VehicleCommand& command) {
     };
     run_batch<VehicleAnswer>(std::span<const PoseQuery>(queries), run.seed, how, receive, [&] {
       return [&](const PoseQuery& query, std::uint64_t) {
-        return plan_vehicle(on, command, query.start, query.goal, query.stop);
+        return plan_vehicle(on, command, query.start, query.goals, query.stop);
       };
     });
   };

@@ -51,7 +51,7 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
     canvas.area(footprint_at(axes, vehicle, pose), kSweep, kFaint);
     last = pose;
   }
-  for (const vehicle::Pose& end : {answer.start.pose, answer.goal.pose})
+  for (const vehicle::Pose& end : {answer.start.pose, answer.goal().pose})
     canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
   for (std::size_t i = 1; i < along.size(); ++i) {
     const vehicle::Pose &a = along[i - 1].at.pose, &b = along[i].at.pose;
@@ -65,7 +65,7 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
 
 void write_vehicle_picture(const std::string& file, const VehicleMap& on,
                            const VehicleCommand& command, const VehicleAnswer& answer) {
-  const std::vector<Cell> ends{answer.start.place.cell, answer.goal.place.cell};
+  const std::vector<Cell> ends{answer.start.place.cell, answer.goal().place.cell};
   const Sheet sheet{on.map, on.map.grid(), command.run, shown_of(on.map, ends)};
   const auto draw = [&](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, free_ground);

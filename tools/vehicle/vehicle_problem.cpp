@@ -43,7 +43,8 @@ class VehicleProblem : public Problem {
     on_.emplace(load_vehicle_map(command_, vehicle_, token));
     run.inputs.push_back(on_->map.image);
     answer_.start = vehicle_end(on_->map, command_.start, run.frame);
-    answer_.goal = vehicle_end(on_->map, command_.goal, run.frame);
+    for (const PoseEnd& goal : command_.goals)
+      answer_.goals.push_back(vehicle_end(on_->map, goal, run.frame));
     if (run.messages.verbose)
       run.notes.push_back(on_->map.file +
                           printed(": %d x %d cells, read in %.1f ms, ready for the vehicle after "
@@ -53,7 +54,7 @@ class VehicleProblem : public Problem {
     return std::nullopt;
   }
   void plan(const StopCondition& stop, const Watch&) override {
-    answer_ = plan_vehicle(*on_, command_, answer_.start, answer_.goal, stop);
+    answer_ = plan_vehicle(*on_, command_, answer_.start, answer_.goals, stop);
   }
   Record record() const override { return vehicle_record(*on_, command_, answer_); }
   Forms show(const Record&) const override {
@@ -102,7 +103,12 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   LoadedVehicle vehicle{.vehicle = recorded_vehicle(parameters),
                         .speeds = recorded_speeds(parameters)};
   command.start = recorded_end(result, metres ? "start_world" : "start");
-  command.goal = recorded_end(result, metres ? "goal_world" : "goal");
+  const std::string goals = metres ? "goals_world" : "goals";
+  if (!result.contains(goals))
+    command.goals = {recorded_end(result, metres ? "goal_world" : "goal")};
+  else
+    for (const Json& goal : result[goals])
+      command.goals.push_back(recorded_end(Json{{goals, goal}}, goals));
   command.heading_tolerance = recorded_real(parameters, "heading_tolerance", 0, kNoLimit);
   command.smooth = recorded<bool>(parameters, "smooth");
   if (parameters.contains("spacing"))
