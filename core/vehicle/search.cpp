@@ -32,7 +32,8 @@ class Search {
         flood_(prepared.free, space_, options.wide, memory.flood),
         reached_(memory.reached),
         leads_(memory.leads),
-        queue_(memory.queue) {
+        queue_(memory.queue),
+        probe_(memory.probe) {
     reached_.reset(space_, layers_);
     leads_.reset(space_, layers_);
   }
@@ -42,7 +43,8 @@ class Search {
     if (done()) return std::move(best_);
     connect_ends();
     if (done() || to_goal_.empty() || from_start_.empty()) return std::move(best_);
-    const bool trap = probe();
+    begin_probe();
+    const bool trap = probe(kProbed) && !start_leads();
     if (done() || trap) return std::move(best_);
     forward();
     return std::move(best_);
@@ -140,57 +142,69 @@ class Search {
     return lattice_.masks().free(edge.mask, space_.bits(), x, y);
   }
 
-  /// Dijkstra from the goals backwards. True if it ran dry: what it met is all from which they can
-  /// be reached on the lattice, and no connector of the start leads there.
-  bool probe() {
-    BucketQueue& queue = queue_;
-    queue.reset(0, kBucket);
-    const auto offer = [&](int x, int y, int heading, int gear, double cost, std::uint32_t next,
-                           std::int32_t by) {
-      for (int layer = 0; layer < layers_; ++layer) {
-        const auto total = static_cast<float>(cost + cusp(layer, gear));
-        const std::uint32_t index = leads_.index(x, y, heading, layer);
-        Leads& state = leads_[index];
-        if (total >= state.cost) continue;
-        state = {total, next, by, false};
-        queue.push(index, total);
-      }
-    };
+  /// A state of the probe, from which a motion in a gear leads on.
+  void lead(int x, int y, int heading, int gear, double cost, std::uint32_t next, std::int32_t by) {
+    for (int layer = 0; layer < layers_; ++layer) {
+      lead_in(leads_.index(x, y, heading, layer), cost + cusp(layer, gear), next, by);
+    }
+  }
+  void lead_in(std::uint32_t index, double cost, std::uint32_t next, std::int32_t by) {
+    const auto total = static_cast<float>(cost);
+    Leads& state = leads_[index];
+    if (total >= state.cost) return;
+    state = {total, next, by, false};
+    probe_.push(index, total);
+  }
+
+  void begin_probe() {
+    probe_.reset(0, kBucket);
     for (std::size_t i = 0; i < to_goal_.size(); ++i) {
       const Connector& c = to_goal_[i];
-      offer(c.x, c.y, c.heading, c.gear, c.cost, 0, ~static_cast<std::int32_t>(i));
+      lead(c.x, c.y, c.heading, c.gear, c.cost, 0, ~static_cast<std::int32_t>(i));
     }
-    int expanded = 0;
-    while (queue.advance(poller_) && expanded < kProbed) {
-      const std::uint32_t index = queue.pop();
+  }
+
+  /// Dijkstra from the goals backwards, so many states on. True if it ran dry: what it met is all
+  /// from which they can be reached on the lattice.
+  bool probe(std::int64_t states) {
+    while (probe_.advance(poller_)) {
+      if (states <= 0 || poller_.stopped()) return false;
+      const std::uint32_t index = probe_.pop();
       if (leads_[index].expanded) continue;
       leads_[index].expanded = true;
-      ++expanded;
+      --states;
+      ++counts_.expanded;
       if (poller_.stop_after(64)) return false;
       const Cell at = leads_.cell(index);
-      const float cost = leads_[index].cost;
+      const double cost = leads_[index].cost;
       const int layer = leads_.layer(index);
-      for (const int e : lattice_.to(leads_.heading(index))) {
+      const int heading = leads_.heading(index);
+      if (const Reached* met = reached_.find(at.x, at.y, heading, layer)) {
+        const double total = static_cast<double>(met->cost) + cost;
+        if (total < kFar && (best_.goal < 0 || total < best_.cost)) {
+          finish(reached_.index(at.x, at.y, heading, layer), total);
+        }
+      }
+      for (const int e : lattice_.to(heading)) {
         const Edge& edge = lattice_.edges()[e];
         if (edge.gear != 0 && layer != layer_of(edge.gear) && layers_ > 1) continue;
         const int x = at.x - edge.dx;
         const int y = at.y - edge.dy;
         if (!edge_free(edge, x, y)) continue;
-        const double total = edge.cost + cost;
+        const double total = static_cast<double>(edge.cost) + cost;
         if (edge.gear != 0) {
-          offer(x, y, edge.from, edge.gear, total, index, e);
-          continue;
+          lead(x, y, edge.from, edge.gear, total, index, e);
+        } else {
+          lead_in(leads_.index(x, y, edge.from, layer), total, index, e);
         }
-        const std::uint32_t before = leads_.index(x, y, edge.from, layer);
-        Leads& state = leads_[before];
-        if (static_cast<float>(total) >= state.cost) continue;
-        state = {static_cast<float>(total), index, e, false};
-        queue.push(before, total);
       }
     }
-    counts_.expanded += expanded;
-    if (expanded >= kProbed) return false;
-    return std::ranges::none_of(from_start_, [&](const Connector& c) {
+    return !poller_.stopped();
+  }
+
+  /// Whether a connector of the start ends where the probe has been.
+  bool start_leads() {
+    return std::ranges::any_of(from_start_, [&](const Connector& c) {
       const Leads* state = leads_.find(c.x, c.y, c.heading, layer_of(c.gear));
       return state != nullptr && state->cost < std::numeric_limits<float>::infinity();
     });
@@ -214,12 +228,18 @@ class Search {
       offer(c.x, c.y, c.heading, layer_of(c.gear), c.cost, 0, ~static_cast<std::int32_t>(i));
     }
     std::int64_t expanded = 0;
+    std::int64_t next_probe = 2 * kProbed;
     std::uint32_t shots = 0;
     while (queue_.advance(poller_)) {
       if (best_.goal >= 0 && best_.cost <= queue_.floor()) break;
       if (reached_.size() > options_.max_states) {
         best_.full = true;
         break;
+      }
+      if (expanded >= next_probe) {
+        // A goal that hardly anything leads to shows from its own side.
+        if (best_.goal < 0 && probe(expanded / 2)) break;
+        next_probe = 2 * expanded;
       }
       const std::uint32_t index = queue_.pop();
       if (reached_[index].expanded) continue;
@@ -324,6 +344,7 @@ class Search {
   States<Reached>& reached_;
   States<Leads>& leads_;
   BucketQueue& queue_;
+  BucketQueue& probe_;
   std::vector<Connector> from_start_, to_goal_;
   std::vector<Segment> shot_;
   Found best_;

@@ -80,7 +80,7 @@ struct SearchMemory {
   States<Reached> reached;
   States<Leads> leads;
   Flood::Memory flood;
-  BucketQueue queue;
+  BucketQueue queue, probe;
 };
 
 }  // namespace lasius::vehicle

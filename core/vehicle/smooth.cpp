@@ -11,7 +11,6 @@ namespace lasius::vehicle {
 namespace {
 
 constexpr int kNodes = 60;
-constexpr int kRounds = 2;
 constexpr double kLeast = 1e-6;  ///< what a change has to gain
 
 /// A pose on the path.
@@ -39,8 +38,8 @@ class Smoother {
         checked_(checked),
         poller_(poller) {}
 
-  std::vector<Segment> round(const std::vector<Segment>& path, double offset) {
-    lay_nodes(path, offset);
+  std::vector<Segment> run(const std::vector<Segment>& path) {
+    lay_nodes(path);
     shortcuts(path);
     descend();
     std::vector<Segment> made;
@@ -51,7 +50,7 @@ class Smoother {
  private:
   double price(int gear) const { return gear < 0 ? vehicle_.reverse_cost : 1; }
 
-  void lay_nodes(const std::vector<Segment>& path, double offset) {
+  void lay_nodes(const std::vector<Segment>& path) {
     nodes_.clear();
     places_.clear();
     const double spacing = std::max(1.5, driven_length(path) / kNodes);
@@ -72,7 +71,6 @@ class Smoother {
       for (; s.gear != 0 && next < driven + s.length; next += spacing) {
         const double at = next - driven;
         put({s.pose(at), before + at * cell, node.run, gear}, i, at);
-        if (nodes_.size() == 1) next -= offset * spacing;
       }
       driven += s.length;
       node.cost = before + s.extent() * cell;
@@ -278,15 +276,8 @@ class Smoother {
 std::vector<Segment> smoothed(const Space::Impl& space, std::vector<Segment> path,
                               std::int64_t& checked, Poller& poller) {
   if (path.size() < 2) return path;
-  Smoother smoother(space, checked, poller);
-  double best = cost(space.vehicle(), path);
-  for (int i = 0; i < kRounds && !poller.stopped(); ++i) {
-    std::vector<Segment> made = smoother.round(path, 0.5 * (i % 2));
-    const double now = cost(space.vehicle(), made);
-    if (now >= best) continue;
-    best = now;
-    path = std::move(made);
-  }
+  std::vector<Segment> made = Smoother(space, checked, poller).run(path);
+  if (cost(space.vehicle(), made) < cost(space.vehicle(), path)) return made;
   return path;
 }
 
