@@ -37,11 +37,13 @@ from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
 from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
+from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
 
 __all__ = [
     "Algorithm",
     "BatchResult",
     "Changes",
+    "Contact",
     "CostField",
     "CostPlanner",
     "CostResult",
@@ -69,7 +71,11 @@ __all__ = [
     "Replans",
     "Result",
     "SearchResult",
+    "SpeedLimits",
     "TourResult",
+    "Vehicle",
+    "VehiclePlanner",
+    "VehicleResult",
     "Way",
     "Workspace",
     "WorldFrame",
@@ -84,6 +90,7 @@ __all__ = [
     "path_fault",
     "path_length",
     "plan",
+    "plan_vehicle",
     "pull_taut",
     "read_costmap",
     "read_map",

@@ -1,6 +1,6 @@
 """The extension module. What is not of the package's public names may change at any time."""
 
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -311,6 +311,33 @@ class CostPlanner:
         observer: Optional[Callable[[Progress], Any]],
     ) -> Tuple[_Error, Tuple[Any, ...], float, Optional[float], Optional[str]]: ...
 
+class VehiclePlanner:
+    def plan(
+        self,
+        start: Sequence[float],
+        goals: npt.NDArray[np.float64],
+        goal_tolerance: float,
+        heading_tolerance: float,
+        weight: float,
+        smooth: bool,
+        time_limit: Optional[float],
+    ) -> Tuple[_Error, Tuple[Any, ...]]: ...
+    def free(self, pose: Sequence[float]) -> bool: ...
+    def first_contact(self, poses: npt.NDArray[np.float64]) -> Any: ...
+
+def make_vehicle_planner(
+    grid: Grid,
+    footprint: npt.NDArray[np.float64],
+    turning_radius: float,
+    reverse: bool,
+    reverse_cost: float,
+    cusp_cost: float,
+    rotate_in_place: bool,
+    rotation_cost: float,
+) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
+def vehicle_timed_poses(
+    segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]
+) -> npt.NDArray[np.float64]: ...
 def tour(
     planner: Planner,
     stops: npt.NDArray[np.int32],

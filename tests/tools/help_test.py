@@ -122,11 +122,13 @@ class Help(HelpTest):
         self.write("stops.tsv", "x\ty\n3\t4\n20\t10\n9\t25\n")
         self.write("stops.json", "[[3, 4], [20, 10], [9, 25]]")
         self.write("world.map", map_text(["." * 40] * 30))
+        self.write("car.yaml", "{footprint: [[-1, -1], [3, -1], [3, 1], [-1, 1]], turning_radius: 4}")
+        self.write("path.csv", "x,y\n14,14\n16,16\n")
         self.write("world.pfm", pfm([[x * y % 7 for x in range(40)] for y in range(30)]))
         slow = "lasius study fan2004"  # minutes
         count = 0
         commands = self.commands()
-        commands.sort(key=lambda name: name in ("verify", "check-proof"))  # of what plan wrote
+        commands.sort(key=lambda name: name in ("verify", "check-proof", "check-path"))  # of what plan wrote
         for command in commands:
             text = self.text(command, "--help").partition("\nExamples:\n")[2]
             for line in re.findall(r"^    (lasius .*)$", text, re.MULTILINE):

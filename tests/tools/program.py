@@ -85,7 +85,7 @@ class ProgramTest(unittest.TestCase):
 
     def command(self, arguments):
         words = [PROGRAM, *map(str, arguments)]
-        if words[1:2] not in (["plan"], ["batch"]) or "--algorithm" in words:
+        if words[1:2] not in (["plan"], ["batch"]) or {"--algorithm", "--vehicle"} & set(words):
             return words
         return words[:2] + ["--algorithm", self.algorithm] + words[2:]
 

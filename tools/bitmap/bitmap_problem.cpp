@@ -150,7 +150,7 @@ const ProblemKind& bitmap_kind() {
       .format = kPlanFormat,
       .wrote =
           [](const Json& json) {
-            return !is_polygon_file(recorded<std::string>(json, "map/file"));
+            return !is_polygon_file(recorded<std::string>(json, "map/file")) && !of_vehicle(json);
           },
       .again = bitmap_again,
       .unlike = unlike_radius};

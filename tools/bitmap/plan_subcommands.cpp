@@ -1,6 +1,9 @@
 // lasius plan, lasius batch.
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <numbers>
+#include <utility>
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/command_line/map_options.h"
@@ -113,13 +116,93 @@ void add_spacing(OptionTable& table, RunOptions& to) {
 struct PlanText {
   RunOptions run;
   WorldOptions world;
-  std::string start, goal, queries;
+  VehicleCommand vehicle;
+  std::string start, queries;
+  std::vector<std::string> goals;  ///< several for a vehicle alone
   std::vector<std::string> via;
+
+  /// @throws UsageError where there are several
+  std::string goal() const {
+    if (goals.size() > 1)
+      throw UsageError("--goal is given more than once; several goals are for --vehicle");
+    return goals.empty() ? "" : goals.front();
+  }
 };
 
 void add_via(OptionTable& table, PlanText& to) {
   table.repeatable("--via", to.via,
                    "Go through this cell or point on the way (repeatable, in order)", "X,Y");
+}
+
+void add_vehicle(OptionTable& table, VehicleCommand& to) {
+  table.file("--vehicle", to.file,
+             "The robot has this footprint and smallest turn (YAML or JSON, see lasius help "
+             "vehicles): its motions touch nothing over their whole sweep; start and goal are "
+             "X,Y,YAW, YAW in radians or, as in 90deg, degrees, from +x towards +y",
+             kDocuments);
+  table.add("--heading-tolerance",
+            "Of a vehicle: the path may end turned so far from the goal's YAW (radians, or as in "
+            "15deg; 180deg: any heading); --goal-tolerance is of its point",
+            "ANGLE", [&to](const auto& text) {
+              to.heading_tolerance = angle_value("--heading-tolerance", text, 0, std::numbers::pi);
+            });
+}
+
+/// `plan` and `batch` of a vehicle. @throws UsageError for what is of points and discs.
+VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
+  VehicleCommand command = text.vehicle;
+  command.run = text.run;
+  command.queries = text.queries;
+  RunOptions& run = command.run;
+  if (is_polygon_file(run.map.file))
+    throw UsageError("--vehicle is for bitmaps; a polygon world's robot is a disc, --margin");
+  constexpr const char* kLattice = "lattice";
+  if (!run.algorithm.empty() && run.algorithm != kLattice)
+    throw UsageError("--algorithm " + run.algorithm +
+                     ": vehicles are planned by lattice alone; leave it out");
+  run.algorithm.clear();
+  refuse_world_options(table);
+  for (const auto& [option, why] : {std::pair("--radius", "a vehicle's footprint is in its file"),
+                                    {"--cost", "vehicles are planned by length"},
+                                    {"--inflation", "vehicles are planned by length"},
+                                    {"--moves", "vehicles are planned by length"},
+                                    {"--via", "plan a vehicle from one pose to the next"},
+                                    {"--gap", "a vehicle's plan always tells its certified gap"},
+                                    {"--set", "it is of algorithms on cells"},
+                                    {"--ants", "it is of colonies"},
+                                    {"--iterations", "it is of colonies"},
+                                    {"--tracks", "it is of colonies"},
+                                    {"--preset", "it is of algorithms on cells"},
+                                    {"--neighbours", "it is of algorithms on cells"},
+                                    {"--corners", "it is of algorithms on cells"},
+                                    {"--prepare", "a vehicle's map is prepared without"}})
+    if (table.given(option))
+      throw UsageError(std::string(option) + " with --vehicle: " + why + "; leave it out");
+  if (table.given("--polish")) {
+    constexpr std::array<std::string_view, 2> kPolish{"none", "taut"};
+    command.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);
+    run.named.clear();
+  }
+  finish_run(run);
+  run.inputs.push_back(command.file);
+  if (run.ranged)
+    throw UsageError("--seed " + table.in_order("--seed").front().second +
+                     ": a vehicle's plan draws nothing; leave it out");
+  if (run.target_gap > 0) run.notes.emplace_back("--target-gap has no effect with --vehicle");
+  if (const auto page = std::ranges::find_if(run.outputs, is_page); page != run.outputs.end())
+    throw UsageError("-o " + *page + ": pages are of paths without a vehicle; write .svg or .png");
+  if (const auto proof = std::ranges::find_if(run.outputs, is_proof); proof != run.outputs.end())
+    throw UsageError("-o " + *proof + " is for plans over --cost or --inflation");
+  if (!command.queries.empty()) {
+    run.inputs.push_back(command.queries);
+    return command;
+  }
+  require("", "--start", text.start);
+  require("", "--goal", text.goals.empty() ? "" : text.goals.front());
+  command.start = pose_value("--start", text.start, run.frame);
+  for (const std::string& goal : text.goals)
+    command.goals.push_back(pose_value("--goal", goal, run.frame));
+  return command;
 }
 
 /// `plan` among polygons.
@@ -129,7 +212,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
   command.world.file = text.run.map.file;
   command.inputs = {command.world.file, text.queries};
   if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
-  if (!text.goal.empty()) command.goal = pair_value("--goal", text.goal, false);
+  if (!text.goal().empty()) command.goal = pair_value("--goal", text.goal(), false);
   command.with_optimum = true;  // it is found beside
   if (text.run.frame == Frame::world)
     throw UsageError("--frame world: " + command.world.file +
@@ -153,8 +236,11 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
 int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   RunOptions& asked = text.run;
   asked.called = call.line;
+  if (!text.vehicle.file.empty()) return run_command(vehicle_command(table, text));
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
+  if (table.given("--heading-tolerance"))
+    throw UsageError("--heading-tolerance is for --vehicle; leave it out");
   asked.via.clear();
   for (const std::string& via : text.via)
     asked.via.push_back(point_value("--via", via, asked.frame));
@@ -164,7 +250,7 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
     asked.inputs.push_back(text.queries);
     return run_bitmap_batch({asked, {}, {}, text.queries});
   }
-  PlanCommand plan = plan_command(asked, text.start, text.goal);
+  PlanCommand plan = plan_command(asked, text.start, text.goal());
   finish_costs(plan.run, plan.run.ranged);
   if (plan.run.ranged) return run_bitmap_batch(plan);
   BitmapProblem problem(plan);
@@ -180,13 +266,15 @@ Subcommand add_plan(CLI::App& app) {
              "Where the path starts: a cell, whole numbers, at its centre; with a decimal point a "
              "point; a polygon world may say",
              "X,Y");
-  table.text("--goal", text->goal, "Where it ends; likewise", "X,Y");
+  table.repeatable("--goal", text->goals,
+                   "Where it ends; likewise. Of a vehicle repeatable: one of them is met", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   add_run_options(table, text->run, kRunHelp);
   add_costs(table, text->run.map.costs);
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
@@ -200,6 +288,9 @@ Subcommand add_plan(CLI::App& app) {
                     {"lasius plan world.map --start 1,2 --goal 36,25 --cost 'world.pfm*0.5' "
                      "--inflation 4,0.5,3 -o world.proof.json",
                      "the cheapest path over costs, with the proof of its bound"},
+                    {"lasius plan world.map --vehicle car.yaml --start 4,4,0 --goal 33,25,90deg "
+                     "-o drive.png",
+                     "a car's motion from pose to pose, certified over its whole sweep"},
                     {"lasius plan maps/maklink200.geojson --algorithm maklink-acs",
                      "among polygons, whose file names start and goal"}},
        .exits = {{kFound, "a path was returned"},
@@ -224,10 +315,12 @@ Subcommand add_batch(CLI::App& app) {
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   table
       .file("QUERIES", text->queries,
-            "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen",
+            "A TSV with columns sx sy gx gy, with --vehicle syaw and gyaw too; of a bitmap also a "
+            "MovingAI .scen",
             {".scen", ".tsv", ".txt"})
       ->required();
   add_part(table, text->run.part,

@@ -1,6 +1,7 @@
 #include "tools/command_line/search_options.h"
 
 #include <algorithm>
+#include <numbers>
 #include <tuple>
 
 #include "core/base/number_text.h"
@@ -159,6 +160,28 @@ End point_value(std::string_view option, const std::string& text, Frame frame) {
     if (point) throw;
     throw UsageError(std::string(error.what()) + " or a point, as in 12.5,3.25");
   }
+}
+
+double angle_value(std::string_view option, std::string_view text, double low, double high) {
+  const bool degrees = text.ends_with("deg");
+  const auto value = parse_real(text.substr(0, text.size() - (degrees ? 3 : 0)));
+  const double angle = !value ? 0 : degrees ? *value / 180 * std::numbers::pi : *value;
+  if (value && angle >= low && angle <= high) return angle;
+  throw UsageError(std::string(option) + ": \"" + std::string(text) + "\" is no angle from " +
+                   to_text(low) + " to " + to_text(high) +
+                   " radians; write 1.57, or in degrees 90deg");
+}
+
+PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame) {
+  constexpr double kMostTurned = 1e5;
+  const auto comma = text.find_last_of(',');
+  if (comma == text.npos || text.find(',') == comma)
+    throw UsageError(std::string(option) + ": \"" + text +
+                     "\" is not X,Y,YAW; of a vehicle also say where it looks, in radians, as "
+                     "1.57, or in degrees, as 90deg");
+  const double yaw =
+      angle_value(option, std::string_view(text).substr(comma + 1), -kMostTurned, kMostTurned);
+  return {point_value(option, text.substr(0, comma), frame), yaw};
 }
 
 Point end_value(std::string_view option, const std::string& text, Frame frame,

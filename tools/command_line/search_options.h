@@ -57,6 +57,10 @@ std::vector<std::string> texts(std::span<const std::string_view> words);
 /// A start or goal on a bitmap: a cell, or a point where a coordinate has a decimal point or an
 /// exponent and where metres are given. @throws UsageError
 End point_value(std::string_view option, const std::string& text, Frame frame);
+/// "1.57", radians, or "90deg". @throws UsageError
+double angle_value(std::string_view option, std::string_view text, double low, double high);
+/// "X,Y,YAW": a point as above, and an angle of at most 100000 radians. @throws UsageError
+PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame);
 /// The same of what knows cells alone: a cell, or metres in it. @throws UsageError
 Point end_value(std::string_view option, const std::string& text, Frame frame,
                 const std::string& map);

@@ -8,6 +8,7 @@ namespace lasius::tool {
 
 int run_command(const DriveCommand& command);
 int run_command(const TourCommand& command);
+int run_command(const VehicleCommand& command);
 int run_command(const StudyCommand& command);
 int run_command(const TuneCommand& command);
 int run_command(const PolygonCommand& command);

@@ -106,6 +106,11 @@ struct End : Point {
   bool point = false;  ///< the path goes there; else to the centre of the cell that holds it
 };
 
+/// A start or goal of a vehicle.
+struct PoseEnd : End {
+  double yaw = 0;  ///< radians, from +x towards +y of the frame in use
+};
+
 /// The options that `plan` and `batch` share on bitmaps.
 struct RunOptions : SearchOptions {
   MapOptions map;
@@ -121,6 +126,17 @@ struct PlanCommand {
   RunOptions run;
   End start, goal;
   std::string queries = {};  ///< of `batch`: a file, in place of these
+};
+
+/// `plan` and `batch` of a vehicle.
+struct VehicleCommand {
+  RunOptions run;
+  std::string file = {};
+  PoseEnd start = {};
+  std::vector<PoseEnd> goals = {};  ///< at least one; one of them is met
+  std::string queries = {};      ///< of `batch`: a file, in place of these
+  double heading_tolerance = 0;  ///< radians; pi: any heading
+  bool smooth = true;            ///< shorten what the search finds
 };
 
 struct DriveCommand : PlanCommand {

@@ -16,10 +16,11 @@
 namespace lasius::tool {
 namespace {
 
-std::string header(const std::string& unit, bool costs) {
+std::string header(const std::string& unit, bool poses, bool costs) {
   const std::string m = unit.empty() ? "" : "_" + unit;
   std::string row = "index";
-  for (const char* column : {"sx", "sy", "gx", "gy"}) row += std::string(",") + column + m;
+  for (const std::string end : {"s", "g"})
+    row += "," + end + "x" + m + "," + end + "y" + m + (poses ? "," + end + "yaw" : "");
   return row + ",status,length" + m + (costs ? ",cost,lower_bound" : ",lower_bound" + m) +
          ",gap,iterations,elapsed_ms,seed,optimum" + m + ",optimum_gap\n";
 }
@@ -59,7 +60,7 @@ class BatchOutput {
         total_(static_cast<std::int64_t>(batch.queries) * batch.options.seeds),
         delivery_(batch.options.outputs),
         bar_(std::in_place, wants_progress(batch.options.messages), total_),
-        rows_(header(batch.unit, batch.costs)) {
+        rows_(header(batch.unit, batch.poses, batch.costs)) {
     for (const auto& file : batch.options.outputs) {
       csv_ |= is_table(file);
       paths_ |= is_picture(file);

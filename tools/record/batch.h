@@ -23,6 +23,7 @@ struct Batch {
   const SearchOptions& options;
   std::string unit;  ///< of lengths; columns in it end in its name
   std::size_t queries = 0;
+  bool poses = false;    ///< starts and goals have a yaw
   bool costs = false;    ///< answers are over costs: another column
   bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
   /// Answers the queries with each seed, in order, each taken in its turn.

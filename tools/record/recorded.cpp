@@ -38,4 +38,9 @@ std::uint64_t recorded_seed(const Json& result) {
   return static_cast<std::uint64_t>(recorded_integer(result, "seed", 0, kMaxExactInteger));
 }
 
+bool of_vehicle(const Json& result) {
+  return result.contains("parameters") && result["parameters"].is_object() &&
+         result["parameters"].contains("vehicle");
+}
+
 }  // namespace lasius::tool

@@ -41,6 +41,9 @@ double recorded_real(const Json& result, const std::string& keys, double least, 
 std::int64_t recorded_integer(const Json& result, const std::string& keys, std::int64_t least,
                               std::int64_t most);
 
+/// True for a plan of a vehicle.
+bool of_vehicle(const Json& result);
+
 /// The seed, a whole number in its range.
 std::uint64_t recorded_seed(const Json& result);
 

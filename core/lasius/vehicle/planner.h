@@ -1,0 +1,87 @@
+// Plans for vehicles: exact ends, motions that are certified over their whole sweep, a bound.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/grid.h"
+#include "lasius/status.h"
+#include "lasius/stop.h"
+#include "lasius/vehicle/motion.h"
+#include "lasius/vehicle/space.h"
+#include "lasius/vehicle/vehicle.h"
+
+namespace lasius::vehicle {
+
+/// What is asked.
+struct Request {
+  Pose start;                    ///< met exactly
+  std::vector<Pose> goals;       ///< at least one; the cheapest to reach of those found is met
+  double goal_tolerance = 0;     ///< cells: a path may end so far from a goal's point
+  double heading_tolerance = 0;  ///< radians: and turned so far from its yaw; pi or more: any yaw
+  double weight = 1.5;  ///< at least 1: of the estimate of what is left; the cost is searched to
+                        ///< that factor of the lattice's best
+  bool smooth = true;   ///< shorten what the search finds
+  bool bound = true;    ///< tell lower_bound
+  std::int64_t max_states = 20'000'000;  ///< of the lattice that are entered at most, 32 bytes each
+  /// Ends the search with the best path so far.
+  StopCondition stop = {};
+};
+
+/// What is answered.
+struct Result {
+  /// solved; limit and interrupted, perhaps with a path; unreachable: proven, the disc inside the
+  /// footprint cannot get there; no_path: none in the lattice that was searched, which proves
+  /// nothing; invalid: the vehicle touches something at the start, or at every goal.
+  Status status = Status::no_path;
+  Fault fault = Fault::none;      ///< of invalid and unreachable
+  std::optional<Cell> touched;    ///< of invalid: what is met at that end
+  std::string error;              ///< where there is no path: why, in a sentence
+  std::vector<Segment> segments;  ///< from the start to the goal, each begins where one ends
+  int goal = -1;                  ///< index of the goal that is met
+  double length = 0;              ///< driven, cells
+  double cost = 0;                ///< by the vehicle's prices, cells
+  int cusps = 0;                  ///< changes between forwards and backwards
+  /// No way of this vehicle, on this map, from the start to any of the goals is shorter, cells: the
+  /// greatest of that of the disc inside the footprint around the obstacles and that of the vehicle
+  /// without obstacles.
+  std::optional<double> lower_bound;
+  /// (length - lower_bound) / lower_bound; 0 where both are 0.
+  LASIUS_EXPORT std::optional<double> gap() const;
+  std::int64_t expanded = 0;  ///< states of the lattice
+  std::int64_t checked = 0;   ///< motions that were certified or refused
+};
+
+/// Plans on one map for one vehicle; what depends on these is prepared once. Paths are checked once
+/// more before they are answered. Thread-safe; the same request has the same answer bit for bit,
+/// unless stopped.
+class LASIUS_EXPORT Planner {
+ public:
+  /// @throws Error as validate(Vehicle)
+  Planner(const Grid& grid, const Vehicle& vehicle);
+  /// The same, or empty if stopped.
+  [[nodiscard]] static std::optional<Planner> make(const Grid& grid, const Vehicle& vehicle,
+                                                   const StopCondition& stop);
+  Planner(const Planner&) noexcept;
+  Planner& operator=(const Planner&) noexcept;
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
+  ~Planner();
+
+  const Space& space() const noexcept;  ///< the map as the vehicle sees it
+  /// @throws Error(invalid_parameter) where a number is out of range or there is no goal
+  [[nodiscard]] Result plan(const Request& request) const;
+
+  class Impl;  ///< internal
+
+ private:
+  Planner() = default;
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace lasius::vehicle

@@ -1,0 +1,216 @@
+#include "lasius/vehicle/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "core/base/invalid_parameter.h"
+#include "core/base/poller.h"
+#include "core/vehicle/angle.h"
+#include "core/vehicle/bound.h"
+#include "core/vehicle/search.h"
+#include "core/vehicle/smooth.h"
+
+namespace lasius::vehicle {
+
+class Planner::Impl {
+ public:
+  Impl(const Grid& grid, Space the_space, Poller& poller)
+      : space(std::move(the_space)),
+        lattice(space.vehicle(), space.impl().outline()),
+        free(space.impl(), lattice, poller),
+        bound(grid, space.vehicle()) {}
+
+  /// Memory that no other search holds.
+  std::unique_ptr<SearchMemory> take() const {
+    const std::scoped_lock lock(mutex);
+    if (spare.empty()) return std::make_unique<SearchMemory>();
+    std::unique_ptr<SearchMemory> taken = std::move(spare.back());
+    spare.pop_back();
+    return taken;
+  }
+  void give_back(std::unique_ptr<SearchMemory> memory) const {
+    const std::scoped_lock lock(mutex);
+    spare.push_back(std::move(memory));
+  }
+
+  Space space;
+  Lattice lattice;
+  FreeHeadings free;
+  Bound bound;
+  mutable std::mutex mutex;
+  mutable std::vector<std::unique_ptr<SearchMemory>> spare;
+};
+
+namespace {
+
+void check(const Request& request) {
+  const auto check_pose = [](const Pose& pose, const char* name) {
+    for (const double value : {pose.x, pose.y, pose.yaw}) {
+      require_parameter(std::fabs(value) <= 1e5, name, value,
+                        "give finite numbers of at most 100000");
+    }
+  };
+  check_pose(request.start, "a coordinate of the start");
+  if (request.goals.empty()) throw invalid_parameter("there is no goal", "give at least one");
+  for (const Pose& goal : request.goals) check_pose(goal, "a coordinate of a goal");
+  require_parameter(request.goal_tolerance >= 0 && request.goal_tolerance <= 1000, "goal_tolerance",
+                    request.goal_tolerance, "give 0 to 1000 cells");
+  require_parameter(request.heading_tolerance >= 0 && request.heading_tolerance <= 100,
+                    "heading_tolerance", request.heading_tolerance, "give 0 to 100 radians");
+  require_parameter(request.weight >= 1 && request.weight <= 100, "weight", request.weight,
+                    "give 1 to 100");
+  require_parameter(request.max_states >= 1 && request.max_states <= 100'000'000, "max_states",
+                    request.max_states, "give 1 to 100000000");
+}
+
+/// Of goals as they are given, those that are free; with a tolerance of the heading other yaws,
+/// too.
+std::vector<Goal> goals_of(const Space& space, const Lattice& lattice, const Request& request) {
+  std::vector<Goal> goals;
+  for (int i = 0; i < static_cast<int>(request.goals.size()); ++i) {
+    const Pose& goal = request.goals[i];
+    if (space.free(goal)) goals.push_back({goal, i});
+    for (int h = 0; h < Lattice::kHeadings && request.heading_tolerance > 0; ++h) {
+      const double off = half_turned(lattice.yaw(h) - goal.yaw);
+      if (std::fabs(off) > request.heading_tolerance || std::fabs(off) < 1e-9) continue;
+      const Pose turned{goal.x, goal.y, goal.yaw + off};
+      if (space.free(turned)) goals.push_back({turned, i});
+    }
+  }
+  return goals;
+}
+
+/// Joins motions that go on as one.
+std::vector<Segment> joined(const std::vector<Segment>& segments) {
+  std::vector<Segment> told;
+  for (const Segment& s : segments) {
+    if (!told.empty()) {
+      Segment& last = told.back();
+      if (last.gear == s.gear && last.curvature == s.curvature &&
+          (s.gear != 0 || (last.angle > 0) == (s.angle > 0))) {
+        last.length += s.length;
+        last.angle += s.angle;
+        continue;
+      }
+    }
+    told.push_back(s);
+  }
+  return told;
+}
+
+void refuse(Result& result, const Space& space, const Pose& pose, bool start) {
+  result.status = Status::invalid;
+  result.touched = space.contact(pose);
+  const bool outside = !(pose.x >= 0 && pose.y >= 0 && pose.x <= space.impl().width() &&
+                         pose.y <= space.impl().height());
+  result.fault = start ? (outside ? Fault::start_outside : Fault::start_blocked)
+                       : (outside ? Fault::goal_outside : Fault::goal_blocked);
+  const std::string end = start ? "start" : "goal";
+  if (outside) {
+    result.error = "the " + end + " is outside the map";
+    return;
+  }
+  const Cell cell = *result.touched;
+  result.error = "at the " + end + " the vehicle touches cell (" + std::to_string(cell.x) + ", " +
+                 std::to_string(cell.y) + ")";
+}
+
+}  // namespace
+
+std::optional<double> Result::gap() const {
+  if (segments.empty() && goal < 0) return std::nullopt;
+  if (!lower_bound) return std::nullopt;
+  if (length <= *lower_bound) return 0.0;
+  return *lower_bound > 0 ? std::optional((length - *lower_bound) / *lower_bound) : std::nullopt;
+}
+
+Planner::Planner(const Grid& grid, const Vehicle& vehicle) : Planner(*make(grid, vehicle, {})) {}
+
+std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
+                                     const StopCondition& stop) {
+  std::optional<Space> space = Space::make(grid, vehicle, stop);
+  if (!space) return std::nullopt;
+  Poller poller(stop);
+  Planner planner;
+  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), poller);
+  if (poller.stopped()) return std::nullopt;
+  return planner;
+}
+
+Planner::Planner(const Planner&) noexcept = default;
+Planner& Planner::operator=(const Planner&) noexcept = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+Planner::~Planner() = default;
+
+const Space& Planner::space() const noexcept { return impl_->space; }
+
+Result Planner::plan(const Request& request) const {
+  check(request);
+  const Space& space = impl_->space;
+  Result result;
+  if (!space.free(request.start)) {
+    refuse(result, space, request.start, true);
+    return result;
+  }
+  const std::vector<Goal> goals = goals_of(space, impl_->lattice, request);
+  if (goals.empty() && request.goal_tolerance <= 0) {
+    refuse(result, space, request.goals.front(), false);
+    return result;
+  }
+  Poller poller(request.stop, Poller::kSteps * 16);
+  const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
+  SearchOptions options{
+      request.weight, request.goal_tolerance, request.heading_tolerance, request.goals,
+      false,          request.max_states};
+  std::unique_ptr<SearchMemory> memory = impl_->take();
+  Found found = search(prepared, request.start, goals, options, *memory, result, poller);
+  if (found.goal < 0 && !poller.stopped() && !found.full) {
+    options.wide = true;
+    found = search(prepared, request.start, goals, options, *memory, result, poller);
+  }
+  impl_->give_back(std::move(memory));
+  const bool cut_short = poller.stopped();
+  if (cut_short) {
+    result.status =
+        poller.cause() == StopCondition::Cause::token ? Status::interrupted : Status::limit;
+  }
+  if (found.goal >= 0) {
+    result.segments = joined(found.segments);
+    // The masks' proof is of motions told another way: all is certified once more.
+    if (space.first_contact(result.segments)) found.goal = -1;
+    if (found.goal >= 0 && request.smooth && !poller.stopped()) {
+      std::vector<Segment> shorter =
+          joined(smoothed(space.impl(), result.segments, result.checked, poller));
+      if (!space.first_contact(shorter)) result.segments = std::move(shorter);
+    }
+    if (found.goal < 0) result.segments.clear();
+  }
+  if (found.goal >= 0) {
+    if (!cut_short) result.status = Status::solved;
+    result.goal = found.goal;
+    result.length = driven_length(result.segments);
+    result.cost = cost(space.vehicle(), result.segments);
+    result.cusps = cusps(result.segments);
+    if (request.bound) result.lower_bound = impl_->bound.length(request);
+    return result;
+  }
+  if (poller.stopped()) {
+    result.error = "stopped before a path was found";
+    return result;
+  }
+  if (impl_->bound.cut_off(request)) {
+    result.status = Status::unreachable;
+    result.fault = Fault::disconnected;
+    result.error = "no way is wide enough for the disc inside the footprint";
+    return result;
+  }
+  result.error = found.full ? "none was found before max_states states were entered"
+                            : "none in the lattice that was searched; another way may exist";
+  return result;
+}
+
+}  // namespace lasius::vehicle

@@ -1,0 +1,360 @@
+#include "core/vehicle/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "core/vehicle/angle.h"
+#include "core/vehicle/steering.h"
+
+namespace lasius::vehicle {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kBucket = 0.125;
+constexpr int kProbed = 2000;  ///< states of the probe from the goals
+
+class Search {
+ public:
+  Search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
+         const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller)
+      : space_(prepared.space),
+        lattice_(prepared.lattice),
+        vehicle_(prepared.space.vehicle()),
+        start_(start),
+        goals_(goals),
+        options_(options),
+        counts_(counts),
+        poller_(poller),
+        layers_(vehicle_.reverse && vehicle_.cusp_cost > 0 ? 2 : 1),
+        steering_(vehicle_),
+        flood_(prepared.free, space_, options.wide, memory.flood),
+        reached_(memory.reached),
+        leads_(memory.leads),
+        queue_(memory.queue),
+        probe_(memory.probe) {
+    reached_.reset(space_, layers_);
+    leads_.reset(space_, layers_);
+  }
+
+  Found run() {
+    shots_from_start();
+    if (done()) return std::move(best_);
+    connect_ends();
+    if (done() || to_goal_.empty() || from_start_.empty()) return std::move(best_);
+    begin_probe();
+    const bool trap = probe(kProbed) && !start_leads();
+    if (done() || trap) return std::move(best_);
+    forward();
+    return std::move(best_);
+  }
+
+ private:
+  bool done() const { return poller_.stopped(); }
+  int layer_of(int gear) const { return layers_ > 1 && gear < 0 ? 1 : 0; }
+  /// What a change costs, of a path whose last gear is that of a layer.
+  double cusp(int layer, int gear) const {
+    return layers_ > 1 && gear != 0 && layer != layer_of(gear) ? vehicle_.cusp_cost : 0;
+  }
+  double radius() const { return std::max(vehicle_.turning_radius, 2.0); }
+
+  void shots_from_start() {
+    for (const Goal& goal : goals_) {
+      shoot(start_, goal, 0, 0, options_.wide ? 12 : 6, [&](std::vector<Segment>&) {});
+    }
+  }
+
+  /// Tries ways to a goal straight on. @param gear  by which the pose was reached, 0: any
+  template <class Before>
+  bool shoot(const Pose& from, const Goal& goal, double cost, int gear, int most, Before&& before) {
+    steering_.aim(from, goal.pose, most);
+    for (int i = 0; i < steering_.size(); ++i) {
+      if (cost + steering_.cost(i) >= best_.cost && best_.goal >= 0) return false;
+      shot_.clear();
+      if (!steering_.append(i, shot_) || !free(shot_)) continue;
+      const double cusps =
+          gear != 0 && !shot_.empty() && shot_[0].gear == -gear ? vehicle_.cusp_cost : 0;
+      const double total = cost + steering_.cost(i) + cusps;
+      if (best_.goal >= 0 && total >= best_.cost) continue;
+      best_.segments.clear();
+      before(best_.segments);
+      best_.segments.insert(best_.segments.end(), shot_.begin(), shot_.end());
+      best_.cost = total;
+      best_.goal = goal.index;
+      return true;
+    }
+    return false;
+  }
+
+  bool free(const std::vector<Segment>& motions) {
+    for (const Segment& s : motions) {
+      ++counts_.checked;
+      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
+    }
+    return true;
+  }
+
+  void connect_ends() {
+    const double near = std::max(radius(), 4.0);
+    const ConnectorReach reach = options_.wide
+                                     ? ConnectorReach{std::min(3 * near, 60.0), 1.5 * near, 1.35}
+                                     : ConnectorReach{std::min(near, 30.0), 12, 1.35};
+    from_start_ = connectors(space_, lattice_, start_, false, reach, counts_.checked, poller_);
+    for (std::size_t i = 0; i < goals_.size() && !done(); ++i) {
+      std::vector<Connector> more =
+          connectors(space_, lattice_, goals_[i].pose, true, reach, counts_.checked, poller_);
+      for (Connector& c : more) {
+        c.end = goals_[i].index;
+        to_goal_.push_back(std::move(c));
+      }
+    }
+    for (std::size_t i = 0; i < options_.wanted.size(); ++i) tolerated(static_cast<int>(i));
+    for (const Connector& c : to_goal_) flood_.add_source(c.x, c.y, c.cost);
+  }
+
+  /// Poses of the lattice that are as good as the goal.
+  void tolerated(int goal) {
+    const double far = options_.lattice_tolerance;
+    if (far <= 0) return;
+    const Pose& at = options_.wanted[goal];
+    for (int y = std::max(0, floor_of(at.y - far)); y <= at.y + far && y < space_.height(); ++y) {
+      for (int x = std::max(0, floor_of(at.x - far)); x <= at.x + far && x < space_.width(); ++x) {
+        const double dx = x + 0.5 - at.x;
+        const double dy = y + 0.5 - at.y;
+        if (dx * dx + dy * dy > far * far) continue;
+        for (int h = 0; h < Lattice::kHeadings; ++h) {
+          const double off = std::fabs(half_turned(lattice_.yaw(h) - at.yaw));
+          if (off > options_.heading_tolerance + 1e-12) continue;
+          if (!lattice_.masks().free(lattice_.footprint(h), space_.bits(), x, y)) continue;
+          to_goal_.push_back({.x = x, .y = y, .heading = h, .motions = {}, .end = goal});
+        }
+      }
+    }
+  }
+
+  bool edge_free(const Edge& edge, int x, int y) {
+    if (x < 0 || y < 0 || x >= space_.width() || y >= space_.height()) return false;
+    ++counts_.checked;
+    const auto cell = static_cast<std::size_t>(y) * space_.width() + x;
+    const double reach = 2 * static_cast<double>(edge.mask.reach);
+    if (static_cast<double>(space_.field().squared_half_cells[cell]) > reach * reach) return true;
+    return lattice_.masks().free(edge.mask, space_.bits(), x, y);
+  }
+
+  /// A state of the probe, from which a motion in a gear leads on.
+  void lead(int x, int y, int heading, int gear, double cost, std::uint32_t next, std::int32_t by) {
+    for (int layer = 0; layer < layers_; ++layer) {
+      lead_in(leads_.index(x, y, heading, layer), cost + cusp(layer, gear), next, by);
+    }
+  }
+  void lead_in(std::uint32_t index, double cost, std::uint32_t next, std::int32_t by) {
+    const auto total = static_cast<float>(cost);
+    Leads& state = leads_[index];
+    if (total >= state.cost) return;
+    state = {total, next, by, false};
+    probe_.push(index, total);
+  }
+
+  void begin_probe() {
+    probe_.reset(0, kBucket);
+    for (std::size_t i = 0; i < to_goal_.size(); ++i) {
+      const Connector& c = to_goal_[i];
+      lead(c.x, c.y, c.heading, c.gear, c.cost, 0, ~static_cast<std::int32_t>(i));
+    }
+  }
+
+  /// Dijkstra from the goals backwards, so many states on. True if it ran dry: what it met is all
+  /// from which they can be reached on the lattice.
+  bool probe(std::int64_t states) {
+    while (probe_.advance(poller_)) {
+      if (states <= 0 || poller_.stopped()) return false;
+      const std::uint32_t index = probe_.pop();
+      if (leads_[index].expanded) continue;
+      leads_[index].expanded = true;
+      --states;
+      ++counts_.expanded;
+      if (poller_.stop_after(64)) return false;
+      const Cell at = leads_.cell(index);
+      const double cost = leads_[index].cost;
+      const int layer = leads_.layer(index);
+      const int heading = leads_.heading(index);
+      if (const Reached* met = reached_.find(at.x, at.y, heading, layer)) {
+        const double total = static_cast<double>(met->cost) + cost;
+        if (total < kFar && (best_.goal < 0 || total < best_.cost)) {
+          finish(reached_.index(at.x, at.y, heading, layer), total);
+        }
+      }
+      for (const int e : lattice_.to(heading)) {
+        const Edge& edge = lattice_.edges()[e];
+        if (edge.gear != 0 && layer != layer_of(edge.gear) && layers_ > 1) continue;
+        const int x = at.x - edge.dx;
+        const int y = at.y - edge.dy;
+        if (!edge_free(edge, x, y)) continue;
+        const double total = static_cast<double>(edge.cost) + cost;
+        if (edge.gear != 0) {
+          lead(x, y, edge.from, edge.gear, total, index, e);
+        } else {
+          lead_in(leads_.index(x, y, edge.from, layer), total, index, e);
+        }
+      }
+    }
+    return !poller_.stopped();
+  }
+
+  /// Whether a connector of the start ends where the probe has been.
+  bool start_leads() {
+    return std::ranges::any_of(from_start_, [&](const Connector& c) {
+      const Leads* state = leads_.find(c.x, c.y, c.heading, layer_of(c.gear));
+      return state != nullptr && state->cost < std::numeric_limits<float>::infinity();
+    });
+  }
+
+  double estimate(const Cell& at, int heading) {
+    const double flood = flood_.at(at.x, at.y);
+    if (flood > 1e29 || flood > 4 * radius() || vehicle_.turning_radius == 0 || goals_.size() > 8) {
+      return flood;
+    }
+    double least = kFar;
+    const Pose pose = lattice_.pose(at.x, at.y, heading);
+    for (const Goal& goal : goals_) least = std::min(least, steering_.least(pose, goal.pose));
+    return options_.lattice_tolerance > 0 ? flood : std::max(flood, least);
+  }
+
+  void forward() {
+    queue_.reset(0, kBucket);
+    for (std::size_t i = 0; i < from_start_.size(); ++i) {
+      const Connector& c = from_start_[i];
+      offer(c.x, c.y, c.heading, layer_of(c.gear), c.cost, 0, ~static_cast<std::int32_t>(i));
+    }
+    std::int64_t expanded = 0;
+    std::int64_t next_probe = 2 * kProbed;
+    std::uint32_t shots = 0;
+    while (queue_.advance(poller_)) {
+      if (best_.goal >= 0 && best_.cost <= queue_.floor()) break;
+      if (reached_.size() > options_.max_states) {
+        best_.full = true;
+        break;
+      }
+      if (expanded >= next_probe) {
+        // A goal that hardly anything leads to shows from its own side.
+        if (best_.goal < 0 && probe(expanded / 2)) break;
+        next_probe = 2 * expanded;
+      }
+      const std::uint32_t index = queue_.pop();
+      if (reached_[index].expanded) continue;
+      reached_[index].expanded = true;
+      ++expanded;
+      if (poller_.stop_after(64)) break;
+      const Cell at = reached_.cell(index);
+      const int heading = reached_.heading(index);
+      const int layer = reached_.layer(index);
+      const double cost = reached_[index].cost;
+      const double left = reached_[index].left;
+      const auto every = static_cast<std::uint32_t>(
+          left < 2 * radius() ? 1 : std::min(1000.0, 1 + left / radius()));
+      if (++shots % every == 0) shoot_from(index, at, heading, layer, cost);
+      for (const int e : lattice_.from(heading)) {
+        const Edge& edge = lattice_.edges()[e];
+        if (!edge_free(edge, at.x, at.y)) continue;
+        const int to_layer = edge.gear == 0 ? layer : layer_of(edge.gear);
+        offer(at.x + edge.dx, at.y + edge.dy, edge.to, to_layer,
+              cost + edge.cost + cusp(layer, edge.gear), index, e);
+      }
+    }
+    counts_.expanded += expanded;
+  }
+
+  void offer(int x, int y, int heading, int layer, double cost, std::uint32_t before,
+             std::int32_t by) {
+    if (x < 0 || y < 0 || x >= space_.width() || y >= space_.height()) return;
+    const std::uint32_t index = reached_.index(x, y, heading, layer);
+    Reached& state = reached_[index];
+    const auto known = static_cast<float>(cost);
+    if (known >= state.cost) return;
+    if (state.left < 0) state.left = static_cast<float>(estimate({x, y}, heading));
+    if (state.left > 1e29F) return;
+    state.cost = known;
+    state.before = before;
+    state.by = by;
+    state.expanded = false;
+    const double key = cost + options_.weight * static_cast<double>(state.left);
+    if (const Leads* leads = leads_.find(x, y, heading, layer)) {
+      const double total = cost + static_cast<double>(leads->cost);
+      if (total < kFar && (best_.goal < 0 || total < best_.cost)) finish(index, total);
+    }
+    if (best_.goal < 0 || key < best_.cost) queue_.push(index, key);
+  }
+
+  /// The path to a state from which the way is known.
+  void finish(std::uint32_t index, double total) {
+    best_.segments.clear();
+    append_reached(index, best_.segments);
+    best_.cost = total;
+    const Cell at = reached_.cell(index);
+    std::uint32_t next = leads_.index(at.x, at.y, reached_.heading(index), reached_.layer(index));
+    while (leads_[next].by >= 0) {
+      const Cell cell = leads_.cell(next);
+      lattice_.append(lattice_.edges()[leads_[next].by], cell.x, cell.y, best_.segments);
+      next = leads_[next].next;
+    }
+    const Connector& last = to_goal_[~leads_[next].by];
+    best_.segments.insert(best_.segments.end(), last.motions.begin(), last.motions.end());
+    best_.goal = last.end;
+  }
+
+  void append_reached(std::uint32_t index, std::vector<Segment>& to) {
+    std::vector<std::uint32_t> states{index};
+    while (reached_[states.back()].by >= 0) states.push_back(reached_[states.back()].before);
+    const Connector& first = from_start_[~reached_[states.back()].by];
+    to.insert(to.end(), first.motions.begin(), first.motions.end());
+    for (std::size_t i = states.size(); i-- > 1;) {
+      const Cell cell = reached_.cell(states[i]);
+      lattice_.append(lattice_.edges()[reached_[states[i - 1]].by], cell.x, cell.y, to);
+    }
+  }
+
+  void shoot_from(std::uint32_t index, const Cell& at, int heading, int layer, double cost) {
+    const Pose pose = lattice_.pose(at.x, at.y, heading);
+    const Goal* nearest = nullptr;
+    double least = kFar;
+    for (const Goal& goal : goals_) {
+      const double dx = goal.pose.x - pose.x;
+      const double dy = goal.pose.y - pose.y;
+      if (dx * dx + dy * dy >= least) continue;
+      least = dx * dx + dy * dy;
+      nearest = &goal;
+    }
+    if (std::sqrt(least) + cost >= best_.cost && best_.goal >= 0) return;
+    shoot(pose, *nearest, cost, layers_ > 1 ? (layer == 1 ? -1 : 1) : 0, options_.wide ? 6 : 3,
+          [&](std::vector<Segment>& to) { append_reached(index, to); });
+  }
+
+  const Space::Impl& space_;
+  const Lattice& lattice_;
+  const Vehicle& vehicle_;
+  Pose start_;
+  std::span<const Goal> goals_;
+  SearchOptions options_;
+  Result& counts_;
+  Poller& poller_;
+  int layers_;
+  Steering steering_;
+  Flood flood_;
+  States<Reached>& reached_;
+  States<Leads>& leads_;
+  BucketQueue& queue_;
+  BucketQueue& probe_;
+  std::vector<Connector> from_start_, to_goal_;
+  std::vector<Segment> shot_;
+  Found best_;
+};
+
+}  // namespace
+
+Found search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
+             const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller) {
+  return Search(prepared, start, goals, options, memory, counts, poller).run();
+}
+
+}  // namespace lasius::vehicle

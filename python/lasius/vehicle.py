@@ -1,0 +1,180 @@
+"""Planning for vehicles on a bitmap: a footprint, a heading, a smallest turn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+from typing import Any, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _lasius
+from ._lasius import Grid
+from .arguments import explained
+from .arrays import Cell, FloatArray
+from .errors import finish, made
+from .results import Record
+
+#: x, y and yaw, in cells and radians; yaw turns from +x towards +y, which points down.
+Pose = Tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Vehicle:
+    """What moves; lengths in cells. `car`, `differential` and `rectangle` make usual ones.
+
+    >>> Vehicle.car(Vehicle.rectangle(1, 3, 1), 4.0).reverse
+    True
+    """
+
+    footprint: npt.ArrayLike  #: (n, 2), corners about the reference point: x forward, y to the side that yaw grows to
+    turning_radius: float = 0.0  #: least, of the reference point; 0: it turns in place alone
+    reverse: bool = False  #: may drive backwards
+    reverse_cost: float = 2.0  #: of a cell backwards
+    cusp_cost: float = 0.0  #: of each change between forwards and backwards, cells
+    rotate_in_place: bool = False  #: may turn where it stands
+    rotation_cost: float = 3.0  #: of a radian in place, cells
+
+    @classmethod
+    def car(cls, footprint: npt.ArrayLike, turning_radius: float, *, reverse: bool = True) -> Vehicle:
+        """One that steers."""
+        return cls(footprint, turning_radius, reverse)
+
+    @classmethod
+    def differential(cls, footprint: npt.ArrayLike) -> Vehicle:
+        """One that turns where it stands and drives straight."""
+        return cls(footprint, rotate_in_place=True)
+
+    @staticmethod
+    def rectangle(back: float, front: float, half_width: float) -> FloatArray:
+        """A footprint from `back` behind the reference point to `front` before it."""
+        return np.array([[-back, -half_width], [front, -half_width], [front, half_width], [-back, half_width]])
+
+
+@dataclass(frozen=True)
+class SpeedLimits:
+    """Of a vehicle; cells, seconds, radians. `inf`: no limit."""
+
+    speed: float = 1.0  #: forwards
+    reverse_speed: float = 1.0  #: backwards
+    acceleration: float = inf  #: of the speed
+    braking: float = inf  #: likewise
+    lateral_acceleration: float = inf  #: speed^2 * |curvature|
+    turn_rate: float = 1.0  #: in place, radians a second
+    turn_acceleration: float = inf  #: and braking, radians / s^2
+
+
+@dataclass(eq=False, repr=False)
+class VehicleResult(Record):
+    """A plan of a vehicle."""
+
+    status: str  #: "solved", "limit", "interrupted", "unreachable" (proven), "no_path" (none in the lattice) or "invalid"
+    fault: str  #: why it is invalid or unreachable
+    error: str  #: why there is no path, in a sentence
+    #: (n, 8), a motion a row: x, y, yaw where it begins, curvature (of yaw for each cell forwards), curvature rate,
+    #: length, gear (1, -1, or 0 in place), angle of one in place
+    segments: FloatArray
+    length: float  #: driven, cells; NaN without a path
+    cost: float  #: by the vehicle's prices; NaN without a path
+    cusps: int  #: changes between forwards and backwards
+    goal: int  #: which of the goals is met; -1 without a path
+    lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter
+    gap: Optional[float]  #: certified, a fraction
+    touched: Optional[Cell]  #: of a start or goal that meets something: what
+    expanded: int  #: states of the lattice
+
+    def poses(self, spacing: float = 0.5, limits: SpeedLimits = SpeedLimits()) -> FloatArray:
+        """(n, 7), at most `spacing` cells apart: x, y, yaw, curvature, gear, speed, time of the fastest drive."""
+        row = (limits.speed, limits.reverse_speed, limits.acceleration, limits.braking, limits.lateral_acceleration,
+               limits.turn_rate, limits.turn_acceleration)
+        return _lasius.vehicle_timed_poses(self.segments, spacing, row)
+
+    def __repr__(self) -> str:
+        return f"<VehicleResult: {self.status}, length {self.length:.6g}, {self.cusps} cusps>"
+
+
+@dataclass
+class Contact:
+    """Where a footprint first meets something along poses."""
+
+    place: float  #: index of the pose before, and the share of the way to the next
+    pose: Pose
+    cell: Cell  #: blocked or outside
+    proven: bool  #: False: it comes nearer than 0.001 cells
+
+
+@explained
+class VehiclePlanner:
+    """A map made ready for a vehicle. It never changes: use one from many threads.
+
+    >>> grid = lasius.Grid(np.zeros((60, 80), np.uint8), free=0)
+    >>> planner = VehiclePlanner(grid, Vehicle.car(Vehicle.rectangle(1, 3, 1), 4.0))
+    >>> result = planner.plan((5, 5, 0), (60, 40, np.pi / 2))
+    >>> result.status, result.cusps
+    ('solved', 0)
+
+    Args:
+        grid: the map; what is outside is blocked.
+        vehicle: its footprint keeps from blocked cells, which are closed squares, over the whole sweep of each motion.
+    """
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, grid: Grid, vehicle: Vehicle) -> None:
+        self._raw = made(*_lasius.make_vehicle_planner(
+            grid, np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse,
+            vehicle.reverse_cost, vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost,
+        ))
+
+    def plan(
+        self,
+        start: Pose,
+        goal: npt.ArrayLike,
+        *,
+        goal_tolerance: float = 0.0,
+        heading_tolerance: float = 0.0,
+        weight: float = 1.5,
+        smooth: bool = True,
+        time_limit: Optional[float] = None,
+    ) -> VehicleResult:
+        """A path from pose to pose.
+
+        Args:
+            start: x, y, yaw in cells and radians, met exactly.
+            goal: likewise; or several, (n, 3), of which one is met.
+            goal_tolerance: cells that the path may end from the goal's point.
+            heading_tolerance: radians that it may end turned from its yaw; pi: any heading.
+            weight: at least 1; the search is within this factor of the lattice's best.
+            smooth: shorten what the search finds.
+            time_limit: seconds; then the best so far is the answer, its status "limit".
+        Raises:
+            KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
+        """
+        error, fields = self._raw.plan(
+            tuple(start), np.atleast_2d(np.asarray(goal, dtype=np.float64)), goal_tolerance, heading_tolerance, weight,
+            smooth, time_limit,
+        )
+        return finish(error, VehicleResult(*fields))
+
+    def free(self, pose: Pose) -> bool:
+        """Whether the footprint meets nothing there."""
+        return bool(self._raw.free(tuple(pose)))
+
+    def first_contact(self, poses: npt.ArrayLike) -> Optional[Contact]:
+        """The first contact along poses (n, 3), between which x, y and yaw change in proportion; None where all of it
+        is proven free."""
+        met = self._raw.first_contact(np.asarray(poses, dtype=np.float64))
+        return None if met is None else Contact(*met)
+
+
+def plan_vehicle(grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike, **options: Any) -> VehicleResult:
+    """Plans for a vehicle on a map, as `VehiclePlanner.plan`.
+
+    >>> grid = lasius.Grid(np.zeros((60, 80), np.uint8), free=0)
+    >>> robot = Vehicle.differential(Vehicle.rectangle(2, 2, 1.5))
+    >>> result = plan_vehicle(grid, robot, (10, 10, 0), (50, 40, 0))
+    >>> result.status, round(result.length, 6)
+    ('solved', 50.0)
+    """
+    return VehiclePlanner(grid, vehicle).plan(start, goal, **options)

@@ -1,0 +1,68 @@
+"""Vehicles: what is planned is within their means, touches nothing, and is told whole."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import lasius
+from lasius import SpeedLimits, Vehicle, VehiclePlanner, plan_vehicle
+
+
+@pytest.fixture(scope="module")
+def yard():
+    cells = np.zeros((60, 80), np.uint8)
+    cells[0:30, 30:33] = cells[40:60, 50:53] = 1
+    return lasius.Grid(cells, free=0)
+
+
+CAR = Vehicle.car(Vehicle.rectangle(1, 4, 1.5), 5.0)
+
+
+def corners(footprint, pose):
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    return np.asarray(footprint) @ np.array([[c, s], [-s, c]]) + pose[:2]
+
+
+def test_a_plan_and_its_poses(yard):
+    start, goal = (8, 8, 0.3), (70, 50, -2.0)
+    result = plan_vehicle(yard, CAR, start, goal)
+    assert result.status == "solved" and result.goal == 0
+    poses = result.poses(0.25)
+    assert poses[0, :3] == pytest.approx(start) and poses[-1, :2] == pytest.approx(goal[:2], abs=1e-6)
+    assert abs(np.remainder(poses[-1, 2] - goal[2] + np.pi, 2 * np.pi) - np.pi) < 1e-6
+    assert np.all(np.abs(poses[:, 3]) <= 1 / 5 + 1e-12) and np.all(np.diff(poses[:, 6]) >= 0)
+    assert np.hypot(*np.diff(poses[:, :2], axis=0).T).max() <= 0.25 + 1e-9
+    for pose in poses:
+        x, y = corners(CAR.footprint, pose).T
+        assert x.min() > 0 and y.min() > 0 and x.max() < 80 and y.max() < 60
+    assert VehiclePlanner(yard, CAR).first_contact(poses[:, :3]) is None
+    assert result.poses(limits=SpeedLimits(speed=2, reverse_speed=2))[-1, 6] == pytest.approx(poses[-1, 6] / 2)
+    assert pickle.loads(pickle.dumps(result)) == result == plan_vehicle(yard, CAR, start, goal)
+
+
+def test_contacts(yard):
+    planner = VehiclePlanner(yard, CAR)
+    assert planner.free((8, 8, 0)) and not planner.free((28, 8, 0))
+    met = planner.first_contact([(8, 8, 0), (20, 8, 0), (40, 8, 0)])
+    assert met.cell == (30, met.cell[1]) and met.place == pytest.approx(1 + 6 / 20, abs=1e-3)
+    blocked = planner.plan((28, 8, 0), (70, 50, 0))
+    assert (blocked.status, blocked.fault, blocked.touched[0]) == ("invalid", "start_blocked", 30)
+    assert np.isnan(blocked.length) and blocked.segments.shape == (0, 8) and blocked.poses().shape == (0, 7)
+
+
+def test_one_of_several_goals_and_tolerances(yard):
+    planner = VehiclePlanner(yard, CAR)
+    goals = [(70, 50, 0), (20, 8, 0)]
+    assert planner.plan((8, 8, 0), goals).goal == 1
+    assert planner.plan((8, 8, 0), (20, 8, np.pi), heading_tolerance=np.pi).length == pytest.approx(12, abs=0.2)
+
+
+def test_what_is_refused(yard):
+    for vehicle, problem in [(Vehicle.car([[0, 0], [1, 0]], 3), "corners"),
+                             (Vehicle.car([[0, 0], [2, 2], [2, 0], [0, 2]], 3), "footprint"),
+                             (Vehicle(CAR.footprint), "turning_radius")]:
+        with pytest.raises(lasius.InvalidParameter, match=problem):
+            VehiclePlanner(yard, vehicle)
+    with pytest.raises(lasius.InvalidParameter):
+        plan_vehicle(yard, CAR, (8, 8, 0), (70, 50, 0), weight=0.5)

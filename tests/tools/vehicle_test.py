@@ -1,0 +1,301 @@
+"""plan, batch and check-path --vehicle: footprints judged by separating axes of the test's own."""
+import json
+import math
+import random
+import unittest
+
+from program import ProgramTest
+
+MAP = """type octile
+height 30
+width 44
+map
+"""
+ROWS = ["." * 44 for _ in range(30)]
+for x, y, w, h in ((12, 0, 3, 12), (12, 18, 3, 12), (26, 8, 4, 4), (30, 20, 6, 3)):
+    for row in range(y, y + h):
+        ROWS[row] = ROWS[row][:x] + "@" * w + ROWS[row][x + w:]
+MAP += "\n".join(ROWS) + "\n"
+
+CAR = {"type": "car", "footprint": [[-1, -1.2], [3.5, -1.2], [3.5, 1.2], [-1, 1.2]], "turning_radius": 4, "units": "cells"}
+ROBOT = {"type": "differential", "footprint": [[-2, -1.5], [2, -1.5], [2, 1.5], [-2, 1.5]], "units": "cells"}
+FORWARD = {**CAR, "reverse": False}
+
+
+def moved(corners, x, y, yaw):
+    c, s = math.cos(yaw), math.sin(yaw)
+    return [(x + c * a - s * b, y + s * a + c * b) for a, b in corners]
+
+
+def overlap(polygon, x, y):
+    """How deep a convex polygon is in the square at (x, y); below 0 apart."""
+    square = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+    sides = [(1, 0), (0, 1)] + [(b[1] - a[1], a[0] - b[0]) for a, b in zip(polygon, polygon[1:] + polygon[:1])]
+    least = math.inf
+    for ax, ay in sides:
+        size = math.hypot(ax, ay)
+        one = [(px * ax + py * ay) / size for px, py in polygon]
+        other = [(px * ax + py * ay) / size for px, py in square]
+        least = min(least, max(one) - min(other), max(other) - min(one))
+    return least
+
+
+def depth(corners, pose, rows=ROWS):
+    polygon = moved(corners, *pose)
+    xs, ys = [p[0] for p in polygon], [p[1] for p in polygon]
+    deepest = -math.inf
+    for y in range(math.floor(min(ys)) - 1, math.floor(max(ys)) + 2):
+        for x in range(math.floor(min(xs)) - 1, math.floor(max(xs)) + 2):
+            if not (0 <= x < len(rows[0]) and 0 <= y < len(rows)) or rows[y][x] == "@":
+                deepest = max(deepest, overlap(polygon, x, y))
+    return deepest
+
+
+def pose_on(segment, share):
+    """By the rule of the documents: yaw grows by curvature for each cell driven forwards."""
+    x, y, yaw = segment["x"], segment["y"], segment["yaw"]
+    if segment["gear"] == 0:
+        return x, y, yaw + share * segment["angle"]
+    far, k = segment["gear"] * share * segment["length"], segment["curvature"]
+    turned = yaw + k * far
+    if abs(k * far) < 1e-9:
+        return x + far * math.cos(yaw), y + far * math.sin(yaw), turned
+    return x + (math.sin(turned) - math.sin(yaw)) / k, y - (math.cos(turned) - math.cos(yaw)) / k, turned
+
+
+def turned(a, b):
+    return abs(math.remainder(a - b, 2 * math.pi))
+
+
+class Vehicles(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("yard.map", MAP)
+        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD)):
+            self.write(name + ".json", json.dumps(vehicle))
+
+    def drive(self, vehicle, start, goal, *options, map_file="yard.map"):
+        return self.run_program("plan", map_file, "--vehicle", vehicle, "--start", start, "--goal", goal, *options)
+
+    def check(self, result, vehicle):
+        """Ends, joints, curvature, sweep, length."""
+        segments = result["segments"]
+        at = result["start"]
+        length = 0
+        for segment in segments:
+            self.assertLess(math.hypot(segment["x"] - at[0], segment["y"] - at[1]), 1e-6)
+            self.assertLess(turned(segment["yaw"], at[2]), 1e-6)
+            extent = abs(segment.get("angle", 0)) * 4 if segment["gear"] == 0 else segment["length"]
+            if segment["gear"] == 0:
+                self.assertTrue(vehicle.get("rotate_in_place", vehicle["type"] != "car"))
+            else:
+                radius = vehicle.get("turning_radius", 0)
+                self.assertLessEqual(abs(segment["curvature"]), (1 / radius if radius else 0) * (1 + 1e-12))
+                length += segment["length"]
+            if segment["gear"] < 0:
+                self.assertTrue(vehicle.get("reverse", vehicle["type"] == "car"))
+            parts = max(1, math.ceil(extent / 0.05))
+            for i in range(parts + 1):
+                self.assertLess(depth(vehicle["footprint"], pose_on(segment, i / parts)), 1e-9)
+            at = pose_on(segment, 1)
+        self.assertLess(math.hypot(result["goal"][0] - at[0], result["goal"][1] - at[1]), 1e-6)
+        self.assertLess(turned(result["goal"][2], at[2]), 1e-6)
+        self.assertAlmostEqual(result["length"], length, places=6)
+
+    def test_plans_touch_nothing_and_verify(self):
+        draw, solved = random.Random(3), 0
+        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD)):
+            for _ in range(5):
+                ends = []
+                while len(ends) < 2:
+                    pose = (draw.uniform(2, 42), draw.uniform(2, 28), draw.uniform(-math.pi, math.pi))
+                    if depth(vehicle["footprint"], pose) < -0.01:
+                        ends.append(",".join(map(repr, pose)))
+                run = self.drive(name + ".json", *ends, "-o", "run.json", "--json")
+                self.assertIn(run.code, (0, 6), run.err)
+                if run.code != 0:
+                    continue
+                solved += 1
+                self.check(run.json, vehicle)
+                self.assertGreaterEqual(run.json["length"], run.json["lower_bound"] * (1 - 1e-9))
+                self.quiet(self.run_program("verify", "-q", "run.json"))
+                self.assertEqual(self.run_program("check-path", "yard.map", "run.json").code, 0)
+        self.assertGreaterEqual(solved, 12)
+
+    def test_files_of_poses(self):
+        run = self.drive("car.json", "4,4,0", "38,26,180deg", "-o", "run.csv", "-o", "run.yaml", "-o", "run.svg", "--json")
+        self.assertEqual(run.code, 0, run.err)
+        rows = self.rows("run.csv")
+        self.assertEqual(list(rows[0]), ["x", "y", "yaw", "kappa", "v", "t", "gear"])
+        self.assertEqual([float(rows[0][k]) for k in ("x", "y", "yaw", "t")], [4.5, 4.5, 0, 0])
+        self.assertAlmostEqual(float(rows[-1]["t"]), run.json["duration"], places=9)
+        cusps = 0
+        for a, b in zip(rows, rows[1:]):
+            far = math.hypot(float(b["x"]) - float(a["x"]), float(b["y"]) - float(a["y"]))
+            self.assertLessEqual(far, 0.5 + 1e-9)
+            cusps += a["gear"] != b["gear"]
+            self.assertEqual(a["gear"] != b["gear"], far == 0)
+        self.assertEqual(cusps, run.json["cusps"])
+        self.assertEqual(self.read("run.yaml").decode().count("position:"), len(rows))
+        self.assertEqual(self.run_program("check-path", "yard.map", "run.csv", "--vehicle", "car.json", "--strict").code, 0)
+        self.svg_root("run.svg")
+
+    def test_contacts_are_named(self):
+        run = self.drive("car.json", "10.5,5,0", "38,26,0")
+        self.ended(run, 4, "start (10.5, 5, 0): the footprint meets the blocked cell (12, ", "nearest pose of this heading")
+        run = self.drive("car.json", "5,5,0", "43,26,0", "--json")
+        self.assertEqual((run.code, run.json["status"]), (4, "invalid"))
+        x, y, yaw = run.json["nearest_free"]
+        self.assertLess(depth(CAR["footprint"], (x, y, yaw)), 0)
+        self.write("path.csv", "x,y,yaw\n5,15,0\n20,15,0\n24,10,-0.9\n")
+        run = self.run_program("check-path", "yard.map", "path.csv", "--vehicle", "car.json", "--json")
+        self.assertEqual((run.code, run.json["judged_as"], run.json["assumed_straight"]), (1, "vehicle", 1))
+        fault = run.json["fault"]
+        self.assertEqual(ROWS[fault["cell"][1]][fault["cell"][0]], "@")
+        self.assertLess(abs(depth(CAR["footprint"], fault["at"])), 2e-3)
+
+    def test_planted_contacts_are_found_and_clean_paths_pass(self):
+        draw, verdicts = random.Random(8), [0, 0]
+        for _ in range(36):
+            x, y, yaw = draw.uniform(3, 41), draw.uniform(3, 27), draw.uniform(-3, 3)
+            rows, deepest = ["x,y,yaw"], -math.inf
+            k = draw.choice([0, 1 / 4, -1 / 7])
+            for i in range(25):
+                share = pose_on({"x": x, "y": y, "yaw": yaw, "curvature": k, "length": 12, "gear": 1}, i / 24)
+                rows.append(",".join(f"{v:.6f}" for v in share))
+            for i in range(1201):
+                pose = pose_on({"x": x, "y": y, "yaw": yaw, "curvature": k, "length": 12, "gear": 1}, i / 1200)
+                deepest = max(deepest, depth(CAR["footprint"], pose))
+            if abs(deepest) < 0.01:
+                continue
+            self.write("path.csv", "\n".join(rows) + "\n")
+            run = self.run_program("check-path", "yard.map", "path.csv", "--vehicle", "car.json")
+            self.assertEqual(run.code, 0 if deepest < 0 else 1, (run.out, deepest))
+            verdicts[deepest < 0] += 1
+        self.assertGreater(min(verdicts), 3)
+
+    def test_what_cannot_be_driven(self):
+        cases = [
+            ("5,15,0\n5.958851,15.244835,0.5\n", "turns sharper than the vehicle can", "car"),
+            ("8,5,0\n6,5,0\n", "drives backwards", "forward"),
+            ("5,15,0\n5,15,1\n", "turns in place", "car"),
+            ("5,15,0\n5,16,0\n", "slip aside", "car"),
+        ]
+        for poses, why, vehicle in cases:
+            with self.subTest(why=why):
+                self.write("path.csv", "x,y,yaw\n" + poses)
+                asked = ["check-path", "yard.map", "path.csv", "--vehicle", vehicle + ".json"]
+                self.ended(self.run_program(*asked), 0, why)
+                self.assertRegex(self.run_program(*asked, "--strict").out, "does not hold: .*" + why)
+
+    def test_files_of_vehicles_are_refused_by_line_and_key(self):
+        cases = [
+            ("footprint: [[0,0],[1,0],[1,1]]\nturning_radios: 3\n", "line 2: 'turning_radios' is unknown", "turning_radius"),
+            ("turning_radius: 3\n", "line 1: ", "'footprint' is missing"),
+            ("footprint: [[0,0],[1,0]]\nturning_radius: 3\n", "line 1: 'footprint' has 2 corners", "3"),
+            ("turning_radius: 3\nfootprint: [[0,0],[2,2],[2,0],[0,2]]\n", "line 2: 'footprint' cannot be", "meets another"),
+            ("turning_radius: 3\nfootprint: [[0,0],[.nan,2],[2,0]]\n", "line 2: 'footprint' is \".nan\"", "number"),
+            ("turning_radius: 3\nfootprint: [[0,0],[2],[2,0]]\n", "line 2: ", "not [x, y]"),
+            ("type: car\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: ", "'turning_radius' is missing"),
+            ("type: car\nturning_radius: 0\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 2: 'turning_radius' is 0", "differential"),
+            ("type: cat\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'type' is \"cat\"", "car"),
+            ("units: metres\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'units' is metres", "resolution"),
+            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nreverse_cost: 0.5\n", "line 3: 'reverse_cost' is \"0.5\"", "from 1"),
+            ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nspeed: -1\n", "line 3: 'speed' is \"-1\"", "number"),
+        ]
+        for text, *words in cases:
+            with self.subTest(text=text):
+                self.write("v.yaml", text)
+                self.refused(self.drive("v.yaml", "5,5,0", "20,20,0"), 3, "v.yaml", *words)
+        self.refused(self.drive("none.yaml", "5,5,0", "20,20,0"), 3, "none.yaml")
+
+    def test_commands_that_make_no_sense(self):
+        for options, words in [(["--radius", "2"], "--radius"), (["--ants", "5"], "--ants"), (["--algorithm", "mmas"], "mmas"),
+                               (["--seed", "1-3"], "--seed"), (["-o", "a.html"], "a.html"), (["--via", "3,3"], "--via")]:
+            with self.subTest(options=options):
+                self.refused(self.drive("car.json", "5,5,0", "20,20,0", *options), 2, words)
+        for start in ("5,5", "5,5,x", "5,5,90degs", "5,5,1e9", "5,,1", "5,5,nan"):
+            with self.subTest(start=start):
+                self.refused(self.drive("car.json", start, "20,20,0"), 2, "--start")
+        self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "9,9", "--heading-tolerance", "1"), 2, "--vehicle")
+
+    def test_goals(self):
+        near, far = "9.5,15.5,0", "38.5,26.5,180deg"
+        run = self.drive("car.json", "4,4,0", far, "--goal", near, "-o", "g.json", "--json")
+        result = run.json
+        self.assertEqual((run.code, result["goal_index"], result["goal"], len(result["goals"])), (0, 1, [9.5, 15.5, 0], 2))
+        self.check(result, CAR)
+        self.quiet(self.run_program("verify", "-q", "g.json"))
+        self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "2,2", "--goal", "3,3"), 2, "more than once")
+        # Any heading will do where any is asked for, and a blocked goal is not met but neared.
+        free = self.drive("car.json", "4,4,0", "9,15,3", "--heading-tolerance", "180deg", "--json").json
+        self.assertLess(free["length"], self.drive("car.json", "4,4,0", "9,15,3", "--json").json["length"])
+        close = self.drive("car.json", "4,4,0", "12.5,6,0", "--goal-tolerance", "6", "--json").json
+        x, y, _ = close["goal_reached"]
+        self.assertEqual(close["status"], "solved")
+        self.assertLessEqual(math.hypot(x - 12.5, y - 6), 6)
+        limit = self.drive("car.json", "4,4,0", far, "--time-limit", "0")
+        self.ended(limit, 6, "the time limit ended the run, no path yet")
+
+    def test_batch_gives_what_plan_gives(self):
+        poses = [("4,4,0", "38,26,180deg"), ("10.5,5,0", "38,26,0"), ("20.5,15.5,90deg", "4.5,24.5,-1")]
+        lines = ["\t".join(a.split(",") + b.split(",")) for a, b in poses]
+        self.write("poses.tsv", "sx\tsy\tsyaw\tgx\tgy\tgyaw\n" + "\n".join(lines) + "\n")
+        run = self.run_program("batch", "yard.map", "poses.tsv", "--vehicle", "car.json", "--threads", "2", "-o", "b.csv", "-o", "b.png")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual([line["status"] for line in run.lines], ["solved", "invalid", "solved"])
+        for i, (start, goal) in enumerate(poses):
+            alone = self.drive("car.json", start, goal, "--json").json
+            self.assertEqual((run.lines[i]["index"], run.lines[i]["segments"]), (i, alone["segments"]))
+        rows = self.rows("b.csv")
+        self.assertEqual([row["status"] for row in rows], ["solved", "invalid", "solved"])
+        self.assertEqual(float(rows[0]["gyaw"]), math.pi)
+        self.write("b.jsonl", run.out)
+        self.quiet(self.run_program("verify", "-q", "b.jsonl"))
+        for text, problem in [("sx sy gx gy\n", "line 1: the header has no column syaw"),
+                              ("sx sy syaw gx gy gyaw\n1 2 3\n", "line 2: 3 fields"),
+                              ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle")]:
+            self.write("bad.tsv", text)
+            self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
+
+    def test_metres_and_degrees(self):
+        """A map turned in the world: the plan in metres is that in cells, seen from there."""
+        grey = bytes(0 if c == "@" else 255 for row in ROWS for c in row)
+        self.write("yard.pgm", b"P5\n44 30\n255\n" + grey)
+        self.write("yard.yaml", "image: yard.pgm\nresolution: 0.25\norigin: [-3.0, 2.0, 0.5]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.2\n")
+        # y of a footprint is to the left in the world, and down in cells.
+        skew = {"type": "car", "footprint": [[-1, -1], [3, -1], [3, 1.75], [-1, 1]], "turning_radius": 4}
+        mirrored = {**skew, "footprint": [[x, -y] for x, y in skew["footprint"]], "units": "cells"}
+        metres = {**skew, "footprint": [[x / 4, y / 4] for x, y in skew["footprint"]], "turning_radius": 1}
+        self.write("m.json", json.dumps(metres))
+        self.write("c.json", json.dumps(mirrored))
+
+        def world(x, y, yaw):
+            c, s, u, v = math.cos(0.5), math.sin(0.5), x * 0.25, (30 - y) * 0.25
+            return -3 + c * u - s * v, 2 + s * u + c * v, 0.5 - yaw
+
+        ends = [(4.5, 4.5, 0.25), (38.5, 26.5, -2)]
+        given = [",".join(map(repr, world(*end))) for end in ends]
+        run = self.drive("m.json", *given, "--frame", "world", "-o", "w.csv", "-o", "w.json", "--json", map_file="yard.yaml")
+        self.assertEqual(run.code, 0, run.err)
+        cells = self.drive("c.json", *(",".join(map(repr, end)) for end in ends), "--json").json
+        self.check(run.json, mirrored)
+        self.assertAlmostEqual(run.json["length"], cells["length"], places=6)
+        self.assertAlmostEqual(run.json["length_m"], cells["length"] / 4, places=6)
+        self.assertEqual(run.json["start_world"], list(world(*ends[0])))
+        rows = self.rows("w.csv")
+        for row, end in ((rows[0], ends[0]), (rows[-1], ends[1])):
+            self.assertEqual([float(row["x"]), float(row["y"])], list(world(*end)[:2]))
+            self.assertLess(turned(float(row["yaw"]), world(*end)[2]), 1e-6)
+        for segment, there in zip(run.json["segments"], run.json["segments_world"]):
+            at = world(segment["x"], segment["y"], segment["yaw"])
+            self.assertLess(math.hypot(at[0] - there["x"], at[1] - there["y"]) + turned(at[2], there["yaw"]), 1e-9)
+            self.assertAlmostEqual(there["curvature"], -4 * segment["curvature"], places=9)
+        self.quiet(self.run_program("verify", "-q", "w.json"))
+        asked = ["--frame", "world", "--vehicle", "m.json", "--strict"]
+        self.assertEqual(self.run_program("check-path", "yard.yaml", "w.csv", *asked).code, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

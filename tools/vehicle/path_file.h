@@ -1,0 +1,49 @@
+// Paths that are to be judged: tables of points and poses, saved results.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lasius/path.h"
+#include "lasius/vehicle/motion.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/record/json_values.h"
+
+namespace lasius::tool {
+
+/// A path as a file tells it.
+struct PathFile {
+  std::string file;
+  std::vector<Point> points = {};               ///< its vertices
+  std::vector<double> yaws = {};                ///< with a column yaw: one a point, else empty
+  std::vector<double> curvatures = {};          ///< with a column kappa, likewise
+  bool metres = false;                          ///< all of these in the map's frame, else in cells
+  lasius::Curve curve = {};                     ///< of a disc's result, in cells
+  std::vector<vehicle::Segment> segments = {};  ///< of a vehicle's result, in cells
+  Json parameters = {};                         ///< of a result: what it was planned with
+
+  double recorded_radius() const;  ///< cells; 0 where none is recorded
+  bool recorded_unknown_free() const;
+  bool recorded_squeezes() const;  ///< planned with --corners allow
+};
+
+/// Reads
+///   .json   a result of `plan`: its segments, its curve or its path
+///   others  a table whose header names x and y (or x_m and y_m: metres) and perhaps yaw and kappa
+///           among others, split at commas, tabs or blanks
+/// @throws Error(file_missing, file_broken) naming file and line; UsageError for a result without
+/// a path
+PathFile read_path(const std::string& file, Frame frame);
+
+/// The path in cells of a map. Precondition: a frame, of a path in metres.
+std::vector<Point> points_of(const PathFile& path, const LoadedMap& map);
+/// Likewise, where it has yaws.
+std::vector<vehicle::Pose> poses_of(const PathFile& path, const LoadedMap& map);
+
+/// The arc, the line or the rotation in place that joins two poses; nothing where none comes within
+/// a thousandth of a cell.
+std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to);
+
+}  // namespace lasius::tool

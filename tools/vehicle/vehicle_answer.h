@@ -1,0 +1,70 @@
+// A plan of a vehicle, with all that is told of it.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lasius/vehicle/planner.h"
+#include "lasius/vehicle/profile.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/options/options.h"
+#include "tools/record/record.h"
+#include "tools/vehicle/vehicle_file.h"
+
+namespace lasius::tool {
+
+/// A map as a vehicle plans on it.
+struct VehicleMap {
+  LoadedMap map;
+  LoadedVehicle vehicle;
+  std::optional<vehicle::Planner> planner = {};  ///< nothing: the token fired before it was made
+};
+/// @throws Error, UsageError
+VehicleMap load_vehicle_map(const VehicleCommand& command,
+                            const std::optional<LoadedVehicle>& vehicle,
+                            const std::stop_token& token);
+
+/// A start or goal, as it was given and in cells.
+struct VehicleEnd {
+  PoseEnd asked;
+  Place place;         ///< of its point
+  vehicle::Pose pose;  ///< in cells
+};
+VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
+
+struct VehicleAnswer {
+  VehicleEnd start;
+  std::vector<VehicleEnd> goals;
+  vehicle::Result result = {};
+  std::optional<vehicle::Pose> nearest_free = {};  ///< of an end that touches something
+  double elapsed_ms = 0;
+
+  bool has_path() const { return !result.segments.empty(); }
+  /// The one that is met, else the first.
+  const VehicleEnd& goal() const {
+    return goals[static_cast<std::size_t>(std::max(result.goal, 0))];
+  }
+};
+/// Plans under `stop`.
+VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
+                           const VehicleEnd& start, const std::vector<VehicleEnd>& goals,
+                           const StopCondition& stop);
+
+/// Poses along the answer's path, at most the command's spacing apart, timed.
+std::vector<vehicle::TimedPose> timed_poses(const VehicleMap& on, const VehicleCommand& command,
+                                            const VehicleAnswer& answer);
+/// A pose as the command's frame has it: of the ends as they were given.
+vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,
+                            const VehicleAnswer& answer, const vehicle::Pose& cells);
+
+Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
+                      const VehicleAnswer& answer);
+
+/// The map, what the footprint sweeps, the path and the footprint at both ends.
+/// @throws Error(output_failed)
+void write_vehicle_picture(const std::string& file, const VehicleMap& on,
+                           const VehicleCommand& command, const VehicleAnswer& answer);
+
+}  // namespace lasius::tool

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+
+#include "core/base/output.h"
+#include "core/base/text_lines.h"
+#include "core/loop/batch_run.h"
+#include "lasius/error.h"
+#include "tools/bitmap/picture.h"
+#include "tools/command_line/search_options.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/signals.h"
+#include "tools/console/values.h"
+#include "tools/record/batch.h"
+#include "tools/record/queries.h"
+#include "tools/vehicle/vehicle_answer.h"
+#include "tools/vehicle/vehicle_kind.h"
+
+namespace lasius::tool {
+namespace {
+
+struct PoseQuery {
+  VehicleEnd start;
+  std::vector<VehicleEnd> goals;
+  StopCondition stop = {};
+};
+
+/// The queries of a table whose header names sx, sy, syaw, gx, gy and gyaw among others, split at
+/// commas, tabs or blanks. @throws Error(file_missing, file_broken) naming file and line
+std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMap& map,
+                                         Frame frame) {
+  static constexpr std::array<std::string_view, 6> kColumns{"sx", "sy", "syaw", "gx", "gy", "gyaw"};
+  auto in = opened(file, "name a table of poses");
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  end_lines_in_lf(text);
+  std::vector<PoseQuery> queries;
+  std::array<std::size_t, 6> at{};
+  std::size_t columns = 0;
+  std::int64_t line = 0;
+  const auto fail = [&](const std::string& problem, const std::string& remedy) {
+    throw Error(ErrorCode::file_broken, {.file = file, .line = std::max<std::int64_t>(line, 1)},
+                problem, remedy);
+  };
+  for (const std::string_view row : split(text, '\n')) {
+    ++line;
+    const auto fields = words_of(row, " \t\r\v\f,");
+    if (fields.empty()) continue;
+    if (columns == 0) {
+      columns = fields.size();
+      for (std::size_t i = 0; i < kColumns.size(); ++i) {
+        const auto found = std::ranges::find(fields, kColumns[i]);
+        if (found == fields.end())
+          fail("the header has no column " + std::string(kColumns[i]),
+               "begin with sx sy syaw gx gy gyaw");
+        at[i] = static_cast<std::size_t>(found - fields.begin());
+      }
+      continue;
+    }
+    if (fields.size() != columns)
+      fail(counted(static_cast<std::int64_t>(fields.size()), "field") + " instead of " +
+               std::to_string(columns),
+           "give every line what the header names");
+    const auto end = [&](std::size_t first) {
+      const std::string pose = std::string(fields[at[first]]) + "," +
+                               std::string(fields[at[first + 1]]) + "," +
+                               std::string(fields[at[first + 2]]);
+      try {
+        return vehicle_end(map, pose_value(first == 0 ? "start" : "goal", pose, frame), frame);
+      } catch (const UsageError& error) {
+        fail(error.what(), "correct the line");
+        throw;
+      }
+    };
+    const VehicleEnd start = end(0);
+    queries.push_back({start, {end(3)}});
+  }
+  if (columns == 0) fail("is empty", "begin with sx sy syaw gx gy gyaw");
+  return queries;
+}
+
+std::vector<std::string> end_texts(const VehicleAnswer& answer) {
+  std::vector<std::string> texts;
+  for (const VehicleEnd* end : {&answer.start, &answer.goal()})
+    for (const double value : {end->asked.x, end->asked.y, end->asked.yaw})
+      texts.push_back(to_text(value));
+  return texts;
+}
+
+}  // namespace
+
+int run_vehicle_batch(const VehicleCommand& command) {
+  const RunOptions& run = command.run;
+  check_outputs(run.outputs, run.inputs);
+  SignalWatcher signals;
+  const VehicleMap on = load_vehicle_map(command, {}, signals.token());
+  check_outputs(run.outputs, {on.map.image});
+  std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
+  SearchOptions options = run;
+  keep_part(queries, command.queries, options.part);
+  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
+    const BatchReceiverOf<VehicleAnswer> receive = [&](const auto& found) {
+      VehicleAnswer answer = found.result;
+      Record record = vehicle_record(on, command, answer);
+      record.index = options.part.among_all(found.index);
+      std::vector<Point> path;
+      for (const auto& timed : timed_poses(on, command, answer))
+        path.push_back({timed.at.pose.x, timed.at.pose.y});
+      take(record, end_texts(answer), path);
+    };
+    run_batch<VehicleAnswer>(std::span<const PoseQuery>(queries), run.seed, how, receive, [&] {
+      return [&](const PoseQuery& query, std::uint64_t) {
+        return plan_vehicle(on, command, query.start, query.goals, query.stop);
+      };
+    });
+  };
+  const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
+    write_batch_picture(picture, on.map, run, paths, caption);
+  };
+  return run_batch({.options = options,
+                    .unit = run.frame == Frame::world ? "m" : "",
+                    .queries = queries.size(),
+                    .poses = true,
+                    .answer = answer_all,
+                    .draw = draw},
+                   signals);
+}
+
+}  // namespace lasius::tool

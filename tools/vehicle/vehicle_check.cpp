@@ -1,0 +1,128 @@
+#include "tools/vehicle/vehicle_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "tools/console/values.h"
+#include "tools/vehicle/path_file.h"
+
+namespace lasius::tool {
+namespace {
+
+using vehicle::Pose;
+using vehicle::Segment;
+
+double length_of(const DrivenPath::Piece& piece) {
+  return piece.motion ? piece.motion->length
+                      : std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y);
+}
+
+double turned(const Pose& from, const Pose& to) {
+  return std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+}
+
+/// How far from one of the map's own cells.
+std::string cell_text(const Grid& grid, Cell cell) {
+  return (grid.contains(cell) ? "the blocked cell (" : "the outside of the map, cell (") +
+         std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+}
+
+}  // namespace
+
+DrivenPath driven(std::span<const Segment> segments) {
+  DrivenPath path;
+  for (const Segment& segment : segments) {
+    path.pieces.push_back({segment.begin, segment.end(), segment});
+    path.length += segment.length;
+  }
+  return path;
+}
+
+DrivenPath driven(std::span<const Pose> poses) {
+  DrivenPath path{.pieces = {}, .sampled = true};
+  if (poses.size() == 1) path.pieces.push_back({poses[0], poses[0], Segment{.begin = poses[0]}});
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    path.pieces.push_back({poses[i - 1], poses[i], motion_between(poses[i - 1], poses[i])});
+    path.length += length_of(path.pieces.back());
+    if (!path.pieces.back().motion) ++path.assumed_straight;
+  }
+  return path;
+}
+
+std::optional<VehicleFault> contact_fault(const Grid& grid, const vehicle::Space& space,
+                                          const DrivenPath& path) {
+  double along = 0;
+  for (const DrivenPath::Piece& piece : path.pieces) {
+    const std::array<Pose, 2> ends{piece.from, piece.to};
+    const auto met = piece.motion ? space.first_contact(std::span(&*piece.motion, 1))
+                                  : space.first_contact(std::span<const Pose>(ends));
+    const double length = length_of(piece);
+    if (met) {
+      const double driven = !piece.motion             ? met->at * length
+                            : piece.motion->gear == 0 ? 0
+                                                      : met->at;
+      VehicleFault fault;
+      fault.along = along + driven;
+      fault.at = {met->pose.x, met->pose.y};
+      fault.cell = met->cell;
+      fault.pose = met->pose;
+      fault.why = (met->proven ? "the footprint meets " : "the footprint may meet ") +
+                  cell_text(grid, met->cell);
+      return fault;
+    }
+    along += length;
+  }
+  return std::nullopt;
+}
+
+std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const DrivenPath& path,
+                                         std::span<const double> curvatures) {
+  // Tables hold rounded poses: of two so far apart, a curvature is known no better.
+  constexpr double kShare = 1e-2, kRounding = 1e-4;  // of the curvature; cells, and radians
+  constexpr double kExact = 1e-9;
+  const double most = vehicle.turning_radius > 0 ? 1 / vehicle.turning_radius : 0;
+  double along = 0;
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const DrivenPath::Piece& piece = path.pieces[i];
+    const double length = length_of(piece), angle = turned(piece.from, piece.to);
+    const auto fault = [&](const std::string& why) {
+      VehicleFault found;
+      found.along = along;
+      found.at = {piece.from.x, piece.from.y};
+      found.pose = piece.from;
+      found.why = why;
+      return found;
+    };
+    if (!path.sampled && i > 0) {
+      const Pose& before = path.pieces[i - 1].to;
+      const double jump = std::hypot(piece.from.x - before.x, piece.from.y - before.y);
+      constexpr double kJump = 1e-6;
+      if (jump > kJump || std::abs(turned(before, piece.from)) > kJump)
+        return fault("the path jumps by " + to_text(jump) + " cells and " +
+                     to_text(std::abs(turned(before, piece.from))) + " radians");
+    }
+    if (!piece.motion) return fault("the vehicle would slip aside");
+    const Segment& motion = *piece.motion;
+    if (motion.gear == 0 && !vehicle.rotate_in_place && std::abs(angle) > kRounding)
+      return fault("it turns in place, which the vehicle does not");
+    if (motion.gear < 0 && !vehicle.reverse && length > kRounding)
+      return fault("it drives backwards, which the vehicle does not");
+    if (motion.gear != 0) {
+      const double room = path.sampled ? kShare * most + kRounding / std::max(length, kRounding)
+                                       : kExact * std::max(most, 1.);
+      double sharpest = std::abs(motion.curvature);
+      if (i < curvatures.size()) sharpest = std::max(sharpest, std::abs(curvatures[i]));
+      if (sharpest > most + room)
+        return fault("it turns sharper than the vehicle can: on a radius of " +
+                     rounded_text(1 / sharpest, 4) + " cells, " +
+                     (most == 0 ? "and it drives straight only"
+                                : rounded_text(vehicle.turning_radius, 4) + " is its least"));
+    }
+    along += length;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,45 @@
+// Whether a vehicle's footprint keeps from what is blocked along a path, and whether the vehicle
+// can drive it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lasius/vehicle/space.h"
+#include "tools/vehicle/disc_check.h"
+
+namespace lasius::tool {
+
+/// A path as a vehicle drives it.
+struct DrivenPath {
+  /// What is driven from a pose to the next: a motion, or nothing where x, y and yaw change in
+  /// proportion.
+  struct Piece {
+    vehicle::Pose from, to;
+    std::optional<vehicle::Segment> motion;
+  };
+  std::vector<Piece> pieces;
+  bool sampled = false;      ///< poses of a table, which are rounded; else motions as they are
+  double length = 0;         ///< cells
+  int assumed_straight = 0;  ///< pieces without a motion
+};
+/// Of motions, and of poses with the motions that join them.
+DrivenPath driven(std::span<const vehicle::Segment> segments);
+DrivenPath driven(std::span<const vehicle::Pose> poses);
+
+/// A fault, and the vehicle's pose there.
+struct VehicleFault : PathFault {
+  vehicle::Pose pose{};
+};
+/// Where the footprint first meets a blocked square or the outside.
+std::optional<VehicleFault> contact_fault(const Grid& grid, const vehicle::Space& space,
+                                          const DrivenPath& path);
+
+/// The first motion that the vehicle does not have: sharper than its radius, backwards, in place,
+/// aside; or a jump between motions. `curvatures`, one a pose or none, are what a table tells.
+std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const DrivenPath& path,
+                                         std::span<const double> curvatures);
+
+}  // namespace lasius::tool

@@ -1,0 +1,87 @@
+#include <cmath>
+
+#include "tools/bitmap/sheet.h"
+#include "tools/console/values.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/page.h"
+#include "tools/draw/text.h"
+#include "tools/vehicle/vehicle_answer.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr Colour kSweep{0.1, 0.32, 0.62};
+constexpr Colour kBackwards{0.75, 0.35, 0.05};
+
+std::vector<Point> footprint_at(const Axes& axes, const vehicle::Vehicle& vehicle,
+                                const vehicle::Pose& pose) {
+  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+  std::vector<Point> corners;
+  for (const Point p : vehicle.footprint)
+    corners.push_back(axes.at(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y));
+  return corners;
+}
+
+std::string caption(const Sheet& sheet, const VehicleMap& on, const VehicleAnswer& answer) {
+  const vehicle::Result& found = answer.result;
+  if (!answer.has_path()) return no_path_text(found.status);
+  std::string text =
+      "length " + sheet.length(found.length) + ", " + counted(found.cusps, "cusp") +
+      printed(", %.1f s", vehicle::Profile(found.segments, on.vehicle.speeds).duration());
+  if (found.lower_bound)
+    text +=
+        against(found.length, *found.lower_bound, "lower bound", sheet.length(*found.lower_bound));
+  return text;
+}
+
+void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const VehicleMap& on,
+                  const VehicleCommand& command, const VehicleAnswer& answer) {
+  const Axes axes = sheet.axes(box);
+  const vehicle::Vehicle& vehicle = on.vehicle.vehicle;
+  const auto along = timed_poses(on, command, answer);
+  canvas.clip(box);
+  constexpr double kFaint = 0.1, kEnd = 0.35;
+  // So far apart that outlines tell where it looks.
+  const double apart = vehicle::circumscribed_radius(vehicle) / 2;
+  vehicle::Pose last = answer.start.pose;
+  for (const auto& timed : along) {
+    const vehicle::Pose& pose = timed.at.pose;
+    const double turned = std::abs(pose.yaw - last.yaw) * apart;
+    if (std::hypot(pose.x - last.x, pose.y - last.y) + turned < apart) continue;
+    canvas.area(footprint_at(axes, vehicle, pose), kSweep, kFaint);
+    last = pose;
+  }
+  for (const vehicle::Pose& end : {answer.start.pose, answer.goal().pose})
+    canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
+  for (std::size_t i = 1; i < along.size(); ++i) {
+    const vehicle::Pose &a = along[i - 1].at.pose, &b = along[i].at.pose;
+    canvas.line(axes.at(a.x, a.y), axes.at(b.x, b.y), along[i].at.gear < 0 ? kBackwards : kPath,
+                2.5);
+  }
+  canvas.unclip();
+}
+
+}  // namespace
+
+void write_vehicle_picture(const std::string& file, const VehicleMap& on,
+                           const VehicleCommand& command, const VehicleAnswer& answer) {
+  const std::vector<Cell> ends{answer.start.place.cell, answer.goal().place.cell};
+  const Sheet sheet{on.map, on.map.grid(), command.run, shown_of(on.map, ends)};
+  const auto draw = [&](Canvas& canvas, const Box& box) {
+    paint_map(canvas, box, sheet, free_ground);
+    draw_vehicle(canvas, box, sheet, on, command, answer);
+    draw_marks(canvas, box, sheet, ends[0], ends[1], false);
+  };
+  Page page =
+      sheet.page(file_name(on.vehicle.file) + " on " + file_name(on.map.file) + ", " +
+                 std::to_string(on.map.width) + " x " + std::to_string(on.map.height) + " cells");
+  if (answer.has_path()) {
+    page.legend.push_back(line_key("forwards", kPath, 2.5));
+    if (answer.result.cusps > 0) page.legend.push_back(line_key("backwards", kBackwards, 2.5));
+    page.legend.push_back(area_key("swept by the footprint", kSweep));
+  }
+  page.bands = {{{{{caption(sheet, on, answer), draw}}}}};
+  write_page(file, page);
+}
+
+}  // namespace lasius::tool

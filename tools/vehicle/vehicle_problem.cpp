@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "tools/bitmap/poses_file.h"
+#include "tools/console/values.h"
+#include "tools/options/commands.h"
+#include "tools/record/problem.h"
+#include "tools/record/recorded.h"
+#include "tools/vehicle/vehicle_answer.h"
+#include "tools/vehicle/vehicle_json.h"
+#include "tools/vehicle/vehicle_kind.h"
+
+namespace lasius::tool {
+namespace {
+
+/// x, y, yaw, curvature, speed, time and gear of each pose, in the command's frame.
+void write_timed_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
+                       const VehicleAnswer& answer) {
+  const bool metres = command.run.frame == Frame::world;
+  const double unit = metres ? on.map.metres(1) : 1;
+  out << "x,y,yaw,kappa,v,t,gear\n";
+  for (const vehicle::TimedPose& timed : timed_poses(on, command, answer)) {
+    const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
+    const double kappa =
+        timed.at.curvature == 0 ? 0 : (metres ? -1 : 1) * timed.at.curvature / unit;
+    const double speed = timed.at.gear == 0 ? timed.speed : timed.speed * unit;
+    for (const double value : {pose.x, pose.y, pose.yaw, kappa, speed, timed.time})
+      out << to_text(value) << ",";
+    out << timed.at.gear << "\n";
+  }
+}
+
+/// `plan` of a vehicle.
+class VehicleProblem : public Problem {
+ public:
+  /// `vehicle` in place of the command's file.
+  explicit VehicleProblem(VehicleCommand command, std::optional<LoadedVehicle> vehicle = {})
+      : command_(std::move(command)), vehicle_(std::move(vehicle)) {}
+
+  std::optional<std::int64_t> read(const std::stop_token& token) override {
+    RunOptions& run = command_.run;
+    on_.emplace(load_vehicle_map(command_, vehicle_, token));
+    run.inputs.push_back(on_->map.image);
+    answer_.start = vehicle_end(on_->map, command_.start, run.frame);
+    for (const PoseEnd& goal : command_.goals)
+      answer_.goals.push_back(vehicle_end(on_->map, goal, run.frame));
+    if (run.messages.verbose)
+      run.notes.push_back(on_->map.file +
+                          printed(": %d x %d cells, read in %.1f ms, ready for the vehicle after "
+                                  "%.1f ms",
+                                  on_->map.width, on_->map.height, on_->map.read_ms,
+                                  on_->map.ready_ms));
+    return std::nullopt;
+  }
+  void plan(const StopCondition& stop, const Watch&) override {
+    answer_ = plan_vehicle(*on_, command_, answer_.start, answer_.goals, stop);
+  }
+  Record record() const override { return vehicle_record(*on_, command_, answer_); }
+  Forms show(const Record&) const override {
+    return {.csv = [&](auto& out) { write_timed_poses(out, *on_, command_, answer_); },
+            .picture = [&](auto& file) { write_vehicle_picture(file, *on_, command_, answer_); },
+            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); }};
+  }
+  SearchOptions& options() override { return command_.run; }
+
+ private:
+  /// In metres of the map's frame where it has one. A pose that stands twice is a cusp.
+  std::vector<Pose> ros_poses() const {
+    std::vector<Pose> poses;
+    for (const vehicle::TimedPose& timed : timed_poses(*on_, command_, answer_)) {
+      const vehicle::Pose& cells = timed.at.pose;
+      const vehicle::Pose pose = command_.run.frame == Frame::world
+                                     ? pose_in_frame(*on_, command_, answer_, cells)
+                                 : on_->map.frame ? to_world(on_->map, cells)
+                                                  : cells;
+      poses.push_back({pose.x, pose.y, pose.yaw});
+    }
+    return poses;
+  }
+
+  VehicleCommand command_;
+  std::optional<LoadedVehicle> vehicle_;
+  std::optional<VehicleMap> on_;
+  VehicleAnswer answer_;
+};
+
+PoseEnd recorded_end(const Json& result, const std::string& key) {
+  const auto numbers = recorded<std::vector<double>>(result, key);
+  if (numbers.size() != 3) throw UsageError("\"" + key + "\" is no [x, y, yaw]");
+  return {{{numbers[0], numbers[1]}, true}, numbers[2]};
+}
+
+std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
+  const Json& result = from.result;
+  VehicleCommand command;
+  RunOptions& run = command.run;
+  read_recorded(from, find_algorithm("exact"), run);
+  run.map.file = from.map_file();
+  const Json& parameters = value_at(result, "parameters");
+  run.map.unknown_is_free = recorded<std::string>(parameters, "unknown") == "free";
+  const bool metres = recorded<std::string>(parameters, "frame") == kFrames[1];
+  LoadedVehicle vehicle{.vehicle = recorded_vehicle(parameters),
+                        .speeds = recorded_speeds(parameters)};
+  command.start = recorded_end(result, metres ? "start_world" : "start");
+  const std::string goals = metres ? "goals_world" : "goals";
+  if (!result.contains(goals))
+    command.goals = {recorded_end(result, metres ? "goal_world" : "goal")};
+  else
+    for (const Json& goal : result[goals])
+      command.goals.push_back(recorded_end(Json{{goals, goal}}, goals));
+  command.heading_tolerance = recorded_real(parameters, "heading_tolerance", 0, kNoLimit);
+  command.smooth = recorded<bool>(parameters, "smooth");
+  if (parameters.contains("spacing"))
+    run.spacing = recorded_real(parameters, "spacing", 0, kNoLimit);
+  if (metres) run.frame = Frame::world;
+  return std::make_unique<VehicleProblem>(std::move(command), std::move(vehicle));
+}
+
+}  // namespace
+
+const ProblemKind& vehicle_kind() {
+  static const ProblemKind kKind{
+      .format = kPlanFormat, .wrote = of_vehicle, .again = vehicle_again};
+  return kKind;
+}
+
+int run_command(const VehicleCommand& command) {
+  if (!command.queries.empty()) return run_vehicle_batch(command);
+  VehicleProblem problem(command);
+  return run(problem);
+}
+
+}  // namespace lasius::tool
