@@ -19,7 +19,9 @@ namespace lasius {
 
 /// What is asked.
 struct TourRequest {
-  std::vector<Cell> stops;   ///< each to be visited once, at its centre
+  std::vector<Cell> stops;  ///< each to be visited once, at its centre
+  /// Stops as points of the map, on free cells or their borders; then `stops` are not looked at.
+  std::vector<Point> points = {};
   bool open = false;         ///< no way back to the first stop
   std::optional<int> start;  ///< index of the first stop; none: any
   std::optional<int> goal;   ///< of the last one, of an open tour; none: any

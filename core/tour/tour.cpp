@@ -31,15 +31,29 @@ constexpr int kBoundRounds = 10;
 constexpr double kOrderShare = 0.6, kGivenOrderShare = 0.8;
 constexpr double kMostTarget = 1e6;  // of a target, in bounds
 
+std::vector<Point> points_of(const TourRequest& request) {
+  if (!request.points.empty()) return request.points;
+  std::vector<Point> points;
+  for (const Cell c : request.stops) points.push_back(centre(c));
+  return points;
+}
+
+// As it was given.
+std::string stop_name(const TourRequest& request, int i) {
+  if (!request.points.empty()) return pair_text(request.points[i].x, request.points[i].y);
+  return pair_text(request.stops[i].x, request.stops[i].y);
+}
+
 // The stops that a tour visits, by their index in the request.
-std::vector<int> visited(const Planner& planner, const TourRequest& request, TourResult& tour) {
-  const int n = static_cast<int>(request.stops.size());
+std::vector<int> visited(const Planner& planner, const TourRequest& request,
+                         std::span<const Point> points, TourResult& tour) {
+  const int n = static_cast<int>(points.size());
   std::vector<std::vector<int>> regions;
   std::vector<int> region_of(n, -1);
   for (int i = 0; i < n; ++i) {
-    const Cell c = request.stops[i];
-    if (!planner.clear(c)) continue;
-    const auto joined = [&](const auto& r) { return planner.joined(request.stops[r.front()], c); };
+    const Point p = points[i];
+    if (!planner.clear_at(p)) continue;
+    const auto joined = [&](const auto& r) { return planner.joined_at(points[r.front()], p); };
     const auto region = std::find_if(regions.begin(), regions.end(), joined);
     region_of[i] = static_cast<int>(region - regions.begin());
     if (region == regions.end())
@@ -54,10 +68,12 @@ std::vector<int> visited(const Planner& planner, const TourRequest& request, Tou
   if (request.start && region_of[*request.start] >= 0) chosen = region_of[*request.start];
   for (int i = 0; i < n; ++i) {
     if (region_of[i] == chosen && !regions.empty()) continue;
-    const Cell c = request.stops[i];
-    tour.left_out.push_back({i, "stop " + number_text(i) + " at " + pair_text(c.x, c.y) +
-                                    (!planner.grid().contains(c) ? " is outside the map"
-                                     : region_of[i] < 0          ? " is blocked"
+    const Point p = points[i];
+    const Grid& map = planner.grid();
+    const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
+    tour.left_out.push_back({i, "stop " + number_text(i) + " at " + stop_name(request, i) +
+                                    (!inside            ? " is outside the map"
+                                     : region_of[i] < 0 ? " is blocked"
                                                         : " cannot be reached from the others")});
     if (i == request.start || i == request.goal) tour.error = tour.left_out.back().why;
   }
@@ -213,31 +229,28 @@ std::optional<double> TourResult::gap() const {
 
 TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                      const TourObserver& observer) {
-  check(request, static_cast<int>(request.stops.size()));
+  const std::vector<Point> points = points_of(request);
+  check(request, static_cast<int>(points.size()));
   TourResult tour;
-  const std::vector<int> indices = visited(unprepared, request, tour);
+  const std::vector<int> indices = visited(unprepared, request, points, tour);
   const int n = static_cast<int>(indices.size());
   if (n == 0 || !tour.error.empty()) {
     const auto bad = [&](const std::optional<int>& end) {
-      return end && !unprepared.clear(request.stops[*end]);
+      return end && !unprepared.clear_at(points[*end]);
     };
     const bool apart = !tour.error.empty() && !bad(request.start) && !bad(request.goal);
     tour.status = apart ? Status::unreachable : Status::invalid;
     if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
     return tour;
   }
-  std::vector<Cell> stops;
   std::vector<Point> places;
-  for (const int i : indices) {
-    stops.push_back(request.stops[i]);
-    places.push_back(centre(stops.back()));
-  }
+  for (const int i : indices) places.push_back(points[i]);
   const auto inner = [&](const std::optional<int>& end) {
     return end ? static_cast<int>(std::find(indices.begin(), indices.end(), *end) - indices.begin())
                : -1;
   };
   const tour::Ends ends{request.open, inner(request.start), inner(request.goal)};
-  const PartialOrder given = given_order(request, indices, static_cast<int>(request.stops.size()));
+  const PartialOrder given = given_order(request, indices, static_cast<int>(points.size()));
 
   const bool prepares = n >= kPrepared && unprepared.robot().radius == 0 &&
                         unprepared.preparation().state == Preparation::State::none;
@@ -249,7 +262,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
     return tour;
   }
 
-  tour::MapPricer pricer(planner, stops, request.stop);
+  tour::MapPricer pricer(planner, places, request.stop);
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
   const Preparation& prepared = planner.preparation();
@@ -257,7 +270,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                         planner.robot().radius == 0 && n <= kSearchedAtOnce &&
                         prepared.edges <= kEdgesOfStop * n;
   if (n <= kPricedAtOnce || searched) {
-    if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
+    if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
       if (n <= tour::kMostBySubsets) exact_lengths = *lengths;
       tour.priced = std::int64_t{n} * (n - 1) / 2;
@@ -286,7 +299,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                  const int a = tour.order[i], b = tour.order[(i + 1) % n];
                  // Never cut short: once there is an order, what stops the search leaves it its
                  // legs.
-                 Result leg = planner.plan({.start = request.stops[a], .goal = request.stops[b]},
+                 Result leg = planner.plan({.start_point = points[a], .goal_point = points[b]},
                                            exact, &workspaces[thread]);
                  tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
                });

@@ -306,7 +306,8 @@ class CostPlanner:
 
 def tour(
     planner: Planner,
-    stops: npt.NDArray[np.int32],
+    cells: npt.NDArray[np.int32],
+    points: npt.NDArray[np.float64],
     open: bool,
     start: Optional[int],
     goal: Optional[int],

@@ -31,8 +31,10 @@ class Tour(ProgramTest):
         self.assertEqual([(leg["from"], leg["to"]) for leg in legs], list(zip(order, following)) if order[1:] else [])
         for leg in legs:
             for end, stop in ((0, leg["from"]), (-1, leg["to"])):
-                self.assertEqual(leg["path"][end], [c + 0.5 for c in stops[stop]])
-            self.assertAlmostEqual(leg["length"], sum(map(math.dist, leg["path"], leg["path"][1:])), places=9)
+                at = stops[stop]
+                self.assertEqual(leg["path"][end], at if any(isinstance(c, float) for c in at) else [c + 0.5 for c in at])
+            polyline = sum(map(math.dist, leg["path"], leg["path"][1:]))  # of a disc's curve a little longer
+            self.assertAlmostEqual(leg["length"], polyline, places=2 if result["parameters"]["radius"] else 9)
         self.assertAlmostEqual(result["length"], sum(leg["length"] for leg in legs), places=9)
         self.assertLessEqual(result["lower_bound"], result["length"])
         return result
@@ -68,6 +70,23 @@ class Tour(ProgramTest):
             plan = self.plan("--algorithm", "exact", "--json", start=ends[0], goal=ends[1]).json
             self.assertAlmostEqual(leg["length"], plan["length"], places=12)
 
+    def test_points(self):
+        self.write("p.tsv", "x y\n0.25 0\n9.75 5.5\n9 0\n0,5\n3.0 2.5\n")
+        self.write("p.geojson", json.dumps({"type": "MultiPoint", "coordinates": [
+            [0.25, 0], [9.75, 5.5], [9, 0], [0, 5], [3.0, 2.5]]}))
+        for name in ("p.tsv", "p.geojson"):
+            for more in ([], ["--radius", "0.25"]):
+                with self.subTest((name, more)):
+                    run = self.check(self.tour("--json", *more, "--start", "9.75,5.5", "--goal", "1.5,0.5", stops=name,
+                                               map_file="small.map").json)
+                    self.assertEqual(run["stops"], [[0.25, 0.0], [9.75, 5.5], [9, 0], [0, 5], [3.0, 2.5], [1.5, 0.5]])
+                    self.assertEqual((run["start"], run["goal"], run["order"][0], run["order"][-1]), ([9.75, 5.5], [1.5, 0.5], 1, 5))
+                    self.assertEqual([one["stop"] for one in run["left_out"]], [0, 4] if more else [])
+                    self.ended(self.replay_of(run), 0)
+        self.ended(self.tour("--start", "3.5,2.25", stops="p.tsv", map_file="small.map"), 4, "start (3.5, 2.25) is blocked")
+        self.write("one.tsv", "0.25 1.75\n")
+        self.assertEqual(self.ended(self.tour(stops="one.tsv"), 0).out, "solved\n0\n0.25 1.75\n")
+
     def test_one_stop(self):
         self.write("s.tsv", "3,4\n")
         run = self.tour("--json", stops="s.tsv").json
@@ -88,7 +107,11 @@ class Tour(ProgramTest):
                            ("g.geojson", json.dumps({"type": "FeatureCollection", "features": features}))):
             with self.subTest(name):
                 self.write(name, text)
-                stops = self.tour("--json", stops=name).json["stops"]
+                run = self.tour("--json", stops=name).json
+                stops = run["stops"]
+                if name in ("c.csv", "e.json"):  # a pair is a point as a whole
+                    self.assertEqual([type(x) for x in stops[0] + stops[1]], [float] * 2 + [int] * 2)
+                    stops = [[math.floor(x) for x in stop] for stop in stops]
                 self.assertEqual(stops, cells[:1] if name == "f.geojson" else cells)
 
     def test_broken_stops(self):
@@ -99,7 +122,6 @@ class Tour(ProgramTest):
                 ("a.tsv", "x y\n1 2\n1\n", ["line 3", "1 field, but the first line has 2"]),
                 ("a.tsv", "x y\n1 2\n1 b\n", ["line 3", "y is 'b'", "finite number"]),
                 ("a.tsv", "x y\n1 2\n1 nan\n", ["line 3", "y is 'nan'"]), ("a.tsv", "1\n", ["has no y"]),
-                ("a.tsv", "x y\n1.25 2\n", ["line 2", "(1.25, 2) is no middle of a cell", "--frame world"]),
                 ("a.json", "[[1, 2],\n [3]]", ["line 2", "[1] is no [x, y]"]),
                 ("a.json", "[[1, 2],\n3}", ["line 2: this is not JSON, in or behind stop 1"]), ("a.json", "[]", ["holds no stop"]),
                 ("a.json", "[[1, 2],\n[3, 4]\n[5, 6]]", ["line 3: this is not JSON, in or behind stop 1"]),
@@ -238,7 +260,7 @@ class Tour(ProgramTest):
         self.ended(self.replay_of(result), 0)
         result["length"] += 1
         self.ended(self.replay_of(result), 1, "length")
-        for wrong, words in (({"stops": []}, "no list of stops"), ({"stops": [[0.5, 0]]}, "is no cell"),
+        for wrong, words in (({"stops": []}, "no list of stops"), ({"stops": [["a", 0]]}, "\"stops\""),
                              ({"start": "a"}, "\"start\"")):
             self.ended(self.replay_of({**result, **wrong}), 3, words)
         other = self.tour("--json", "--start", "20,3", "--goal", "21,3", "--radius", "0.4").json
@@ -265,8 +287,15 @@ class Tour(ProgramTest):
         self.assertEqual(result["stops_world"], [[-0.8, -1.8], [3.2, 1.2]])
         self.assertAlmostEqual(result["length"], 20, places=9)
         self.assertAlmostEqual(result["length_m"], 10, places=9)
-        self.assertEqual(result["legs"][0]["path_world"][0], [-0.75, -1.75])
+        self.assertEqual(result["legs"][0]["path_world"], [[-0.8, -1.8], [3.2, 1.2]])
+        self.assertEqual(result["parameters"]["ends"], "points")
         self.ended(self.replay_of(result), 0)
+        ends = self.tour("--frame", "world", "--json", "--start=-0.8,-1.8", "--goal", "0.1,-0.2", "--radius", "0.1",
+                         "-o", "w.csv", stops="m.tsv", map_file="world.yaml").json
+        self.assertEqual((ends["start_world"], ends["goal_world"], len(ends["stops"])), ([-0.8, -1.8], [0.1, -0.2], 3))
+        self.assertEqual((self.rows("w.csv")[0], self.rows("w.csv")[-1]),
+                         ({"x_m": "-0.8", "y_m": "-1.8"}, {"x_m": "0.1", "y_m": "-0.2"}))
+        self.ended(self.replay_of(ends), 0)
         self.ended(self.tour("--frame", "world", stops="m.tsv", map_file="world.yaml"), 0, "proven shortest")
 
     def test_files(self):

@@ -70,8 +70,9 @@ Json cell_json(const Place& place, bool in_metres = false);
 
 /// The options of the question that a result answers. @throws UsageError, Error
 RunOptions recorded_run(const Recorded& from);
-/// A place of a result: a cell, or in metres. @throws UsageError
-Point recorded_place(const Json& result, const std::string& keys, bool cell);
+/// A start or goal of a result, by its key; a list of them. @throws UsageError, Error
+End recorded_end(const Json& result, const std::string& key);
+std::vector<End> recorded_ends(const Json& result, const std::string& key);
 /// The question that a result answers. @throws UsageError, Error
 PlanCommand recorded_plan(const Recorded& from);
 

@@ -133,7 +133,7 @@ struct DriveCommand : PlanCommand {
 
 /// Stops of a tour, and what is given of their order. The lists are one entry a stop, or empty.
 struct TourStops {
-  std::vector<Point> points = {};            ///< as PlanCommand has its ends
+  std::vector<End> points = {};
   std::vector<std::string> names = {};       ///< empty text: without a name
   std::vector<std::vector<int>> after = {};  ///< stops that come before each
   std::vector<int> loads = {};
@@ -148,7 +148,7 @@ struct TourCommand {
   TourStops stops = {};  ///< without a file
   bool open = false;
   std::optional<int> capacity = {};
-  std::optional<Point> start = {}, goal = {};
+  std::optional<End> start = {}, goal = {};
   int generations = 20;
 };
 

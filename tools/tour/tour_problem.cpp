@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <chrono>
+#include <utility>
 
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
@@ -33,8 +33,8 @@ class TourProblem : public Problem {
     if (command_.capacity && command_.stops.loads.empty())
       throw UsageError("--capacity " + std::to_string(*command_.capacity) +
                        ": no stop has a load; give the stops a \"load\", or leave it out");
-    for (const Point stop : command_.stops.points)
-      answer_.stops.push_back(to_place(answer_.map, stop, run.frame));
+    for (const End& stop : command_.stops.points)
+      answer_.stops.push_back(lasius::tool::end_place(answer_.map, stop, run.frame));
     answer_.start = index_of(command_.start);
     answer_.goal = index_of(command_.goal);
     note_map(answer_.map, run);
@@ -47,13 +47,13 @@ class TourProblem : public Problem {
     if (!answer_.map.planner) return;
     const Planner& planner = *answer_.map.planner;
     TourRequest request = request_of(command_, stop);
-    for (const Place& place : answer_.stops) request.stops.push_back(place.cell);
+    for (const Place& place : answer_.stops) request.points.push_back(place.at());
     request.start = answer_.start;
     request.goal = answer_.goal;
     request.after = command_.stops.after;
     request.load = command_.stops.loads;
-    if (!request.after.empty()) request.after.resize(request.stops.size());
-    if (!request.load.empty()) request.load.resize(request.stops.size());
+    if (!request.after.empty()) request.after.resize(request.points.size());
+    if (!request.load.empty()) request.load.resize(request.points.size());
     if (request.goal && request.goal == request.start) {  // there and back
       request.open = false;
       request.goal.reset();
@@ -70,10 +70,13 @@ class TourProblem : public Problem {
       tour = plan_tour(planner, request, observer);
       answer_.elapsed_ms = ms_since(begin);
     });
-    for (LeftOut& out : tour.left_out) out.why = why_left_out(out.stop);
+    for (LeftOut& out : tour.left_out) {
+      const std::string said = std::exchange(out.why, why_left_out(out.stop));
+      if (tour.error == said) tour.error = out.why;
+    }
     for (const auto& [end, key] : {std::pair(answer_.start, true), {answer_.goal, false}})
       if (end && tour.status == Status::invalid && answer_.ends.fault == Fault::none)
-        look_at_end(place_at(*end).cell, key);
+        look_at_end(place_at(*end), key);
   }
   Record record() const override {
     const TourResult& tour = answer_.tour;
@@ -88,10 +91,15 @@ class TourProblem : public Problem {
     add_parameters(record.parameters, command_);
     record.elapsed_ms = answer_.elapsed_ms;
     std::vector<Point> path;
-    for (const TourLeg& leg : tour.legs)
-      path.insert(path.end(), leg.path.begin() + (path.empty() ? 0 : 1), leg.path.end());
-    if (path.empty() && !tour.order.empty()) path = {centre(place_at(tour.order.front()).cell)};
-    record.path = coordinates(in_metres() ? answer_.map.to_world(path) : path);
+    for (const TourLeg& leg : tour.legs) {
+      const std::vector<Point> told = in_metres() ? metres_of(leg) : leg.path;
+      path.insert(path.end(), told.begin() + (path.empty() ? 0 : 1), told.end());
+    }
+    if (path.empty() && !tour.order.empty()) {
+      const Place& only = place_at(tour.order.front());
+      path = {in_metres() ? only.asked : only.at()};
+    }
+    record.path = coordinates(path);
     if (!command_.run.json)
       for (const LeftOut& out : tour.left_out)
         if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
@@ -112,11 +120,11 @@ class TourProblem : public Problem {
   const Place& end_place(const std::optional<int>& end) const {
     return end ? place_at(*end) : answer_.stops.front();
   }
-  /// Of the stop in the same cell, which is added where there is none.
-  std::optional<int> index_of(const std::optional<Point>& end) {
+  /// Of the stop at the same place, which is added where there is none.
+  std::optional<int> index_of(const std::optional<End>& end) {
     if (!end) return std::nullopt;
-    const Place place = to_place(answer_.map, *end, command_.run.frame);
-    const auto same = [&](const Place& stop) { return stop.number == place.number; };
+    const Place place = lasius::tool::end_place(answer_.map, *end, command_.run.frame);
+    const auto same = [&](const Place& stop) { return stop.at() == place.at(); };
     const auto found = std::ranges::find_if(answer_.stops, same);
     const auto index = static_cast<int>(found - answer_.stops.begin());
     if (found == answer_.stops.end()) answer_.stops.push_back(place);
@@ -126,18 +134,19 @@ class TourProblem : public Problem {
     const Frame frame = command_.run.frame;
     const Place& place = place_at(stop);
     const std::string text = "stop " + std::to_string(stop) + " at " + place_text(place, frame);
-    if (answer_.map.planner->clear(place.cell)) return text + " cannot be reached from the others";
+    if (answer_.map.planner->clear_at(place.at()))
+      return text + " cannot be reached from the others";
     const bool curved = route_of(answer_.map, command_.run).curved;
     return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved));
   }
   /// Asks for what `plan` says of an invalid end; nothing where it is none.
-  void look_at_end(Cell end, bool start) {
+  void look_at_end(const Place& end, bool start) {
     const Planner& planner = *answer_.map.planner;
-    if (planner.clear(end)) return;
-    Cell other = end;
+    if (planner.clear_at(end.at())) return;
+    Place other = end;
     for (const Place& stop : answer_.stops)
-      if (!start && planner.clear(stop.cell)) other = stop.cell;
-    const Request ends{.start = start ? end : other, .goal = end};
+      if (!start && planner.clear_at(stop.at())) other = stop;
+    const Request ends = lasius::tool::request_of(answer_.map, command_.run, other, end);
     Result said = planner.plan(ends, command_.run.params);
     if (said.status == Status::invalid) answer_.ends = std::move(said);
   }
@@ -152,6 +161,13 @@ class TourProblem : public Problem {
     const auto gap = tour.gap();
     return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
   }
+  /// In metres; from stop to stop as these were given.
+  std::vector<Point> metres_of(const TourLeg& leg) const {
+    std::vector<Point> path = answer_.map.to_world(leg.path);
+    path.front() = place_at(leg.from).asked;
+    path.back() = place_at(leg.to).asked;
+    return path;
+  }
   Json legs_json() const {
     Json legs = Json::array();
     for (const TourLeg& leg : answer_.tour.legs) {
@@ -159,7 +175,7 @@ class TourProblem : public Problem {
                       {"to", leg.to},
                       {"length", number(leg.length)},
                       {"path", points(leg.path)}});
-      if (in_metres()) legs.back()["path_world"] = points(answer_.map.to_world(leg.path));
+      if (in_metres()) legs.back()["path_world"] = points(metres_of(leg));
     }
     return legs;
   }
@@ -168,7 +184,7 @@ class TourProblem : public Problem {
     const bool found = record.has_path();
     Json json = Json::object(), world;
     for (const Place& stop : answer_.stops) {
-      json["stops"].push_back(cell_json(stop));
+      json["stops"].push_back(cell_json(stop, in_metres()));
       world.push_back(point(stop.asked));
     }
     if (in_metres()) {
@@ -210,12 +226,9 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
     return tsplib_problem(std::move(command));
   }
   command.run = recorded_run(from);
-  const bool metres = command.run.frame == Frame::world;
-  const std::string stops = metres ? "stops_world" : "stops";
-  const Json& list = value_at(result, stops);
-  if (!list.is_array() || list.empty()) throw UsageError("\"" + stops + "\" is no list of stops");
-  for (std::size_t i = 0; i < list.size(); ++i)
-    command.stops.points.push_back(recorded_place(Json{{stops, list[i]}}, stops, !metres));
+  const Json& list = value_at(result, "stops");
+  if (!list.is_array() || list.empty()) throw UsageError("\"stops\" is no list of stops");
+  command.stops.points = recorded_ends(result, "stops");
   const auto given = [&](const char* key, auto& value) {
     if (result.contains(key))
       value = recorded<std::remove_reference_t<decltype(value)>>(result, key);
@@ -227,8 +240,7 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
     command.capacity = static_cast<int>(
         recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
   for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
-    if (!value_at(result, key).is_null())
-      *end = recorded_place(result, metres ? key + std::string("_world") : key, !metres);
+    if (!value_at(result, key).is_null()) *end = recorded_end(result, key);
   return std::make_unique<TourProblem>(std::move(command));
 }
 

@@ -45,8 +45,9 @@ Subcommand add_tour(CLI::App& app) {
       "Visit many stops of a map in a short order, with a bound that no order is below");
   table.file(
       "--stops", text->stops_file,
-      "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, or "
-      "metres with --frame world; with \"name\", \"after\" (names that come before) and \"load\"",
+      "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, points "
+      "with decimals, or metres with --frame world; with \"name\", \"after\" (names that come "
+      "before) and \"load\"",
       {".tsv", ".json", ".geojson"});
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
   table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
@@ -120,7 +121,7 @@ Subcommand add_tour(CLI::App& app) {
         for (const auto& [option, given, end] :
              {std::tuple("--start", &text->start_text, &tour.start),
               std::tuple("--goal", &text->goal_text, &tour.goal)})
-          if (!given->empty()) *end = end_value(option, *given, run.frame, run.map.file);
+          if (!given->empty()) *end = point_value(option, *given, run.frame);
         return run_command(tour);
       });
 }

@@ -68,6 +68,50 @@ TEST(Distances, OfAPreparedMapAreByOneSearchASource) {
   }
 }
 
+TEST(Distances, AndToursOfPoints) {
+  const Planner plain(rooms());
+  for (const Planner& planner :
+       {plain, plain.prepared({.threads = 1}), Planner(rooms(), Disc{0.4})}) {
+    std::vector<Point> points;
+    unsigned word = 7;
+    while (points.size() < 20) {  // a seventh of a cell apart: corners and borders among them
+      word = word * 1664525u + 1013904223u;
+      const Point p{(word >> 8) % 420 / 7.0, (word >> 17) % 280 / 7.0};
+      if (planner.clear_at(p)) points.push_back(p);
+    }
+    const Params exact("exact");
+    const auto all = planner.distances(points, points, 2);
+    ASSERT_TRUE(all);
+    for (std::size_t a = 0; a < points.size(); ++a)
+      for (std::size_t b = 0; b < points.size(); ++b) {
+        const Result found =
+            planner.plan({.start_point = points[a], .goal_point = points[b]}, exact);
+        EXPECT_EQ(planner.joined_at(points[a], points[b]), !found.path.empty());
+        EXPECT_NEAR((*all)[a * points.size() + b], found.length, 1e-9 * (1 + found.length));
+      }
+    TourRequest request;
+    request.points = points;
+    request.points.push_back({30.5, 3.25});  // in a wall
+    request.points.push_back({60.01, 3});
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_EQ(tour.order.size(), points.size());
+    ASSERT_EQ(tour.left_out.size(), 2U);
+    EXPECT_EQ(tour.left_out[0].why, "stop 20 at (30.5, 3.25) is blocked");
+    EXPECT_EQ(tour.left_out[1].why, "stop 21 at (60.01, 3) is outside the map");
+    for (const TourLeg& leg : tour.legs) {
+      EXPECT_EQ(leg.path.front(), points[leg.from]);
+      EXPECT_EQ(leg.path.back(), points[leg.to]);
+    }
+    EXPECT_LE(*tour.lower_bound, tour.length);
+    EXPECT_LT(*tour.gap(), 0.05);
+  }
+  EXPECT_THROW(
+      static_cast<void>(plain.distances(std::vector<Point>{{30.5, 3}}, std::vector<Point>{{1, 1}})),
+      Error);
+  EXPECT_FALSE(plain.clear_at({30.5, 3.5}));
+  EXPECT_TRUE(plain.clear_at({30, 3.5}));  // the border of a free cell
+}
+
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
   const Planner planner(rooms());
   int cases = 0;
@@ -115,7 +159,10 @@ TEST(Tours, AStoppedPricerMakesNoLegCheaper) {
   const auto stops = some_stops(planner.grid(), 30);
   std::stop_source source;
   source.request_stop();
-  tour::MapPricer pricer(planner, stops, {.token = source.get_token()}), asked(planner, stops, {});
+  std::vector<Point> points;
+  for (const Cell c : stops) points.push_back(centre(c));
+  tour::MapPricer pricer(planner, points, {.token = source.get_token()}),
+      asked(planner, points, {});
   for (int a = 0; a < 30; ++a)
     for (int b = 0; b < a; ++b) EXPECT_GE(pricer.price(a, b), asked.price(a, b));
   // Those that nobody priced are told apart by straight distances.
