@@ -11,8 +11,10 @@
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/planner.h"
+#include "lasius/search_result.h"
 #include "lasius/status.h"
 #include "lasius/stop.h"
+#include "lasius/tour/ants.h"
 #include "lasius/tsplib.h"
 
 namespace lasius {
@@ -34,6 +36,10 @@ struct TourRequest {
   /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone. Where
   /// the order is given in part: each 1000 steps, and 10 a stop, unless there is a deadline.
   int generations = 20;
+  /// Who finds the order: `exact` the search that is told of here, others a colony, in place of all
+  /// of it, also of few stops; at most 2000, whose legs are all priced first. Where the order is
+  /// given in part, ants step to stops that it allows alone, without local search.
+  tour::AntParams ants = {};
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
   int threads = 0;        ///< that legs are planned on; never changes the tour
   /// Ends the search with the best order so far, whose legs are planned all the same; without any
@@ -68,6 +74,7 @@ struct TourResult {
   /// Proven shortest, up to the rounding of sums: up to 12 stops, and where the gap is 0.
   bool optimal = false;
   std::vector<LeftOut> left_out;  ///< by rising stop
+  Convergence run = {};           ///< of ants, in cells: a path is a tour
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound
 };
 

@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/tour/ants/ant_colony.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"
 #include "core/tour/order/partial_order.h"
@@ -80,6 +81,8 @@ std::vector<int> visited(const Planner& planner, const TourRequest& request,
   return regions.empty() ? std::vector<int>{} : regions[chosen];
 }
 
+bool by_ants(const TourRequest& request) { return request.ants.algorithm() != "exact"; }
+
 struct Ordered {
   tour::OrderFound found;
   std::int64_t bound = 0;
@@ -112,13 +115,24 @@ PartialOrder given_order(const TourRequest& request, const std::vector<int>& ind
   return {n, relation, std::move(loads), request.capacity.value_or(PartialOrder::kUnlimited)};
 }
 
+// `cause`: what ended the search for the order.
+Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
+  if (cause == StopCondition::Cause::none) cause = stop.poll();
+  return cause == StopCondition::Cause::token      ? Status::interrupted
+         : cause == StopCondition::Cause::deadline ? Status::limit
+                                                   : Status::solved;
+}
+
 // Of a tour that has no order: why.
-void tell_no_order(const PartialOrder& given, const tour::Ends& ends, bool proven,
-                   std::span<const int> named, TourResult& tour) {
+void tell_no_order(const PartialOrder& given, const tour::Ends& ends, const tour::OrderFound& found,
+                   std::span<const int> named, bool ants, TourResult& tour) {
+  const bool proven = found.optimal;
   const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
   tour.status = proven ? Status::unreachable : Status::no_path;
+  if (found.cause != StopCondition::Cause::none) tour.status = status_after(found.cause, {});
   const std::string capacity = "the capacity of " + number_text(given.capacity());
   tour.error = (proven ? "no order keeps " : "no order was found that keeps ") + capacity;
+  if (ants) tour.error = "no ant has come to all stops";
   for (int v = 0; v < static_cast<int>(named.size()); ++v)
     if (given.load(v) > given.capacity()) tour.error = stop(v) + " alone exceeds " + capacity;
   if (ends.start >= 0 && !given.previous(ends.start).empty())
@@ -132,7 +146,7 @@ void tell_no_order(const PartialOrder& given, const tour::Ends& ends, bool prove
 // An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
 Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<const Point> places,
                         const PartialOrder& given, const TourRequest& request, double scale,
-                        const TourObserver& observer, std::span<const int> named,
+                        const TourObserver& observer, std::span<const int> named, TourResult& tour,
                         bool symmetric = true) {
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
@@ -153,7 +167,10 @@ Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<co
       return observer(told, static_cast<double>(cost) / scale);
     };
   Poller poller(request.stop);
+  const bool ants = by_ants(request);
   const auto bound_of = [&](const tour::OrderFound& found) {
+    if (ants && costs.size() <= tour::kMostBySubsets)
+      return tour::cost_of(costs, tour::subset_order(costs, ends, given), ends.open);
     if (found.order.empty() || (found.optimal && !costs.priced_late())) return found.cost;
     if (!symmetric) return std::int64_t{0};
     return tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
@@ -165,9 +182,17 @@ Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<co
     early.bound = bound_of(early.found);
     options.target = static_cast<std::int64_t>(static_cast<double>(early.bound) *
                                                std::min(1 + request.target_gap, kMostTarget));
-    if (early.found.order.empty() || early.found.cost <= options.target) return early;
+    if (!ants && (early.found.order.empty() || early.found.cost <= options.target)) return early;
   }
-  Ordered ordered{.found = find_order(costs, ends, places, options)};
+  Ordered ordered;
+  if (ants) {
+    ordered.found = find_order_by_ants(costs, ends, symmetric, request.ants, request.threads,
+                                       options, tour.run);
+    for (auto* lengths : {&tour.run.best, &tour.run.mean})
+      for (double& length : *lengths) length /= scale;
+  } else {
+    ordered.found = find_order(costs, ends, places, options);
+  }
   ordered.bound = bound_of(ordered.found);
   return ordered;
 }
@@ -186,6 +211,7 @@ void check(const TourRequest& request, int n) {
     if (end && (*end < 0 || *end >= n))
       throw Error(ErrorCode::invalid_parameter, "there is no stop " + number_text(*end),
                   "give the index of one, from 0");
+  validate(request.ants);
   if (request.generations < 0)
     throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
                 "give 0 or more");
@@ -208,14 +234,6 @@ void check(const TourRequest& request, int n) {
   if (!(request.target_gap >= 0))
     throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
                 "give 0 or more");
-}
-
-// `cause`: what ended the search for the order.
-Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
-  if (cause == StopCondition::Cause::none) cause = stop.poll();
-  return cause == StopCondition::Cause::token      ? Status::interrupted
-         : cause == StopCondition::Cause::deadline ? Status::limit
-                                                   : Status::solved;
 }
 
 }  // namespace
@@ -269,20 +287,21 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   const bool searched = prepared.state == Preparation::State::ready &&
                         planner.robot().radius == 0 && n <= kSearchedAtOnce &&
                         prepared.edges <= kEdgesOfStop * n;
-  if (n <= kPricedAtOnce || searched) {
+  const bool ants = by_ants(request);
+  if (n <= kPricedAtOnce || searched || (ants && n <= tour::kMostForAnts)) {
     if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
-      if (n <= tour::kMostBySubsets) exact_lengths = *lengths;
+      if (n <= tour::kMostBySubsets && !ants) exact_lengths = *lengths;
       tour.priced = std::int64_t{n} * (n - 1) / 2;
     }
   }
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
   auto [found, bound] =
-      order_and_bound(costs, ends, places, given, request, tour::kGrains, observer, indices);
+      order_and_bound(costs, ends, places, given, request, tour::kGrains, observer, indices, tour);
   if (matrix.empty()) tour.priced = pricer.priced();
   if (found.order.empty()) {
-    tell_no_order(given, ends, found.optimal, indices, tour);
+    tell_no_order(given, ends, found, indices, ants, tour);
     return tour;
   }
   const bool proven = !exact_lengths.empty();
@@ -331,12 +350,12 @@ TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
     ends = {true, 0, n - 1};
     given = {n, relation};
   }
-  auto [found, bound] = order_and_bound(costs, ends, problem.places, given, request, 1, observer,
-                                        all, !problem.ordered);
   TourResult tour;
+  auto [found, bound] = order_and_bound(costs, ends, problem.places, given, request, 1, observer,
+                                        all, tour, !problem.ordered);
   tour.priced = std::int64_t{n} * (n - 1) / (problem.ordered ? 1 : 2);
   if (found.order.empty()) {
-    tell_no_order(given, ends, found.optimal, all, tour);
+    tell_no_order(given, ends, found, all, by_ants(request), tour);
     return tour;
   }
   tour.status = status_after(found.cause, request.stop);

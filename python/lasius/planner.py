@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
 from .arguments import explained
-from .arrays import Cell, End, IntArray, flags_of, int_rows
+from .arrays import Cell, End, IntArray, flags_of, int_rows, unmasked
 from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole

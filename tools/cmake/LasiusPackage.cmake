@@ -83,6 +83,8 @@ function(lasius_install_package)
   install(FILES ${headers}
     ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/lasius/tour
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
 
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
   configure_package_config_file(${LASIUS_CMAKE_DIR}/lasius-config.cmake.in
