@@ -143,7 +143,10 @@ class Tour(ProgramTest):
                 (self.tour("--capacity", "-1"), "--capacity"),
                 (self.tour(stops="group.geojson"), "\"group\" is not planned yet"),
                 (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
-                (self.tour("--algorithm", "mmas"), "shortest paths, by exact"),
+                (self.tour("--algorithm", "fan2004"), "fan2004 plans", "not over stops"),
+                (self.tour("--algorithm", "mmas", "--set", "greedy=0.5"), "mmas has no parameter \"greedy\""),
+                (self.tour("--set", "alpha=2"), "exact has no parameter \"alpha\"", "as"),
+                (self.tour("--algorithm", "as", "--set", "local_search=lk"), "local_search is \"lk\"", "two-edges"),
                 (self.tour("--goal-tolerance", "2"), "leaves out what it cannot reach"),
                 (self.tour("--seed", "1-3"), "one tour has one seed"), (self.tour("--generations", "-1"), "--generations"),
                 (self.tour("--start", "1"), "--start"), (self.tour("-o", "a.gif"), ".gif"),
@@ -265,6 +268,36 @@ class Tour(ProgramTest):
             self.ended(self.replay_of({**result, **wrong}), 3, words)
         other = self.tour("--json", "--start", "20,3", "--goal", "21,3", "--radius", "0.4").json
         self.ended(self.replay_of(other), 0)
+
+    def test_ants(self):
+        stops = self.many()
+        best = self.tour("--json", stops=stops).json["length"]
+        self.write("pairs.tsv", "x\ty\tname\tafter\n" + "".join(
+            f"{i}\t{7 * i % 19}\t{i}\t{i - 1 if i % 2 else ''}\n" for i in range(16)))
+        for family in ("as", "eas", "ras", "mmas", "acs"):
+            with self.subTest(family):
+                ask = ("--algorithm", family, "--iterations", "20", "--json")
+                plain = self.check(self.quiet(self.tour(*ask, stops=stops)).json)
+                self.assertEqual((plain["algorithm"], plain["parameters"]["iterations"], plain["iterations"]), (family, 20, 20))
+                self.assertEqual((len(plain["best"]), plain["parameters"]["local_search"]), (20, "none"))
+                self.assertAlmostEqual(plain["best"][-1], plain["length"], delta=0.1)  # thousandths of a cell a leg
+                self.assertEqual(plain["best"], sorted(plain["best"], reverse=True))
+                self.ended(self.replay_of(plain), 0)
+                better = self.check(self.tour(*ask, "--ants", "10", "--set", "local_search=three-edges", "--threads", "2",
+                                              stops=stops).json)
+                self.assertLess(better["length"], 1.02 * best)
+                self.assertLess(better["length"], plain["length"])
+                self.ended(self.replay_of({**better, "threads": 1}), 0)
+                given = self.check(self.tour(*ask, "--open", "--start", "0,0", stops="pairs.tsv").json)
+                place = {stop: i for i, stop in enumerate(given["order"])}
+                self.assertTrue(all(place[i] < place[i + 1] for i in range(0, 16, 2)))
+                self.write("box.tsp", TSPLIB)
+                box = self.run_program("tour", "box.tsp", *ask).json
+                self.assertEqual((box["length"], box["lower_bound"], box["algorithm"]), (14, 14, family))
+                self.ended(self.replay_of(box), 0)
+        run = self.tour("--algorithm", "as", "--iterations", "0", "--json")
+        self.ended(run, 6, "no ant has come to all stops")
+        self.ended(self.tour("--ants", "3"), 0, "--ants has no effect: exact has no such parameter")
 
     def test_limits(self):
         stops = self.many()

@@ -126,9 +126,13 @@ Json cell_json(const Place& place, bool in_metres) {
 bool MapEnds::curved() const { return route_of(map, run).curved; }
 
 Record map_record(const MapEnds& ends, const SearchResult& result) {
+  return map_record(ends, result, find_algorithm(ends.run.params.algorithm()));
+}
+
+Record map_record(const MapEnds& ends, const SearchResult& result, const Algorithm& algorithm) {
   const RunOptions& run = ends.run;
   Record record{.options = run,
-                .algorithm = find_algorithm(run.params.algorithm()),
+                .algorithm = algorithm,
                 .start = cell_json(ends.start, ends.in_metres()),
                 .goal = cell_json(ends.goal, ends.in_metres()),
                 .parameters = {},
@@ -219,10 +223,14 @@ std::vector<End> recorded_ends(const Json& result, const std::string& key) {
 }
 
 RunOptions recorded_run(const Recorded& from) {
+  const auto name = recorded<std::string>(from.result, "algorithm");
+  return recorded_run(from, find_algorithm(algorithm_of(bitmaps(), name)));
+}
+
+RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm) {
   const Json& result = from.result;
   RunOptions run;
-  const auto name = recorded<std::string>(result, "algorithm");
-  read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
+  read_recorded(from, algorithm, run);
   run.params = make_params<Params>(run, bitmaps());
   run.map.file = from.map_file();
   run.map.radius = recorded<double>(result, "parameters/radius");

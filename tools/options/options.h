@@ -13,6 +13,7 @@
 
 #include "lasius/geometry.h"
 #include "lasius/params.h"
+#include "lasius/tour/ants.h"
 
 namespace lasius::tool {
 
@@ -143,7 +144,8 @@ struct TourCommand {
   static constexpr int kMostGenerations = 1'000'000;
   static constexpr int kMostLoad = 1'000'000;  ///< of a stop; of the capacity
 
-  RunOptions run = {};  ///< its map may be a problem of TSPLIB
+  RunOptions run = {};        ///< its map may be a problem of TSPLIB; its `params` are of legs
+  tour::AntParams ants = {};  ///< who finds the order
   std::string stops_file = {};
   TourStops stops = {};  ///< without a file
   bool open = false;

@@ -82,7 +82,8 @@ class TourProblem : public Problem {
     const TourResult& tour = answer_.tour;
     const MapEnds ends(answer_.map, command_.run, end_place(answer_.start), end_place(answer_.goal),
                        answer_.ends);
-    Record record = map_record(ends, search_result(tour));
+    Record record =
+        map_record(ends, search_result(tour), tour::find_algorithm(command_.ants.algorithm()));
     record.format = kTourFormat;
     if (answer_.ends.fault == Fault::none) record.error = tour.error;
     record.inputs = {{"map", map_json(answer_.map)}};
@@ -205,6 +206,7 @@ class TourProblem : public Problem {
     for (const LeftOut& out : tour.left_out)
       json["left_out"].push_back({{"stop", out.stop}, {"why", out.why}});
     json["priced"] = tour.priced;
+    add_course(json, record);
     if (answer_.ends.fault != Fault::none) json.update(end_findings(ends));
     return json;
   }
@@ -219,13 +221,21 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   command.open = recorded<bool>(result, "parameters/open");
   command.generations = static_cast<int>(
       recorded_integer(result, "parameters/generations", 0, TourCommand::kMostGenerations));
-  if (is_tsplib(recorded<std::string>(result, "map/file"))) {
-    read_recorded(from, find_algorithm(kTourAlgorithm), command.run);
-    command.run.params = make_params<Params>(command.run, bitmaps());
+  const Algorithm& algorithm = *std::ranges::find(
+      tour::algorithms(), algorithm_of(tour_kind(), recorded<std::string>(result, "algorithm")),
+      &Algorithm::name);
+  RunOptions asked;
+  read_recorded(from, algorithm, asked);
+  const bool tsplib = is_tsplib(recorded<std::string>(result, "map/file"));
+  if (tsplib) {
+    command.run = asked;
     command.run.map.file = from.map_file();
-    return tsplib_problem(std::move(command));
+  } else {
+    command.run = recorded_run(from, find_algorithm(kLegAlgorithm));
+    static_cast<SearchOptions&>(command.run) = asked;
   }
-  command.run = recorded_run(from);
+  choose_ants(command);
+  if (tsplib) return tsplib_problem(std::move(command));
   const Json& list = value_at(result, "stops");
   if (!list.is_array() || list.empty()) throw UsageError("\"stops\" is no list of stops");
   command.stops.points = recorded_ends(result, "stops");
@@ -247,7 +257,17 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
 }  // namespace
 
 const ProblemKind& tour_kind() {
-  static const ProblemKind kKind{.format = kTourFormat, .again = tour_again};
+  static const ProblemKind kKind{
+      .key = "tour_algorithms",
+      .title = "Stops, by `lasius tour MAP` and `lasius tour PROBLEM.tsp`",
+      .plans = "over stops",
+      .advice = "; ask it with lasius tour",
+      .commands = {"tour"},
+      .algorithms = tour::algorithms(),
+      .default_text = default_text<tour::AntParams>,
+      .formulas = formulas_of<tour::AntParams>,
+      .format = kTourFormat,
+      .again = tour_again};
   return kKind;
 }
 
@@ -257,6 +277,7 @@ TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
   TourRequest request;
   request.open = command.open || command.goal;
   request.seed = command.run.seed;
+  request.ants = command.ants;
   request.generations = command.generations;
   request.capacity = command.capacity;
   request.target_gap = command.run.target_gap;
@@ -265,8 +286,23 @@ TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
   return request;
 }
 
+void choose_ants(TourCommand& command) {
+  RunOptions& run = command.run;
+  command.ants = make_params<tour::AntParams>(run, tour_kind());
+  SearchOptions legs;
+  legs.algorithm = kLegAlgorithm;
+  legs.seed = run.seed;
+  legs.threads = run.threads;
+  run.params = make_params<Params>(legs, bitmaps());
+}
+
+void add_course(Json& json, const Record& record) {
+  if (record.algorithm.kind == Algorithm::Kind::colony) json::add_convergence(json, record.result);
+}
+
 SearchResult search_result(const TourResult& tour) {
   SearchResult result;
+  static_cast<lasius::Convergence&>(result) = tour.run;
   result.status = tour.status;
   if (tour.status == Status::limit) result.limit = Limit::time;
   result.error = tour.error;

@@ -4,6 +4,7 @@
 
 #include "tools/command_line/map_options.h"
 #include "tools/console/kinds.h"
+#include "tools/console/parameters.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/tour/tour_kind.h"
@@ -81,7 +82,9 @@ Subcommand add_tour(CLI::App& app) {
       {.examples = {{"lasius tour maps/grid30a.map --stops stops.tsv -o tour.png",
                      "a closed tour, and a picture of it"},
                     {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
-                     "from the depot to the last stop"}},
+                     "from the depot to the last stop"},
+                    {"lasius tour kroA100.tsp --algorithm mmas --set local_search=three-edges",
+                     "a published colony, whose ants' tours are improved"}},
        .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
@@ -100,16 +103,21 @@ Subcommand add_tour(CLI::App& app) {
         if (table.given("--goal-tolerance"))
           throw UsageError(
               "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
-        if (run.algorithm.empty()) run.algorithm = kTourAlgorithm;
-        if (algorithm_of(bitmaps(), run.algorithm) != kTourAlgorithm)
-          throw UsageError("--algorithm " + run.algorithm +
-                           ": legs of tours are shortest paths, by exact; leave it out");
         if (is_tsplib(run.map.file))
           check_tsplib(table, run);
         else
           require("", "--stops", tour.stops_file);
         if (table.given("--capacity")) tour.capacity = text->capacity_given;
+        const SearchOptions asked = run;
+        run.algorithm = kLegAlgorithm;
+        run.settings.clear();
+        run.named.clear();
         finish_run(run);
+        run.algorithm = asked.algorithm;
+        run.settings = asked.settings;
+        run.named = asked.named;
+        refuse_repeats(run.settings);
+        choose_ants(tour);
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +
                            ": one tour has one seed; a range is for plan");

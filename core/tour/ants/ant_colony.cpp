@@ -1,6 +1,7 @@
 #include "core/tour/ants/ant_colony.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "core/base/number_text.h"
@@ -184,7 +185,8 @@ class AntColony final : public ColonyWorld {
   struct Walker {
     kernels::RandomStream random{0, 0, 0};
     std::vector<int> order = {};
-    std::vector<char> closed = {};  // visited, or the goal before its turn
+    std::vector<char> closed = {};  // visited, or the goal, which has its turn at last
+    std::vector<int> left = {};     // rising; those that are closed since go at the next look
     std::vector<int> missing = {};  // of what comes before each stop; empty where nothing is given
     std::int64_t carried = 0;
   };
@@ -206,9 +208,10 @@ class AntColony final : public ColonyWorld {
   double measured(const std::vector<int>& order) const {
     return static_cast<double>(std::max<std::int64_t>(1, cost_of(costs_, order, ends_.open)));
   }
-  bool open_to(const Walker& walker, int stop) const {
-    return walker.closed[stop] == 0 && (walker.missing.empty() || walker.missing[stop] == 0) &&
-           walker.carried + given_.load(stop) <= given_.capacity();
+  /// Of a stop that is not visited.
+  bool allowed(const Walker& walker, int stop) const {
+    return (walker.missing.empty() || walker.missing[stop] == 0) &&
+           (!given_.limited() || walker.carried + given_.load(stop) <= given_.capacity());
   }
   StopCondition::Cause lose_all(StopCondition::Cause cause) {
     for (AntTour& tour : tours_.ants) tour.length = kNaN;
@@ -221,6 +224,8 @@ class AntColony final : public ColonyWorld {
                      kUse};
     walker.order.clear();
     walker.closed.assign(static_cast<std::size_t>(n_), 0);
+    walker.left.resize(static_cast<std::size_t>(n_));
+    std::iota(walker.left.begin(), walker.left.end(), 0);
     walker.carried = 0;
     if (given_.has_relation()) {
       walker.missing.resize(static_cast<std::size_t>(n_));
@@ -231,7 +236,7 @@ class AntColony final : public ColonyWorld {
     if (ends_.start >= 0 && (ends_.open || !given_.any_order())) return visit(walker, ends_.start);
     std::vector<int> firsts;
     for (int v = 0; v < n_; ++v)
-      if (open_to(walker, v)) firsts.push_back(v);
+      if (walker.closed[v] == 0 && allowed(walker, v)) firsts.push_back(v);
     if (!firsts.empty())
       visit(walker, firsts[walker.random.below(static_cast<int>(firsts.size()))]);
   }
@@ -245,9 +250,10 @@ class AntColony final : public ColonyWorld {
   /// One step; false where there is none.
   bool go_on(Walker& walker, std::vector<double>& room) {
     if (walker.order.empty()) return false;
-    if (ends_.goal >= 0 && static_cast<int>(walker.order.size()) == n_ - 1)
-      walker.closed[ends_.goal] = 0;
-    const int from = walker.order.back(), to = chosen(walker, from, room);
+    const bool last = static_cast<int>(walker.order.size()) == n_ - 1;
+    const int from = walker.order.back();
+    const int to = last && ends_.goal >= 0 ? (allowed(walker, ends_.goal) ? ends_.goal : -1)
+                                           : chosen(walker, from, room);
     if (to < 0) return false;
     visit(walker, to);
     if (stepwise_) pass({from, to});
@@ -261,19 +267,24 @@ class AntColony final : public ColonyWorld {
     room.clear();
     if (nearest_) {
       const auto near = nearest_->of(from);
-      for (const auto& leg : near) room.push_back(open_to(walker, leg.to) ? weights[leg.to] : 0);
+      for (const auto& leg : near)
+        room.push_back(walker.closed[leg.to] == 0 && allowed(walker, leg.to) ? weights[leg.to] : 0);
       const int k = kernels::proportional_choice(room, params_.greedy, word);
       if (k >= 0) return near[k].to;
       room.clear();
     }
-    int any = -1;  // where all weights have underflowed
-    for (int v = 0; v < n_; ++v) {
-      const bool open = open_to(walker, v);
-      if (open && any < 0) any = v;
-      room.push_back(open ? weights[v] : 0);
+    std::erase_if(walker.left, [&](int v) { return walker.closed[v] != 0; });
+    const bool all = walker.missing.empty() && !given_.limited();
+    room.resize(walker.left.size());
+    for (std::size_t i = 0; i < room.size(); ++i) {
+      const int v = walker.left[i];
+      room[i] = all || allowed(walker, v) ? weights[v] : 0;
     }
     const int k = kernels::proportional_choice(room, nearest_ ? 1 : params_.greedy, word);
-    return k >= 0 ? k : any;
+    if (k >= 0) return walker.left[k];
+    for (const int v : walker.left)  // all weights have underflowed
+      if (allowed(walker, v)) return v;
+    return -1;
   }
 
   void improve(Walker& walker, Poller& poller) {
