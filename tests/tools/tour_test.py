@@ -4,6 +4,7 @@ import json
 import math
 import unittest
 
+from layers import pgm
 from program import MAPS, ProgramTest
 
 FREE = "type octile\nheight 20\nwidth 30\nmap\n" + ("." * 30 + "\n") * 20
@@ -268,6 +269,29 @@ class Tour(ProgramTest):
             self.ended(self.replay_of({**result, **wrong}), 3, words)
         other = self.tour("--json", "--start", "20,3", "--goal", "21,3", "--radius", "0.4").json
         self.ended(self.replay_of(other), 0)
+
+    def test_costs(self):
+        self.write("dear.pgm", pgm([[200 if 8 <= x < 12 and y < 15 else 0 for x in range(30)] for y in range(20)]))
+        over = ("--cost", "dear.pgm*0.05", "--inflation", "3,1,5")
+        run = self.check(self.quiet(self.tour("--json", *over)).json)
+        self.assertEqual(list(run)[-3:], ["priced", "layers", "elapsed_ms"])
+        self.assertEqual(run["layers"][0]["factor"], 0.05)
+        self.assertAlmostEqual(run["cost"], sum(leg["cost"] for leg in run["legs"]), places=9)
+        self.assertGreater(run["cost"], run["length"])
+        self.assertLessEqual(run["lower_bound"], run["cost"])
+        self.assertAlmostEqual(run["gap"], (run["cost"] - run["lower_bound"]) / run["lower_bound"], places=9)
+        cost = {}
+        for a, b in itertools.combinations(range(4), 2):
+            plan = self.run_program("plan", "free.map", "--start", "{},{}".format(*run["stops"][a]), "--goal",
+                                    "{},{}".format(*run["stops"][b]), "--json", *over).json
+            cost[a, b] = cost[b, a] = plan["cost"]
+        best = min(sum(cost[p[i - 1], p[i]] for i in range(4)) for p in itertools.permutations(range(4)))
+        self.assertLessEqual(run["lower_bound"], best + 1e-9)
+        self.assertLessEqual(run["cost"], 1.003 * best)
+        self.ended(self.replay_of(run), 0)
+        self.ended(self.tour(*over), 0, "4 stops, 6 legs priced; cost ", "no order is below")
+        self.write("box.tsp", TSPLIB)
+        self.refused(self.run_program("tour", "box.tsp", "--cost", "dear.pgm"), 2, "--cost is for maps")
 
     def test_ants(self):
         stops = self.many()

@@ -111,15 +111,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
 void add_costs(Record& record, Json& findings, const LoadedCosts& costs, const Answer& answer) {
   record.gap = answer.over_costs ? answer.over_costs->gap() : std::nullopt;
   record.cost = answer.over_costs ? answer.over_costs->cost : std::nan("");
-  Json& layers = findings["layers"] = Json::array();
-  for (std::size_t i = 0; i < costs.hashes.size(); ++i)
-    layers.push_back({{"file", costs.asked.layers[i].file},
-                      {"hash", hash_text(costs.hashes[i])},
-                      {"factor", number(costs.asked.layers[i].factor)}});
-  if (const auto& inflation = costs.inflation)
-    record.parameters["inflation"] = {number(inflation->radius), number(inflation->scaling),
-                                      number(inflation->weight)};
-  if (costs.asked.eight_moves) record.parameters["moves"] = 8;
+  add_layers(record, findings, costs);
 }
 
 /// Where the weights of a proof come from.
@@ -184,6 +176,18 @@ std::string unlike_radius(const Json& result) {
   return "version " + version +
          " kept a radius by half a cell's diagonal less; plan it anew, the radius asked is now the "
          "radius kept";
+}
+
+void add_layers(Record& record, Json& findings, const LoadedCosts& costs) {
+  Json& layers = findings["layers"] = Json::array();
+  for (std::size_t i = 0; i < costs.hashes.size(); ++i)
+    layers.push_back({{"file", costs.asked.layers[i].file},
+                      {"hash", hash_text(costs.hashes[i])},
+                      {"factor", number(costs.asked.layers[i].factor)}});
+  if (const auto& inflation = costs.inflation)
+    record.parameters["inflation"] = {number(inflation->radius), number(inflation->scaling),
+                                      number(inflation->weight)};
+  if (costs.asked.eight_moves) record.parameters["moves"] = 8;
 }
 
 void note_map(const LoadedMap& map, RunOptions& run) {

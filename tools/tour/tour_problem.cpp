@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tools/bitmap/answer.h"
@@ -28,6 +29,8 @@ class TourProblem : public Problem {
     RunOptions& run = command_.run;
     answer_.map = load_map(run.map, run.frame, run.params.corners, run.threads, token);
     run.inputs.push_back(answer_.map.image);
+    if (const auto& costs = answer_.map.costs)
+      run.inputs.insert(run.inputs.end(), costs->images.begin(), costs->images.end());
     check_radius(answer_.map, run);
     if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
     if (command_.capacity && command_.stops.loads.empty())
@@ -58,16 +61,18 @@ class TourProblem : public Problem {
       request.open = false;
       request.goal.reset();
     }
-    const double scale = answer_.map.length_in(run.frame, 1);
+    const CostPlanner* const over = answer_.map.costs ? &*answer_.map.costs->planner : nullptr;
+    const double scale = over != nullptr ? 1 : answer_.map.length_in(run.frame, 1);
     TourObserver observer;
     if (watch)
       observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
-        watch(++told, best_text(scale * length, unit()));
+        watch(++told, best_text(scale * length, over != nullptr ? "" : unit()));
         return true;
       };
     in_metres_asked(answer_.map, run, [&] {
       const auto begin = Clock::now();
-      tour = plan_tour(planner, request, observer);
+      tour = over != nullptr ? plan_tour(*over, request, observer)
+                             : plan_tour(planner, request, observer);
       answer_.elapsed_ms = ms_since(begin);
     });
     for (LeftOut& out : tour.left_out) {
@@ -106,7 +111,13 @@ class TourProblem : public Problem {
         if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
           record.remarks.push_back(out.why + ": left out");
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
-    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
+    Json findings = Json::object();
+    if (answer_.map.costs) {
+      record.cost = tour.cost.value_or(std::nan(""));
+      record.gap = tour.gap();
+      add_layers(record, findings, *answer_.map.costs);
+    }
+    if (wants_json(command_.run)) record.answer = answer_of(ends, record, findings);
     return record;
   }
   Forms show(const Record&) const override {
@@ -155,10 +166,12 @@ class TourProblem : public Problem {
     const TourResult& tour = answer_.tour;
     std::string text = counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", " +
                        counted(tour.priced, "leg") + " priced";
-    if (tour.optimal) return text + "; proven shortest";
+    if (tour.cost) text += "; cost " + decimal_text(*tour.cost, 3);
+    if (tour.optimal) return text + (tour.cost ? "; proven cheapest" : "; proven shortest");
     if (!tour.lower_bound) return text;
-    text += "; no order is below " + decimal_text(record.scale * *tour.lower_bound, 3);
-    if (in_metres()) text += " m";
+    const double scale = tour.cost ? 1 : record.scale;
+    text += "; no order is below " + decimal_text(scale * *tour.lower_bound, 3);
+    if (in_metres() && !tour.cost) text += " m";
     const auto gap = tour.gap();
     return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
   }
@@ -176,11 +189,12 @@ class TourProblem : public Problem {
                       {"to", leg.to},
                       {"length", number(leg.length)},
                       {"path", points(leg.path)}});
+      if (answer_.tour.cost) legs.back()["cost"] = number(leg.cost);
       if (in_metres()) legs.back()["path_world"] = points(metres_of(leg));
     }
     return legs;
   }
-  Json answer_of(const MapEnds& ends, const Record& record) const {
+  Json answer_of(const MapEnds& ends, const Record& record, const Json& findings) const {
     const TourResult& tour = answer_.tour;
     const bool found = record.has_path();
     Json json = Json::object(), world;
@@ -201,12 +215,15 @@ class TourProblem : public Problem {
     json["legs"] = found ? legs_json() : Json();
     json["length"] = number(record.result.length);
     if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
+    if (answer_.map.costs) json["cost"] = optional_number(tour.cost);
     add_proof(json, record.result);
+    if (answer_.map.costs) json["gap"] = optional_number(tour.gap());
     json["left_out"] = Json::array();
     for (const LeftOut& out : tour.left_out)
       json["left_out"].push_back({{"stop", out.stop}, {"why", out.why}});
     json["priced"] = tour.priced;
     add_course(json, record);
+    json.update(findings);
     if (answer_.ends.fault != Fault::none) json.update(end_findings(ends));
     return json;
   }

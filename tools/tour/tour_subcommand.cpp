@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "tools/bitmap/cost_layers.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/kinds.h"
 #include "tools/console/parameters.h"
@@ -24,7 +25,7 @@ constexpr const char* kTourOutputs =
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
   for (const char* option : {"--stops", "--start", "--goal", "--capacity", "--frame", "--radius",
-                             "--unknown-free", "--prepare", "--corners"})
+                             "--unknown-free", "--prepare", "--corners", "--cost", "--inflation"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
@@ -76,6 +77,7 @@ Subcommand add_tour(CLI::App& app) {
                    .json = "Print one JSON object",
                    .outputs = kTourOutputs,
                    .endings = kTourEndings});
+  add_cost_options(table, text->run.map.costs);
   table["--gap"]->description("No effect: a tour always tells its certified gap");
   table["--goal-tolerance"]->group(kRefused);
   return table.command(
@@ -83,8 +85,8 @@ Subcommand add_tour(CLI::App& app) {
                      "a closed tour, and a picture of it"},
                     {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
                      "from the depot to the last stop"},
-                    {"lasius tour kroA100.tsp --algorithm mmas --set local_search=three-edges",
-                     "a published colony, whose ants' tours are improved"}},
+                    {"lasius tour maps/grid30a.map --stops stops.tsv --algorithm mmas --ants 10",
+                     "by a published colony"}},
        .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
@@ -126,6 +128,12 @@ Subcommand add_tour(CLI::App& app) {
           run.notes.emplace_back("--gap has no effect: a tour always tells its certified gap");
         }
         run.inputs.push_back(tour.stops_file);
+        const CostLayers& costs = run.map.costs;
+        for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
+        if (run.map.prepare && (!costs.layers.empty() || costs.inflation)) {
+          run.map.prepare = false;
+          run.notes.emplace_back("--prepare has no effect over costs");
+        }
         for (const auto& [option, given, end] :
              {std::tuple("--start", &text->start_text, &tour.start),
               std::tuple("--goal", &text->goal_text, &tour.goal)})

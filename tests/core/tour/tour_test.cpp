@@ -112,6 +112,59 @@ TEST(Distances, AndToursOfPoints) {
   EXPECT_TRUE(plain.clear_at({30, 3.5}));  // the border of a free cell
 }
 
+TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
+  Grid grid = rooms();
+  std::vector<double> weights;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) weights.push_back(1 + (x / 5 + y / 7) % 4);
+  const CostField field(60, 40, weights);
+  const CostPlanner planner(Planner(grid), field);
+  for (const int count : {1, 2, 5, 6})
+    for (const int kind : {0, 1, 2, 3}) {
+      if (count == 1 && kind == 3) continue;
+      TourRequest request = ask(some_stops(grid, count));
+      request.open = kind > 0;
+      if (kind > 1) request.start = 0;
+      if (kind > 2) request.goal = count - 1;
+      const TourResult tour = plan_tour(planner, request);
+      ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count));
+      double sum = 0;
+      for (const TourLeg& leg : tour.legs) {
+        EXPECT_EQ(leg.path.front(), centre(request.stops[leg.from]));
+        EXPECT_EQ(leg.path.back(), centre(request.stops[leg.to]));
+        EXPECT_NEAR(leg.length, path_length(leg.path), 1e-9);
+        sum += leg.cost;
+      }
+      EXPECT_EQ(*tour.cost, sum);
+      EXPECT_LE(*tour.lower_bound, sum);
+      EXPECT_LE(*tour.gap(), 0.0025);
+      std::vector<int> order(count);
+      std::vector<double> pair;
+      for (int i = 0; i < count; ++i) {
+        order[i] = i;
+        for (int k = 0; k < count; ++k)
+          pair.push_back(planner.plan({request.stops[i], request.stops[k]}).cost);
+      }
+      double best = std::numeric_limits<double>::infinity();
+      do {
+        if ((kind > 1 && order.front() != 0) || (kind > 2 && order.back() != count - 1)) continue;
+        double cost = 0;
+        for (int i = 1; i < count + (kind == 0 && count > 1); ++i)
+          cost += pair[order[i - 1] * count + order[i % count]];
+        best = std::min(best, cost);
+      } while (std::next_permutation(order.begin(), order.end()));
+      EXPECT_LE(sum, best * 1.003 + 1e-9);
+      EXPECT_LE(*tour.lower_bound, best + 1e-9);
+    }
+  TourRequest request = ask(some_stops(grid, 20));
+  request.stop.deadline = Clock::now();
+  const TourResult hurried = plan_tour(planner, request);
+  EXPECT_EQ(hurried.order.size(), 20U);
+  EXPECT_EQ(hurried.status, Status::limit);
+  EXPECT_EQ(hurried.legs.size(), 20U);
+  EXPECT_THROW(plan_tour(planner, ask(some_stops(grid, 201))), Error);
+}
+
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
   const Planner planner(rooms());
   int cases = 0;
