@@ -129,6 +129,8 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
     return tour;
   }
   tour.status = status_after(found.cause, request.stop);
+  if (tour.status == Status::solved && legs.priced() < n * (n - 1) / 2)
+    tour.status = Status::limit;  // which cut the legs' pricing short
   for (const int v : found.order) tour.order.push_back(stops.indices[v]);
   tour.cost = 0;
   const int count = n == 1 ? 0 : request.open ? n - 1 : n;
