@@ -35,35 +35,34 @@ void PreparedSearch::reach_all() {
   run(0, kNoBudget);
 }
 
-bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Cell cell,
+bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Point point,
                           const StopCondition& stop, Target& target) {
   Poller poller(stop);
-  begin(grid, graph, centre(cell), poller);
+  begin(grid, graph, point, poller);
   horizon_ = kInfinity;
   scan_start_view();
-  target = {{2 * cell.x + 1, 2 * cell.y + 1}, start_corners_};
+  target = {start_, start_corners_};
   poller_ = nullptr;
   return poller.stopped();
 }
 
-bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Cell start,
+bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Point start,
                                 std::span<const Target> targets, const StopCondition& stop,
                                 std::span<double> lengths) {
   Poller poller(stop);
-  begin(grid, graph, centre(start), poller);
-  const kernels::HalfPoint from{2 * start.x + 1, 2 * start.y + 1};
+  begin(grid, graph, start, poller);
   mode_ = Mode::all;
   reach_all();
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto& [at, corners] = targets[i];
     lengths[i] =
-        kernels::sees(map_, from, at) ? exact::distance(from.x, from.y, at.x, at.y) : kInfinity;
+        start_.sees(map_, at) ? exact::distance(start_.x, start_.y, at.x, at.y) : kInfinity;
     for (const std::uint32_t index : corners) {
       const Node& node = nodes_[index];
       if (node.stamp != stamp_) continue;
-      const kernels::HalfPoint corner{2 * graph_->corner(index).x(), 2 * graph_->corner(index).y()};
-      lengths[i] =
-          std::min(lengths[i], node.length + exact::distance(corner.x, corner.y, at.x, at.y));
+      const GraphCorner& corner = graph_->corner(index);
+      lengths[i] = std::min(
+          lengths[i], node.length + exact::distance(2 * corner.x(), 2 * corner.y(), at.x, at.y));
     }
     if (poller.stop_after(kWordsPerNode + static_cast<std::int64_t>(corners.size()))) break;
   }

@@ -11,6 +11,7 @@
 #include "core/base/poller.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact_answer.h"
+#include "core/exact/query_end.h"
 #include "kernels/sight/scan_cone.h"
 #include "kernels/sight/sight.h"
 
@@ -56,15 +57,15 @@ class PreparedSearch {
 
   /// A place, and the corners at which a shortest path to it may turn last.
   struct Target {
-    kernels::HalfPoint at;
+    QueryEnd at;
     std::vector<std::uint32_t> corners = {};
   };
-  /// The centre of a free cell as a target. Returns true if stopped.
-  bool view(const Grid& grid, const CornerGraph& graph, Cell cell, const StopCondition& stop,
+  /// A point of a free cell or its border as a target. Returns true if stopped.
+  bool view(const Grid& grid, const CornerGraph& graph, Point point, const StopCondition& stop,
             Target& target);
-  /// The lengths of shortest paths from the centre of a free cell to targets, by one search of all
-  /// corners; infinite where there is none. Returns true if stopped.
-  bool lengths_to(const Grid& grid, const CornerGraph& graph, Cell start,
+  /// The lengths of shortest paths from such a point to targets, by one search of all corners;
+  /// infinite where there is none. Returns true if stopped.
+  bool lengths_to(const Grid& grid, const CornerGraph& graph, Point start,
                   std::span<const Target> targets, const StopCondition& stop,
                   std::span<double> lengths);
 

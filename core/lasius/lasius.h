@@ -32,5 +32,6 @@
 #include "lasius/status.h"
 #include "lasius/stop.h"
 #include "lasius/tour.h"
+#include "lasius/tour/ants.h"
 #include "lasius/tsplib.h"
 #include "lasius/version.h"

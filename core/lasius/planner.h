@@ -114,6 +114,10 @@ class LASIUS_EXPORT Planner {
   /// Can it go from the centre of one cell to that of another, for `exact`? False proves that it
   /// cannot; for a point as `connected`.
   bool joined(Cell a, Cell b) const;
+  /// As `clear`, of a point: of a free cell or its border, a disc's where it keeps the radius.
+  bool clear_at(Point p) const;
+  /// As `joined`, of two points.
+  bool joined_at(Point a, Point b) const;
   /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell
   /// to that of another, whatever this planner's; nothing where not even a point can, or when
   /// stopped (ask its token), or one is outside. Makes a disc's free space for some 15 radii, plans
@@ -145,6 +149,10 @@ class LASIUS_EXPORT Planner {
   /// threads is out of range.
   std::optional<std::vector<double>> distances(std::span<const Cell> sources,
                                                std::span<const Cell> targets, int threads = 0,
+                                               const StopCondition& stop = {}) const;
+  /// The same between points.
+  std::optional<std::vector<double>> distances(std::span<const Point> sources,
+                                               std::span<const Point> targets, int threads = 0,
                                                const StopCondition& stop = {}) const;
 
   /// Answers one request.

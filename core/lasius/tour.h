@@ -8,18 +8,23 @@
 #include <string>
 #include <vector>
 
+#include "lasius/cost_planner.h"
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/planner.h"
+#include "lasius/search_result.h"
 #include "lasius/status.h"
 #include "lasius/stop.h"
+#include "lasius/tour/ants.h"
 #include "lasius/tsplib.h"
 
 namespace lasius {
 
 /// What is asked.
 struct TourRequest {
-  std::vector<Cell> stops;   ///< each to be visited once, at its centre
+  std::vector<Cell> stops;  ///< each to be visited once, at its centre
+  /// Stops as points of the map, on free cells or their borders; then `stops` are not looked at.
+  std::vector<Point> points = {};
   bool open = false;         ///< no way back to the first stop
   std::optional<int> start;  ///< index of the first stop; none: any
   std::optional<int> goal;   ///< of the last one, of an open tour; none: any
@@ -32,6 +37,10 @@ struct TourRequest {
   /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone. Where
   /// the order is given in part: each 1000 steps, and 10 a stop, unless there is a deadline.
   int generations = 20;
+  /// Who finds the order: `exact` the search that is told of here, others a colony, in place of all
+  /// of it, also of few stops; at most 2000, whose legs are all priced first. Where the order is
+  /// given in part, ants step to stops that it allows alone, without local search.
+  tour::AntParams ants = {};
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
   int threads = 0;        ///< that legs are planned on; never changes the tour
   /// Ends the search with the best order so far, whose legs are planned all the same; without any
@@ -46,6 +55,7 @@ struct TourLeg {
   int to = 0;               ///< stop
   double length = 0;        ///< cells, the shortest
   std::vector<Point> path;  ///< as Result::path
+  double cost = 0;          ///< over costs
 };
 
 /// A stop that no tour visits, and why, in a sentence.
@@ -61,11 +71,14 @@ struct TourResult {
   std::vector<int> order;             ///< stops; of a closed tour the first is not told again
   std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back
   double length = 0;                  ///< sum of the legs', cells
+  std::optional<double> cost = {};    ///< over costs, the sum of the legs'; then the bound is of it
   std::optional<double> lower_bound;  ///< no tour over these stops is shorter
-  std::optional<double> gap() const;  ///< (length - lower_bound) / lower_bound; 0 at length 0
+  /// (length - lower_bound) / lower_bound, over costs of the cost; 0 at 0.
+  std::optional<double> gap() const;
   /// Proven shortest, up to the rounding of sums: up to 12 stops, and where the gap is 0.
   bool optimal = false;
   std::vector<LeftOut> left_out;  ///< by rising stop
+  Convergence run = {};           ///< of ants, in cells: a path is a tour
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound
 };
 
@@ -84,6 +97,14 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
 /// that come before themselves, and where a number is out of range.
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
+                                   const TourObserver& observer = {});
+
+/// The same over costs, of at most 200 stops: legs are cheapest paths, each within 0.2% of its
+/// bound (or half the target gap), the order is of least cost, and bound and gap are of the cost,
+/// what is open of the legs included. All legs are priced at once, on all threads, in at most 0.7
+/// of the time to a deadline; the order is a shortest of those that are priced. An observer is told
+/// costs.
+LASIUS_EXPORT TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
                                    const TourObserver& observer = {});
 
 /// The same of a problem of TSPLIB: lengths are by its rounding, `request.stops` is not read, the

@@ -6,7 +6,7 @@
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "core/params/parameter_table.h"
-#include "core/plan/answer.h"
+#include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "lasius/planner.h"
 
@@ -18,8 +18,9 @@ namespace {
 constexpr std::int64_t kEdgesPerTarget = 3000;
 
 // By one search of all corners from each source.
-std::optional<std::vector<double>> searched(const Planner::Impl& map, std::span<const Cell> sources,
-                                            std::span<const Cell> targets, bool same, int threads,
+std::optional<std::vector<double>> searched(const Planner::Impl& map,
+                                            std::span<const Point> sources,
+                                            std::span<const Point> targets, bool same, int threads,
                                             const StopCondition& stop) {
   using exact::PreparedSearch;
   std::vector<PreparedSearch> searches(static_cast<std::size_t>(threads));
@@ -88,12 +89,26 @@ std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<co
 std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sources,
                                                       std::span<const Cell> targets, int threads,
                                                       const StopCondition& stop) const {
+  std::vector<Point> from, to;
+  for (const Cell c : sources) from.push_back(centre(c));
+  if (sources.data() == targets.data() && sources.size() == targets.size())
+    return distances(from, from, threads, stop);
+  for (const Cell c : targets) to.push_back(centre(c));
+  return distances(from, to, threads, stop);
+}
+
+std::optional<std::vector<double>> Planner::distances(std::span<const Point> sources,
+                                                      std::span<const Point> targets, int threads,
+                                                      const StopCondition& stop) const {
   check_threads(threads);
-  for (const auto cells : {sources, targets})
-    for (const Cell c : cells)
-      if (!clear(c))
-        throw Error(ErrorCode::invalid_parameter, "the cell " + cell_name(c) + " is no free cell",
+  for (const auto points : {sources, targets})
+    for (const Point p : points)
+      if (!clear_at(p)) {
+        const Asked end(impl_->map(), {}, p);
+        throw Error(ErrorCode::invalid_parameter,
+                    (end.is_point ? "the point " : "the cell ") + end.name() + " is not free",
                     "ask from and to free cells of the map");
+      }
   const bool same = sources.data() == targets.data() && sources.size() == targets.size();
   if (impl_->labels != nullptr)
     return merged(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
@@ -108,8 +123,9 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sour
   std::atomic<bool> stopped{false};
   parallel_for(rows, static_cast<int>(workspaces.size()), [&](int row, int thread) {
     for (std::size_t to = same ? row + 1 : 0; to < columns && !stopped; ++to) {
-      const Result found = plan({.start = sources[row], .goal = targets[to], .stop = stop}, params,
-                                &workspaces[thread]);
+      const Result found =
+          plan({.stop = stop, .start_point = sources[row], .goal_point = targets[to]}, params,
+               &workspaces[thread]);
       if (found.status == Status::limit || found.status == Status::interrupted) stopped = true;
       const double length =
           found.path.empty() ? std::numeric_limits<double>::infinity() : found.length;

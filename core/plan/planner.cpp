@@ -6,7 +6,7 @@
 #include "core/disc/disc_cells.h"
 #include "core/grid/grid_view.h"
 #include "core/grid/nearest_free.h"
-#include "core/plan/answer.h"
+#include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "core/plan/workspace.h"
 
@@ -94,6 +94,19 @@ const Grid& Planner::passable() const noexcept { return impl_->grid; }
 bool Planner::clear(Cell c) const noexcept {
   if (impl_->disc == nullptr || !impl_->disc->space) return impl_->grid.free(c);
   return impl_->disc->space->clear(centre(c));
+}
+
+bool Planner::clear_at(Point p) const {
+  const StopCondition never;
+  const PlanningMap map = impl_->planning_map(never);
+  return Ends(map, impl_->space(), Corners::forbid).serves({impl_->map(), {}, p});
+}
+
+bool Planner::joined_at(Point a, Point b) const {
+  if (!clear_at(a) || !clear_at(b)) return false;
+  const StopCondition never;
+  const PlanningMap map = impl_->planning_map(never);
+  return *Ends(map, impl_->space(), Corners::forbid).joined(a, b);
 }
 
 bool Planner::label(Corners corners, const StopCondition& stop) const {

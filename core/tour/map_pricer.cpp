@@ -9,7 +9,8 @@ Cost grains(double length) noexcept {
   return static_cast<Cost>(std::min<double>(kLargest, std::floor(length * (1 - 1e-9) * kGrains)));
 }
 
-MapPricer::MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop)
+MapPricer::MapPricer(const Planner& planner, std::span<const Point> stops,
+                     const StopCondition& stop)
     : planner_(planner), stops_(stops), stop_(stop) {
   const Grid& grid = planner.grid();
   dear_ -=
@@ -34,8 +35,8 @@ Cost MapPricer::price(int a, int b) {
   if (stopped_) return dear_ + straight(a, b);
   // From the lower stop: the same length, to the last bit, whoever asks first.
   const Result found = planner_.plan(
-      {.start = stops_[std::min(a, b)], .goal = stops_[std::max(a, b)], .stop = stop_}, params_,
-      &workspace_);
+      {.stop = stop_, .start_point = stops_[std::min(a, b)], .goal_point = stops_[std::max(a, b)]},
+      params_, &workspace_);
   stopped_ = found.status == Status::limit || found.status == Status::interrupted;
   if (stopped_ || found.path.empty()) return dear_ + straight(a, b);
   ++priced_;

@@ -23,7 +23,7 @@ class MapPricer final : public Pricer {
  public:
   static constexpr std::size_t kMostKept = 1'200'000;
 
-  MapPricer(const Planner& planner, std::span<const Cell> stops, const StopCondition& stop);
+  MapPricer(const Planner& planner, std::span<const Point> stops, const StopCondition& stop);
   Cost price(int a, int b) override;
   Cost lower(int a, int b) const override;
   Cost largest() const override { return kLargest; }
@@ -37,7 +37,7 @@ class MapPricer final : public Pricer {
   Cost straight(int a, int b) const noexcept;
 
   const Planner& planner_;
-  std::span<const Cell> stops_;
+  std::span<const Point> stops_;
   Cost dear_ = kLargest;  // and a straight distance: at most kLargest
   StopCondition stop_;
   Workspace workspace_;

@@ -1,25 +1,22 @@
 #include "lasius/tour.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "core/base/number_text.h"
 #include "core/base/parallel.h"
-#include "core/base/poller.h"
+#include "core/tour/ants/ant_colony.h"
 #include "core/tour/map_pricer.h"
-#include "core/tour/order/bound.h"
-#include "core/tour/order/partial_order.h"
-#include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
-#include "lasius/error.h"
+#include "core/tour/tour_steps.h"
 
 namespace lasius {
 
 namespace {
 
+using tour::Before;
 using tour::Cost;
 using tour::Costs;
+using tour::PartialOrder;
 
 constexpr int kPricedAtOnce = 100;  // stops
 // On a prepared map all are priced by one search a stop: up to so many, whose searches are of so
@@ -27,217 +24,23 @@ constexpr int kPricedAtOnce = 100;  // stops
 constexpr int kSearchedAtOnce = 1500;
 constexpr std::int64_t kEdgesOfStop = 500;
 constexpr int kPrepared = 30;  // stops for which preparing pays
-constexpr int kBoundRounds = 10;
-constexpr double kOrderShare = 0.6, kGivenOrderShare = 0.8;
-constexpr double kMostTarget = 1e6;  // of a target, in bounds
-
-// The stops that a tour visits, by their index in the request.
-std::vector<int> visited(const Planner& planner, const TourRequest& request, TourResult& tour) {
-  const int n = static_cast<int>(request.stops.size());
-  std::vector<std::vector<int>> regions;
-  std::vector<int> region_of(n, -1);
-  for (int i = 0; i < n; ++i) {
-    const Cell c = request.stops[i];
-    if (!planner.clear(c)) continue;
-    const auto joined = [&](const auto& r) { return planner.joined(request.stops[r.front()], c); };
-    const auto region = std::find_if(regions.begin(), regions.end(), joined);
-    region_of[i] = static_cast<int>(region - regions.begin());
-    if (region == regions.end())
-      regions.push_back({i});
-    else
-      region->push_back(i);
-  }
-  int chosen = 0;
-  for (int r = 1; r < static_cast<int>(regions.size()); ++r)
-    if (regions[r].size() > regions[chosen].size()) chosen = r;
-  if (request.goal && region_of[*request.goal] >= 0) chosen = region_of[*request.goal];
-  if (request.start && region_of[*request.start] >= 0) chosen = region_of[*request.start];
-  for (int i = 0; i < n; ++i) {
-    if (region_of[i] == chosen && !regions.empty()) continue;
-    const Cell c = request.stops[i];
-    tour.left_out.push_back({i, "stop " + number_text(i) + " at " + pair_text(c.x, c.y) +
-                                    (!planner.grid().contains(c) ? " is outside the map"
-                                     : region_of[i] < 0          ? " is blocked"
-                                                        : " cannot be reached from the others")});
-    if (i == request.start || i == request.goal) tour.error = tour.left_out.back().why;
-  }
-  return regions.empty() ? std::vector<int>{} : regions[chosen];
-}
-
-struct Ordered {
-  tour::OrderFound found;
-  std::int64_t bound = 0;
-};
-
-using tour::Before;
-using tour::PartialOrder;
-
-std::vector<Before> relation_of(const std::vector<std::vector<int>>& after) {
-  std::vector<Before> relation;
-  for (std::size_t b = 0; b < after.size(); ++b)
-    for (const int a : after[b]) relation.emplace_back(a, static_cast<int>(b));
-  return relation;
-}
-
-// What is given of the order of some of the stops, by their places among these.
-PartialOrder given_order(const TourRequest& request, const std::vector<int>& indices, int all) {
-  std::vector<Before> relation = relation_of(request.after);
-  std::vector<int> loads;
-  for (const int i : indices)
-    if (!request.load.empty()) loads.push_back(request.load[i]);
-  const int n = static_cast<int>(indices.size());
-  if (n != all) {  // over those that are left out, too
-    const PartialOrder of_all(all, relation);
-    relation.clear();
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b)
-        if (of_all.before(indices[a], indices[b])) relation.emplace_back(a, b);
-  }
-  return {n, relation, std::move(loads), request.capacity.value_or(PartialOrder::kUnlimited)};
-}
-
-// Of a tour that has no order: why.
-void tell_no_order(const PartialOrder& given, const tour::Ends& ends, bool proven,
-                   std::span<const int> named, TourResult& tour) {
-  const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
-  tour.status = proven ? Status::unreachable : Status::no_path;
-  const std::string capacity = "the capacity of " + number_text(given.capacity());
-  tour.error = (proven ? "no order keeps " : "no order was found that keeps ") + capacity;
-  for (int v = 0; v < static_cast<int>(named.size()); ++v)
-    if (given.load(v) > given.capacity()) tour.error = stop(v) + " alone exceeds " + capacity;
-  if (ends.start >= 0 && !given.previous(ends.start).empty())
-    tour.error = stop(ends.start) + " is the start, but " +
-                 stop(given.previous(ends.start).front()) + " comes before it";
-  else if (ends.goal >= 0 && !given.next(ends.goal).empty())
-    tour.error = stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
-                 " comes after it";
-}
-
-// An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
-Ordered order_and_bound(const Costs& costs, const tour::Ends& ends, std::span<const Point> places,
-                        const PartialOrder& given, const TourRequest& request, double scale,
-                        const TourObserver& observer, std::span<const int> named,
-                        bool symmetric = true) {
-  tour::OrderOptions options{.seed = request.seed,
-                             .generations = request.generations,
-                             .given = &given,
-                             .stop = request.stop};
-  if (request.stop.deadline != Clock::time_point::max()) {
-    const auto now = request.stop.now();
-    options.stop.deadline =
-        deadline_in((given.any_order() ? kOrderShare : kGivenOrderShare) *
-                        std::chrono::duration<double>(request.stop.deadline - now),
-                    now);
-  }
-  std::vector<int> told;
-  if (observer)
-    options.observer = [&](std::span<const int> order, std::int64_t cost) {
-      told.clear();
-      for (const int v : order) told.push_back(named[v]);
-      return observer(told, static_cast<double>(cost) / scale);
-    };
-  Poller poller(request.stop);
-  const auto bound_of = [&](const tour::OrderFound& found) {
-    if (found.order.empty() || (found.optimal && !costs.priced_late())) return found.cost;
-    if (!symmetric) return std::int64_t{0};
-    return tour_bound(costs, ends, places, found.cost, kBoundRounds, poller);
-  };
-  if (request.target_gap > 0) {  // the first tour's bound tells how short is short enough
-    tour::OrderOptions first = options;
-    first.generations = 0;
-    Ordered early{.found = find_order(costs, ends, places, first)};
-    early.bound = bound_of(early.found);
-    options.target = static_cast<std::int64_t>(static_cast<double>(early.bound) *
-                                               std::min(1 + request.target_gap, kMostTarget));
-    if (early.found.order.empty() || early.found.cost <= options.target) return early;
-  }
-  Ordered ordered{.found = find_order(costs, ends, places, options)};
-  ordered.bound = bound_of(ordered.found);
-  return ordered;
-}
-
-void check_circle(int n, const std::vector<Before>& relation) {
-  const std::vector<int> circle = tour::circle_of(n, relation);
-  if (circle.empty()) return;
-  std::string text = "the order is a circle: ";
-  for (const int stop : circle) text += "stop " + number_text(stop) + " before ";
-  throw Error(ErrorCode::invalid_parameter, text + "stop " + number_text(circle.front()),
-              "leave one of these out");
-}
-
-void check(const TourRequest& request, int n) {
-  for (const auto& end : {request.start, request.goal})
-    if (end && (*end < 0 || *end >= n))
-      throw Error(ErrorCode::invalid_parameter, "there is no stop " + number_text(*end),
-                  "give the index of one, from 0");
-  if (request.generations < 0)
-    throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
-                "give 0 or more");
-  const auto refuse = [](const std::string& problem, const std::string& remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
-  };
-  for (const auto& [lists, size] :
-       {std::pair("after", request.after.size()), {"load", request.load.size()}})
-    if (size != 0 && size != static_cast<std::size_t>(n))
-      refuse(std::string(lists) + " has " + number_text(size) + " entries",
-             "give one a stop, " + number_text(n));
-  for (const auto& before : request.after)
-    for (const int stop : before)
-      if (stop < 0 || stop >= n)
-        refuse("there is no stop " + number_text(stop) + " to come before another",
-               "give the index of one, from 0");
-  check_circle(n, relation_of(request.after));
-  if (request.capacity && *request.capacity < 0)
-    refuse("the capacity is " + number_text(*request.capacity), "give 0 or more");
-  if (!(request.target_gap >= 0))
-    throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
-                "give 0 or more");
-}
-
-// `cause`: what ended the search for the order.
-Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
-  if (cause == StopCondition::Cause::none) cause = stop.poll();
-  return cause == StopCondition::Cause::token      ? Status::interrupted
-         : cause == StopCondition::Cause::deadline ? Status::limit
-                                                   : Status::solved;
-}
 
 }  // namespace
 
 std::optional<double> TourResult::gap() const {
   if (!lower_bound || status == Status::invalid || order.empty()) return std::nullopt;
-  if (length == 0) return 0;
+  const double sum = cost.value_or(length);
+  if (sum == 0) return 0;
   if (*lower_bound <= 0) return std::nullopt;
-  return (length - *lower_bound) / *lower_bound;
+  return (sum - *lower_bound) / *lower_bound;
 }
 
 TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                      const TourObserver& observer) {
-  check(request, static_cast<int>(request.stops.size()));
   TourResult tour;
-  const std::vector<int> indices = visited(unprepared, request, tour);
+  const auto [points, indices, places, ends, given] = stops_of(unprepared, request, tour);
   const int n = static_cast<int>(indices.size());
-  if (n == 0 || !tour.error.empty()) {
-    const auto bad = [&](const std::optional<int>& end) {
-      return end && !unprepared.clear(request.stops[*end]);
-    };
-    const bool apart = !tour.error.empty() && !bad(request.start) && !bad(request.goal);
-    tour.status = apart ? Status::unreachable : Status::invalid;
-    if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
-    return tour;
-  }
-  std::vector<Cell> stops;
-  std::vector<Point> places;
-  for (const int i : indices) {
-    stops.push_back(request.stops[i]);
-    places.push_back(centre(stops.back()));
-  }
-  const auto inner = [&](const std::optional<int>& end) {
-    return end ? static_cast<int>(std::find(indices.begin(), indices.end(), *end) - indices.begin())
-               : -1;
-  };
-  const tour::Ends ends{request.open, inner(request.start), inner(request.goal)};
-  const PartialOrder given = given_order(request, indices, static_cast<int>(request.stops.size()));
+  if (n == 0) return tour;
 
   const bool prepares = n >= kPrepared && unprepared.robot().radius == 0 &&
                         unprepared.preparation().state == Preparation::State::none;
@@ -249,27 +52,28 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
     return tour;
   }
 
-  tour::MapPricer pricer(planner, stops, request.stop);
+  tour::MapPricer pricer(planner, places, request.stop);
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
   const Preparation& prepared = planner.preparation();
   const bool searched = prepared.state == Preparation::State::ready &&
                         planner.robot().radius == 0 && n <= kSearchedAtOnce &&
                         prepared.edges <= kEdgesOfStop * n;
-  if (n <= kPricedAtOnce || searched) {
-    if (const auto lengths = planner.distances(stops, stops, request.threads, request.stop)) {
+  const bool ants = by_ants(request);
+  if (n <= kPricedAtOnce || searched || (ants && n <= tour::kMostForAnts)) {
+    if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
-      if (n <= tour::kMostBySubsets) exact_lengths = *lengths;
+      if (n <= tour::kMostBySubsets && !ants) exact_lengths = *lengths;
       tour.priced = std::int64_t{n} * (n - 1) / 2;
     }
   }
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
-  auto [found, bound] =
-      order_and_bound(costs, ends, places, given, request, tour::kGrains, observer, indices);
+  auto [found, bound] = order_and_bound(costs, costs, ends, places, given, request, tour::kGrains,
+                                        observer, indices, tour);
   if (matrix.empty()) tour.priced = pricer.priced();
   if (found.order.empty()) {
-    tell_no_order(given, ends, found.optimal, indices, tour);
+    tell_no_order(given, ends, found, indices, ants, tour);
     return tour;
   }
   const bool proven = !exact_lengths.empty();
@@ -286,7 +90,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                  const int a = tour.order[i], b = tour.order[(i + 1) % n];
                  // Never cut short: once there is an order, what stops the search leaves it its
                  // legs.
-                 Result leg = planner.plan({.start = request.stops[a], .goal = request.stops[b]},
+                 Result leg = planner.plan({.start_point = points[a], .goal_point = points[b]},
                                            exact, &workspaces[thread]);
                  tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
                });
@@ -318,12 +122,12 @@ TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
     ends = {true, 0, n - 1};
     given = {n, relation};
   }
-  auto [found, bound] = order_and_bound(costs, ends, problem.places, given, request, 1, observer,
-                                        all, !problem.ordered);
   TourResult tour;
+  auto [found, bound] = order_and_bound(costs, costs, ends, problem.places, given, request, 1,
+                                        observer, all, tour, !problem.ordered);
   tour.priced = std::int64_t{n} * (n - 1) / (problem.ordered ? 1 : 2);
   if (found.order.empty()) {
-    tell_no_order(given, ends, found.optimal, all, tour);
+    tell_no_order(given, ends, found, all, by_ants(request), tour);
     return tour;
   }
   tour.status = status_after(found.cause, request.stop);

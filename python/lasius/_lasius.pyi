@@ -340,7 +340,8 @@ def vehicle_timed_poses(
 ) -> npt.NDArray[np.float64]: ...
 def tour(
     planner: Planner,
-    stops: npt.NDArray[np.int32],
+    cells: npt.NDArray[np.int32],
+    points: npt.NDArray[np.float64],
     open: bool,
     start: Optional[int],
     goal: Optional[int],

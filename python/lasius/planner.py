@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
 from .arguments import explained
-from .arrays import Cell, End, IntArray, flags_of, int_rows
+from .arrays import Cell, End, IntArray, flags_of, int_rows, unmasked
 from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole
@@ -259,10 +259,12 @@ class Planner:
         (True, 34.0, True)
         >>> planner.tour([[2, 2], [14, 7], [14, 2], [2, 7]], start=0, after={2: [1], 3: [2]}).order.tolist()
         [0, 1, 2, 3]
+        >>> planner.tour([[2.25, 2.0], [14.5, 2.0]], open=True).length
+        12.25
 
         Args:
-            stops: integers (n, 2), cells (x, y). Those that are outside, blocked, or not joined to the start (without
-                one: to most stops) are left out.
+            stops: integers (n, 2), cells (x, y), or floats, points as (12.5, 5.5), the centre of cell (12, 5). Those that
+                are outside, blocked, or not joined to the start (without one: to most stops) are left out.
             open: no way back to the first stop.
             start: index of the first stop; None: any.
             goal: of the last one, of an open tour; None: any.
@@ -278,14 +280,17 @@ class Planner:
         Raises:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
         """
-        cells = int_rows(stops, "stops")
-        before: List[List[int]] = [[] for _ in cells] if after else []
+        given = np.asarray(unmasked(stops, "stops"))
+        are_points = given.dtype.kind == "f" and given.size > 0
+        cells = int_rows([] if are_points else stops, "stops")
+        points = np.ascontiguousarray(given if are_points else np.empty((0, 2)), np.float64)
+        before: List[List[int]] = [[] for _ in given] if after else []
         for stop, earlier in (after or {}).items():
             if not 0 <= stop < len(before):
                 raise invalid(f"after: there is no stop {stop}", f"give indices of stops, 0 to {len(before) - 1}")
             before[stop] = list(earlier)
         error, fields = _lasius.tour(
-            self._raw, cells, open, start, goal, before, [] if load is None else list(load), capacity,
+            self._raw, cells, points, open, start, goal, before, [] if load is None else list(load), capacity,
             whole("seed", seed), generations, target_gap, whole("threads", threads), time_limit, observer,
         )
         return finish(error, TourResult(*fields))

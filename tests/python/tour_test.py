@@ -98,3 +98,10 @@ def test_of_a_disc():
     grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
     run = lasius.tour(grid, [[3, 3], [20, 3], [0, 0]], radius=2)
     assert run.length == 34 and list(run.left_out) == [2]
+
+
+def test_points() -> None:
+    planner = lasius.Planner(lasius.Grid(np.zeros((20, 30), np.uint8), free=0))
+    run = planner.tour([[0.25, 2.0], [12.5, 2.0], [30.0, 2.0]], open=True, start=0)
+    assert (run.order.tolist(), run.length) == ([0, 1, 2], 29.75)
+    assert planner.tour([[0.25, 2.0], [40.0, 2.0]]).left_out.keys() == {1}

@@ -20,7 +20,7 @@ class Study(ProgramTest):
         # The studies on polygons are there where polygons were built.
         self.assertEqual([name for name in names if name != "maklink"],
                          ["fan2004", "terminal-index", "cong2009", "lecture-grid",
-                          "neighbourhoods", "families", "goritov2020", "online"])
+                          "neighbourhoods", "families", "goritov2020", "online", "tours"])
 
     def test_refuses_what_it_does_not_know(self):
         self.refused(self.run_program("study", "fan2005", "-o", "out"), 2, "fan2004")

@@ -4,6 +4,7 @@ import json
 import math
 import unittest
 
+from layers import pgm
 from program import MAPS, ProgramTest
 
 FREE = "type octile\nheight 20\nwidth 30\nmap\n" + ("." * 30 + "\n") * 20
@@ -31,10 +32,12 @@ class Tour(ProgramTest):
         self.assertEqual([(leg["from"], leg["to"]) for leg in legs], list(zip(order, following)) if order[1:] else [])
         for leg in legs:
             for end, stop in ((0, leg["from"]), (-1, leg["to"])):
-                self.assertEqual(leg["path"][end], [c + 0.5 for c in stops[stop]])
-            self.assertAlmostEqual(leg["length"], sum(map(math.dist, leg["path"], leg["path"][1:])), places=9)
+                at = stops[stop]
+                self.assertEqual(leg["path"][end], at if any(isinstance(c, float) for c in at) else [c + 0.5 for c in at])
+            polyline = sum(map(math.dist, leg["path"], leg["path"][1:]))  # of a disc's curve a little longer
+            self.assertAlmostEqual(leg["length"], polyline, places=2 if result["parameters"]["radius"] else 9)
         self.assertAlmostEqual(result["length"], sum(leg["length"] for leg in legs), places=9)
-        self.assertLessEqual(result["lower_bound"], result["length"])
+        self.assertLessEqual(result["lower_bound"], result.get("cost", result["length"]))
         return result
 
     def test_worked_by_hand(self):
@@ -68,6 +71,23 @@ class Tour(ProgramTest):
             plan = self.plan("--algorithm", "exact", "--json", start=ends[0], goal=ends[1]).json
             self.assertAlmostEqual(leg["length"], plan["length"], places=12)
 
+    def test_points(self):
+        self.write("p.tsv", "x y\n0.25 0\n9.75 5.5\n9 0\n0,5\n3.0 2.5\n")
+        self.write("p.geojson", json.dumps({"type": "MultiPoint", "coordinates": [
+            [0.25, 0], [9.75, 5.5], [9, 0], [0, 5], [3.0, 2.5]]}))
+        for name in ("p.tsv", "p.geojson"):
+            for more in ([], ["--radius", "0.25"]):
+                with self.subTest((name, more)):
+                    run = self.check(self.tour("--json", *more, "--start", "9.75,5.5", "--goal", "1.5,0.5", stops=name,
+                                               map_file="small.map").json)
+                    self.assertEqual(run["stops"], [[0.25, 0.0], [9.75, 5.5], [9, 0], [0, 5], [3.0, 2.5], [1.5, 0.5]])
+                    self.assertEqual((run["start"], run["goal"], run["order"][0], run["order"][-1]), ([9.75, 5.5], [1.5, 0.5], 1, 5))
+                    self.assertEqual([one["stop"] for one in run["left_out"]], [0, 4] if more else [])
+                    self.ended(self.replay_of(run), 0)
+        self.ended(self.tour("--start", "3.5,2.25", stops="p.tsv", map_file="small.map"), 4, "start (3.5, 2.25) is blocked")
+        self.write("one.tsv", "0.25 1.75\n")
+        self.assertEqual(self.ended(self.tour(stops="one.tsv"), 0).out, "solved\n0\n0.25 1.75\n")
+
     def test_one_stop(self):
         self.write("s.tsv", "3,4\n")
         run = self.tour("--json", stops="s.tsv").json
@@ -88,7 +108,11 @@ class Tour(ProgramTest):
                            ("g.geojson", json.dumps({"type": "FeatureCollection", "features": features}))):
             with self.subTest(name):
                 self.write(name, text)
-                stops = self.tour("--json", stops=name).json["stops"]
+                run = self.tour("--json", stops=name).json
+                stops = run["stops"]
+                if name in ("c.csv", "e.json"):  # a pair is a point as a whole
+                    self.assertEqual([type(x) for x in stops[0] + stops[1]], [float] * 2 + [int] * 2)
+                    stops = [[math.floor(x) for x in stop] for stop in stops]
                 self.assertEqual(stops, cells[:1] if name == "f.geojson" else cells)
 
     def test_broken_stops(self):
@@ -99,7 +123,6 @@ class Tour(ProgramTest):
                 ("a.tsv", "x y\n1 2\n1\n", ["line 3", "1 field, but the first line has 2"]),
                 ("a.tsv", "x y\n1 2\n1 b\n", ["line 3", "y is 'b'", "finite number"]),
                 ("a.tsv", "x y\n1 2\n1 nan\n", ["line 3", "y is 'nan'"]), ("a.tsv", "1\n", ["has no y"]),
-                ("a.tsv", "x y\n1.25 2\n", ["line 2", "(1.25, 2) is no middle of a cell", "--frame world"]),
                 ("a.json", "[[1, 2],\n [3]]", ["line 2", "[1] is no [x, y]"]),
                 ("a.json", "[[1, 2],\n3}", ["line 2: this is not JSON, in or behind stop 1"]), ("a.json", "[]", ["holds no stop"]),
                 ("a.json", "[[1, 2],\n[3, 4]\n[5, 6]]", ["line 3: this is not JSON, in or behind stop 1"]),
@@ -121,7 +144,10 @@ class Tour(ProgramTest):
                 (self.tour("--capacity", "-1"), "--capacity"),
                 (self.tour(stops="group.geojson"), "\"group\" is not planned yet"),
                 (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
-                (self.tour("--algorithm", "mmas"), "shortest paths, by exact"),
+                (self.tour("--algorithm", "fan2004"), "fan2004 plans", "not over stops"),
+                (self.tour("--algorithm", "mmas", "--set", "greedy=0.5"), "mmas has no parameter \"greedy\""),
+                (self.tour("--set", "alpha=2"), "exact has no parameter \"alpha\"", "as"),
+                (self.tour("--algorithm", "as", "--set", "local_search=lk"), "local_search is \"lk\"", "two-edges"),
                 (self.tour("--goal-tolerance", "2"), "leaves out what it cannot reach"),
                 (self.tour("--seed", "1-3"), "one tour has one seed"), (self.tour("--generations", "-1"), "--generations"),
                 (self.tour("--start", "1"), "--start"), (self.tour("-o", "a.gif"), ".gif"),
@@ -238,11 +264,64 @@ class Tour(ProgramTest):
         self.ended(self.replay_of(result), 0)
         result["length"] += 1
         self.ended(self.replay_of(result), 1, "length")
-        for wrong, words in (({"stops": []}, "no list of stops"), ({"stops": [[0.5, 0]]}, "is no cell"),
+        for wrong, words in (({"stops": []}, "no list of stops"), ({"stops": [["a", 0]]}, "\"stops\""),
                              ({"start": "a"}, "\"start\"")):
             self.ended(self.replay_of({**result, **wrong}), 3, words)
         other = self.tour("--json", "--start", "20,3", "--goal", "21,3", "--radius", "0.4").json
         self.ended(self.replay_of(other), 0)
+
+    def test_costs(self):
+        self.write("dear.pgm", pgm([[200 if 8 <= x < 12 and y < 15 else 0 for x in range(30)] for y in range(20)]))
+        over = ("--cost", "dear.pgm*0.05", "--inflation", "3,1,5")
+        run = self.check(self.quiet(self.tour("--json", *over)).json)
+        self.assertEqual(list(run)[-3:], ["priced", "layers", "elapsed_ms"])
+        self.assertEqual(run["layers"][0]["factor"], 0.05)
+        self.assertAlmostEqual(run["cost"], sum(leg["cost"] for leg in run["legs"]), places=9)
+        self.assertGreater(run["cost"], run["length"])
+        self.assertLessEqual(run["lower_bound"], run["cost"])
+        self.assertAlmostEqual(run["gap"], (run["cost"] - run["lower_bound"]) / run["lower_bound"], places=9)
+        cost = {}
+        for a, b in itertools.combinations(range(4), 2):
+            plan = self.run_program("plan", "free.map", "--start", "{},{}".format(*run["stops"][a]), "--goal",
+                                    "{},{}".format(*run["stops"][b]), "--json", *over).json
+            cost[a, b] = cost[b, a] = plan["cost"]
+        best = min(sum(cost[p[i - 1], p[i]] for i in range(4)) for p in itertools.permutations(range(4)))
+        self.assertLessEqual(run["lower_bound"], best + 1e-9)
+        self.assertLessEqual(run["cost"], 1.003 * best)
+        self.ended(self.replay_of(run), 0)
+        self.ended(self.tour(*over), 0, "4 stops, 6 legs priced; cost ", "no order is below")
+        self.write("box.tsp", TSPLIB)
+        self.refused(self.run_program("tour", "box.tsp", "--cost", "dear.pgm"), 2, "--cost is for maps")
+
+    def test_ants(self):
+        stops = self.many()
+        best = self.tour("--json", stops=stops).json["length"]
+        self.write("pairs.tsv", "x\ty\tname\tafter\n" + "".join(
+            f"{i}\t{7 * i % 19}\t{i}\t{i - 1 if i % 2 else ''}\n" for i in range(16)))
+        for family in ("as", "eas", "ras", "mmas", "acs"):
+            with self.subTest(family):
+                ask = ("--algorithm", family, "--iterations", "20", "--json")
+                plain = self.check(self.quiet(self.tour(*ask, stops=stops)).json)
+                self.assertEqual((plain["algorithm"], plain["parameters"]["iterations"], plain["iterations"]), (family, 20, 20))
+                self.assertEqual((len(plain["best"]), plain["parameters"]["local_search"]), (20, "none"))
+                self.assertAlmostEqual(plain["best"][-1], plain["length"], delta=0.1)  # thousandths of a cell a leg
+                self.assertEqual(plain["best"], sorted(plain["best"], reverse=True))
+                self.ended(self.replay_of(plain), 0)
+                better = self.check(self.tour(*ask, "--ants", "10", "--set", "local_search=three-edges", "--threads", "2",
+                                              stops=stops).json)
+                self.assertLess(better["length"], 1.02 * best)
+                self.assertLess(better["length"], plain["length"])
+                self.ended(self.replay_of({**better, "threads": 1}), 0)
+                given = self.check(self.tour(*ask, "--open", "--start", "0,0", stops="pairs.tsv").json)
+                place = {stop: i for i, stop in enumerate(given["order"])}
+                self.assertTrue(all(place[i] < place[i + 1] for i in range(0, 16, 2)))
+                self.write("box.tsp", TSPLIB)
+                box = self.run_program("tour", "box.tsp", *ask).json
+                self.assertEqual((box["length"], box["lower_bound"], box["algorithm"]), (14, 14, family))
+                self.ended(self.replay_of(box), 0)
+        run = self.tour("--algorithm", "as", "--iterations", "0", "--json")
+        self.ended(run, 6, "no ant has come to all stops")
+        self.ended(self.tour("--ants", "3"), 0, "--ants has no effect: exact has no such parameter")
 
     def test_limits(self):
         stops = self.many()
@@ -265,8 +344,15 @@ class Tour(ProgramTest):
         self.assertEqual(result["stops_world"], [[-0.8, -1.8], [3.2, 1.2]])
         self.assertAlmostEqual(result["length"], 20, places=9)
         self.assertAlmostEqual(result["length_m"], 10, places=9)
-        self.assertEqual(result["legs"][0]["path_world"][0], [-0.75, -1.75])
+        self.assertEqual(result["legs"][0]["path_world"], [[-0.8, -1.8], [3.2, 1.2]])
+        self.assertEqual(result["parameters"]["ends"], "points")
         self.ended(self.replay_of(result), 0)
+        ends = self.tour("--frame", "world", "--json", "--start=-0.8,-1.8", "--goal", "0.1,-0.2", "--radius", "0.1",
+                         "-o", "w.csv", stops="m.tsv", map_file="world.yaml").json
+        self.assertEqual((ends["start_world"], ends["goal_world"], len(ends["stops"])), ([-0.8, -1.8], [0.1, -0.2], 3))
+        self.assertEqual((self.rows("w.csv")[0], self.rows("w.csv")[-1]),
+                         ({"x_m": "-0.8", "y_m": "-1.8"}, {"x_m": "0.1", "y_m": "-0.2"}))
+        self.ended(self.replay_of(ends), 0)
         self.ended(self.tour("--frame", "world", stops="m.tsv", map_file="world.yaml"), 0, "proven shortest")
 
     def test_files(self):

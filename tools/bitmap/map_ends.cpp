@@ -126,9 +126,13 @@ Json cell_json(const Place& place, bool in_metres) {
 bool MapEnds::curved() const { return route_of(map, run).curved; }
 
 Record map_record(const MapEnds& ends, const SearchResult& result) {
+  return map_record(ends, result, find_algorithm(ends.run.params.algorithm()));
+}
+
+Record map_record(const MapEnds& ends, const SearchResult& result, const Algorithm& algorithm) {
   const RunOptions& run = ends.run;
   Record record{.options = run,
-                .algorithm = find_algorithm(run.params.algorithm()),
+                .algorithm = algorithm,
                 .start = cell_json(ends.start, ends.in_metres()),
                 .goal = cell_json(ends.goal, ends.in_metres()),
                 .parameters = {},
@@ -175,32 +179,58 @@ void add_goal_reached(Json& json, const MapEnds& ends) {
   if (ends.in_metres()) json["goal_reached_world"] = end ? point(ends.map.to_world(*end)) : Json();
 }
 
-Point recorded_place(const Json& result, const std::string& keys, bool cell) {
-  const Point p = recorded_point(result, keys);
-  if (cell && (p.x != std::floor(p.x) || p.y != std::floor(p.y)))
-    throw UsageError("\"" + keys + "\" is no cell");
-  return p;
-}
-
 namespace {
-/// A start, goal or via: `in_cells` is a point where it has decimals, else a cell; `keys` in
-/// `result` is how it was given.
-End recorded_end(const Json& in_cells, const Json& result, const std::string& keys, bool metres) {
+
+/// A start, goal or stop: `in_cells` is a point where it has decimals, else a cell; `told` is how
+/// it was given, which has the name `keys`.
+End recorded_end(const Json& result, const Json& in_cells, const Json& told,
+                 const std::string& keys) {
   const auto is_real = [](const Json& number) {  // cells that no map holds are told so, too
     return number.is_number_float() &&
            std::abs(number.get<double>()) < static_cast<double>(kMaxExactInteger);
   };
-  const bool is_point = metres || (in_cells.is_array() && std::ranges::any_of(in_cells, is_real));
-  const bool cell = !is_point && !keys.ends_with("_world");
-  return {recorded_place(result, keys, cell), is_point};
+  // Before 0.4.0 metres were of centres of cells.
+  const bool is_point = result["parameters"].contains("ends") ||
+                        (in_cells.is_array() && std::ranges::any_of(in_cells, is_real));
+  const Point p = recorded_point(Json{{keys, told}}, keys);
+  if (!is_point && !keys.ends_with("_world") && (p.x != std::floor(p.x) || p.y != std::floor(p.y)))
+    throw UsageError("\"" + keys + "\" is no cell");
+  return {p, is_point};
 }
+
+bool in_metres(const Json& result) {
+  return recorded<std::string>(result, "parameters/frame") == kFrames[1];
+}
+/// The key of what a place was given as.
+std::string as_given(const Json& result, const std::string& key) {
+  return in_metres(result) ? key + "_world" : key;
+}
+
 }  // namespace
 
+End recorded_end(const Json& result, const std::string& key) {
+  const std::string keys = as_given(result, key);
+  return recorded_end(result, value_at(result, key), value_at(result, keys), keys);
+}
+
+std::vector<End> recorded_ends(const Json& result, const std::string& key) {
+  const std::string keys = as_given(result, key);
+  const Json &cells = value_at(result, key), &told = value_at(result, keys);
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < cells.size() && i < told.size(); ++i)
+    ends.push_back(recorded_end(result, cells[i], told[i], keys));
+  return ends;
+}
+
 RunOptions recorded_run(const Recorded& from) {
+  const auto name = recorded<std::string>(from.result, "algorithm");
+  return recorded_run(from, find_algorithm(algorithm_of(bitmaps(), name)));
+}
+
+RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm) {
   const Json& result = from.result;
   RunOptions run;
-  const auto name = recorded<std::string>(result, "algorithm");
-  read_recorded(from, find_algorithm(algorithm_of(bitmaps(), name)), run);
+  read_recorded(from, algorithm, run);
   run.params = make_params<Params>(run, bitmaps());
   run.map.file = from.map_file();
   run.map.radius = recorded<double>(result, "parameters/radius");
@@ -209,18 +239,10 @@ RunOptions recorded_run(const Recorded& from) {
     run.map.labels = result["parameters"]["prepare"] == "labels";
     run.map.prepare = run.map.labels || recorded<bool>(result, "parameters/prepare");
   }
-  const bool world = recorded<std::string>(result, "parameters/frame") == kFrames[1];
-  const bool metres = result["parameters"].contains("ends");  // before 0.4.0: centres of cells
-  if (result.contains("via")) {
-    const Json& cells = result["via"];
-    const std::string keys = world ? "via_world" : "via";
-    const Json& told = value_at(result, keys);
-    for (std::size_t i = 0; i < cells.size() && i < told.size(); ++i)
-      run.via.push_back(recorded_end(cells[i], Json{{keys, told[i]}}, keys, metres));
-  }
+  if (result.contains("via")) run.via = recorded_ends(result, "via");
   if (result["parameters"].contains("spacing"))
     run.spacing = recorded_real(result, "parameters/spacing", 0, kNoLimit);
-  if (world) run.frame = Frame::world;
+  if (in_metres(result)) run.frame = Frame::world;
   if (!result.contains("layers")) return run;
   CostLayers& costs = run.map.costs;
   for (const Json& layer : result["layers"])
@@ -236,14 +258,8 @@ RunOptions recorded_run(const Recorded& from) {
 PlanCommand recorded_plan(const Recorded& from) {
   PlanCommand command;
   command.run = recorded_run(from);
-  const bool cells = command.run.frame == Frame::cell;
-  const bool metres = from.result["parameters"].contains("ends");
-  const auto end = [&](const std::string& key) {
-    return recorded_end(value_at(from.result, key), from.result, cells ? key : key + "_world",
-                        metres);
-  };
-  command.start = end("start");
-  command.goal = end("goal");
+  command.start = recorded_end(from.result, "start");
+  command.goal = recorded_end(from.result, "goal");
   return command;
 }
 

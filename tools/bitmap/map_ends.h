@@ -56,6 +56,8 @@ struct MapEnds {
 /// is, as it was given, what blocks it, and the free cell that is nearest; of two that are not
 /// joined what would join them; of a goal out of reach what is out of its tolerance.
 Record map_record(const MapEnds& ends, const SearchResult& result);
+/// The same of another algorithm than that of paths.
+Record map_record(const MapEnds& ends, const SearchResult& result, const Algorithm& algorithm);
 
 /// Where the path ends, where a goal tolerance was given.
 void add_goal_reached(Json& json, const MapEnds& ends);
@@ -70,8 +72,11 @@ Json cell_json(const Place& place, bool in_metres = false);
 
 /// The options of the question that a result answers. @throws UsageError, Error
 RunOptions recorded_run(const Recorded& from);
-/// A place of a result: a cell, or in metres. @throws UsageError
-Point recorded_place(const Json& result, const std::string& keys, bool cell);
+/// The same but for the algorithm that paths are by, and its parameters.
+RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm);
+/// A start or goal of a result, by its key; a list of them. @throws UsageError, Error
+End recorded_end(const Json& result, const std::string& key);
+std::vector<End> recorded_ends(const Json& result, const std::string& key);
 /// The question that a result answers. @throws UsageError, Error
 PlanCommand recorded_plan(const Recorded& from);
 

@@ -83,7 +83,7 @@ function(lasius_install_package)
   install(FILES ${headers}
     ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/lasius/vehicle
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/lasius/tour ${PROJECT_SOURCE_DIR}/core/lasius/vehicle
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
 
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)

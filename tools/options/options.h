@@ -13,6 +13,7 @@
 
 #include "lasius/geometry.h"
 #include "lasius/params.h"
+#include "lasius/tour/ants.h"
 
 namespace lasius::tool {
 
@@ -151,7 +152,7 @@ struct DriveCommand : PlanCommand {
 
 /// Stops of a tour, and what is given of their order. The lists are one entry a stop, or empty.
 struct TourStops {
-  std::vector<Point> points = {};            ///< as PlanCommand has its ends
+  std::vector<End> points = {};
   std::vector<std::string> names = {};       ///< empty text: without a name
   std::vector<std::vector<int>> after = {};  ///< stops that come before each
   std::vector<int> loads = {};
@@ -161,12 +162,13 @@ struct TourCommand {
   static constexpr int kMostGenerations = 1'000'000;
   static constexpr int kMostLoad = 1'000'000;  ///< of a stop; of the capacity
 
-  RunOptions run = {};  ///< its map may be a problem of TSPLIB
+  RunOptions run = {};        ///< its map may be a problem of TSPLIB; its `params` are of legs
+  tour::AntParams ants = {};  ///< who finds the order
   std::string stops_file = {};
   TourStops stops = {};  ///< without a file
   bool open = false;
   std::optional<int> capacity = {};
-  std::optional<Point> start = {}, goal = {};
+  std::optional<End> start = {}, goal = {};
   int generations = 20;
 };
 

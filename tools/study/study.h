@@ -133,8 +133,8 @@ struct Claim {
   std::vector<Claim> baseline = {};
 };
 
-/// What a study's questions are about: `world` in its file. online: drives.
-enum class ProblemKind { bitmap, polygon, arm, online };
+/// What a study's questions are about: `world` in its file. online: drives; tours: over stops.
+enum class ProblemKind { bitmap, polygon, arm, online, tours };
 
 /// Runs of every contender: seeds `first` to `first` + `count` - 1.
 inline constexpr int kMostSeeds = 100000;

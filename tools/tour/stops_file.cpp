@@ -78,14 +78,7 @@ class Reader {
   void add(Point p, bool whole, Details details, At at) {
     if (stops_.points.size() == kMostStops)
       fail(at, "has more than " + std::to_string(kMostStops) + " stops", "part them in tours");
-    if (frame_ == Frame::cell && !whole) {
-      const Point cell{p.x - 0.5, p.y - 0.5};
-      if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
-        fail(at, "(" + to_text(p.x) + ", " + to_text(p.y) + ") is no middle of a cell",
-             "give a cell's column and row, whole numbers, or metres with --frame world");
-      p = cell;
-    }
-    stops_.points.push_back(p);
+    stops_.points.push_back({p, frame_ == Frame::world || !whole});
     details_.push_back(std::move(details));
     places_.push_back(std::move(at));
   }

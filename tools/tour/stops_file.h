@@ -18,8 +18,9 @@ inline constexpr std::size_t kMostStops = 20'000;
 ///   others    a TSV whose header names x and y among others, split at tabs, or where the header
 ///   has
 ///             none at blanks and commas; without a header, x and y a line
-/// A cell is two whole numbers, or the point in its middle. @throws Error(file_missing,
-/// file_broken) naming file and line; UsageError for columns that ask for what is not planned.
+/// A cell is two whole numbers; with decimals it is a point, and so are metres. @throws
+/// Error(file_missing, file_broken) naming file and line; UsageError for columns that ask for what
+/// is not planned.
 TourStops read_stops(const std::string& file, Frame frame);
 
 }  // namespace lasius::tool

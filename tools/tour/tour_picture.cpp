@@ -32,7 +32,7 @@ std::string caption(const Sheet& sheet, const TourAnswer& answer) {
 void draw_stops(Canvas& canvas, const Box& box, const Sheet& sheet, const TourAnswer& answer) {
   const Axes axes = sheet.axes(box);
   const auto at = [&](int stop) {
-    const Point p = centre(answer.stops[static_cast<std::size_t>(stop)].cell);
+    const Point p = answer.stops[static_cast<std::size_t>(stop)].at();
     return axes.at(p.x, p.y);
   };
   for (const LeftOut& out : answer.tour.left_out)

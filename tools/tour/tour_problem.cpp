@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
@@ -28,13 +29,15 @@ class TourProblem : public Problem {
     RunOptions& run = command_.run;
     answer_.map = load_map(run.map, run.frame, run.params.corners, run.threads, token);
     run.inputs.push_back(answer_.map.image);
+    if (const auto& costs = answer_.map.costs)
+      run.inputs.insert(run.inputs.end(), costs->images.begin(), costs->images.end());
     check_radius(answer_.map, run);
     if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
     if (command_.capacity && command_.stops.loads.empty())
       throw UsageError("--capacity " + std::to_string(*command_.capacity) +
                        ": no stop has a load; give the stops a \"load\", or leave it out");
-    for (const Point stop : command_.stops.points)
-      answer_.stops.push_back(to_place(answer_.map, stop, run.frame));
+    for (const End& stop : command_.stops.points)
+      answer_.stops.push_back(lasius::tool::end_place(answer_.map, stop, run.frame));
     answer_.start = index_of(command_.start);
     answer_.goal = index_of(command_.goal);
     note_map(answer_.map, run);
@@ -47,39 +50,45 @@ class TourProblem : public Problem {
     if (!answer_.map.planner) return;
     const Planner& planner = *answer_.map.planner;
     TourRequest request = request_of(command_, stop);
-    for (const Place& place : answer_.stops) request.stops.push_back(place.cell);
+    for (const Place& place : answer_.stops) request.points.push_back(place.at());
     request.start = answer_.start;
     request.goal = answer_.goal;
     request.after = command_.stops.after;
     request.load = command_.stops.loads;
-    if (!request.after.empty()) request.after.resize(request.stops.size());
-    if (!request.load.empty()) request.load.resize(request.stops.size());
+    if (!request.after.empty()) request.after.resize(request.points.size());
+    if (!request.load.empty()) request.load.resize(request.points.size());
     if (request.goal && request.goal == request.start) {  // there and back
       request.open = false;
       request.goal.reset();
     }
-    const double scale = answer_.map.length_in(run.frame, 1);
+    const CostPlanner* const over = answer_.map.costs ? &*answer_.map.costs->planner : nullptr;
+    const double scale = over != nullptr ? 1 : answer_.map.length_in(run.frame, 1);
     TourObserver observer;
     if (watch)
       observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
-        watch(++told, best_text(scale * length, unit()));
+        watch(++told, best_text(scale * length, over != nullptr ? "" : unit()));
         return true;
       };
     in_metres_asked(answer_.map, run, [&] {
       const auto begin = Clock::now();
-      tour = plan_tour(planner, request, observer);
+      tour = over != nullptr ? plan_tour(*over, request, observer)
+                             : plan_tour(planner, request, observer);
       answer_.elapsed_ms = ms_since(begin);
     });
-    for (LeftOut& out : tour.left_out) out.why = why_left_out(out.stop);
+    for (LeftOut& out : tour.left_out) {
+      const std::string said = std::exchange(out.why, why_left_out(out.stop));
+      if (tour.error == said) tour.error = out.why;
+    }
     for (const auto& [end, key] : {std::pair(answer_.start, true), {answer_.goal, false}})
       if (end && tour.status == Status::invalid && answer_.ends.fault == Fault::none)
-        look_at_end(place_at(*end).cell, key);
+        look_at_end(place_at(*end), key);
   }
   Record record() const override {
     const TourResult& tour = answer_.tour;
     const MapEnds ends(answer_.map, command_.run, end_place(answer_.start), end_place(answer_.goal),
                        answer_.ends);
-    Record record = map_record(ends, search_result(tour));
+    Record record =
+        map_record(ends, search_result(tour), tour::find_algorithm(command_.ants.algorithm()));
     record.format = kTourFormat;
     if (answer_.ends.fault == Fault::none) record.error = tour.error;
     record.inputs = {{"map", map_json(answer_.map)}};
@@ -88,16 +97,27 @@ class TourProblem : public Problem {
     add_parameters(record.parameters, command_);
     record.elapsed_ms = answer_.elapsed_ms;
     std::vector<Point> path;
-    for (const TourLeg& leg : tour.legs)
-      path.insert(path.end(), leg.path.begin() + (path.empty() ? 0 : 1), leg.path.end());
-    if (path.empty() && !tour.order.empty()) path = {centre(place_at(tour.order.front()).cell)};
-    record.path = coordinates(in_metres() ? answer_.map.to_world(path) : path);
+    for (const TourLeg& leg : tour.legs) {
+      const std::vector<Point> told = in_metres() ? metres_of(leg) : leg.path;
+      path.insert(path.end(), told.begin() + (path.empty() ? 0 : 1), told.end());
+    }
+    if (path.empty() && !tour.order.empty()) {
+      const Place& only = place_at(tour.order.front());
+      path = {in_metres() ? only.asked : only.at()};
+    }
+    record.path = coordinates(path);
     if (!command_.run.json)
       for (const LeftOut& out : tour.left_out)
         if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
           record.remarks.push_back(out.why + ": left out");
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
-    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
+    Json findings = Json::object();
+    if (answer_.map.costs) {
+      record.cost = tour.cost.value_or(std::nan(""));
+      record.gap = tour.gap();
+      record_costs(*answer_.map.costs, findings, record.parameters);
+    }
+    if (wants_json(command_.run)) record.answer = answer_of(ends, record, findings);
     return record;
   }
   Forms show(const Record&) const override {
@@ -112,11 +132,11 @@ class TourProblem : public Problem {
   const Place& end_place(const std::optional<int>& end) const {
     return end ? place_at(*end) : answer_.stops.front();
   }
-  /// Of the stop in the same cell, which is added where there is none.
-  std::optional<int> index_of(const std::optional<Point>& end) {
+  /// Of the stop at the same place, which is added where there is none.
+  std::optional<int> index_of(const std::optional<End>& end) {
     if (!end) return std::nullopt;
-    const Place place = to_place(answer_.map, *end, command_.run.frame);
-    const auto same = [&](const Place& stop) { return stop.number == place.number; };
+    const Place place = lasius::tool::end_place(answer_.map, *end, command_.run.frame);
+    const auto same = [&](const Place& stop) { return stop.at() == place.at(); };
     const auto found = std::ranges::find_if(answer_.stops, same);
     const auto index = static_cast<int>(found - answer_.stops.begin());
     if (found == answer_.stops.end()) answer_.stops.push_back(place);
@@ -126,18 +146,19 @@ class TourProblem : public Problem {
     const Frame frame = command_.run.frame;
     const Place& place = place_at(stop);
     const std::string text = "stop " + std::to_string(stop) + " at " + place_text(place, frame);
-    if (answer_.map.planner->clear(place.cell)) return text + " cannot be reached from the others";
+    if (answer_.map.planner->clear_at(place.at()))
+      return text + " cannot be reached from the others";
     const bool curved = route_of(answer_.map, command_.run).curved;
     return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved));
   }
   /// Asks for what `plan` says of an invalid end; nothing where it is none.
-  void look_at_end(Cell end, bool start) {
+  void look_at_end(const Place& end, bool start) {
     const Planner& planner = *answer_.map.planner;
-    if (planner.clear(end)) return;
-    Cell other = end;
+    if (planner.clear_at(end.at())) return;
+    Place other = end;
     for (const Place& stop : answer_.stops)
-      if (!start && planner.clear(stop.cell)) other = stop.cell;
-    const Request ends{.start = start ? end : other, .goal = end};
+      if (!start && planner.clear_at(stop.at())) other = stop;
+    const Request ends = lasius::tool::request_of(answer_.map, command_.run, other, end);
     Result said = planner.plan(ends, command_.run.params);
     if (said.status == Status::invalid) answer_.ends = std::move(said);
   }
@@ -145,12 +166,21 @@ class TourProblem : public Problem {
     const TourResult& tour = answer_.tour;
     std::string text = counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", " +
                        counted(tour.priced, "leg") + " priced";
-    if (tour.optimal) return text + "; proven shortest";
+    if (tour.cost) text += "; cost " + decimal_text(*tour.cost, 3);
+    if (tour.optimal) return text + (tour.cost ? "; proven cheapest" : "; proven shortest");
     if (!tour.lower_bound) return text;
-    text += "; no order is below " + decimal_text(record.scale * *tour.lower_bound, 3);
-    if (in_metres()) text += " m";
+    const double scale = tour.cost ? 1 : record.scale;
+    text += "; no order is below " + decimal_text(scale * *tour.lower_bound, 3);
+    if (in_metres() && !tour.cost) text += " m";
     const auto gap = tour.gap();
     return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
+  }
+  /// In metres; from stop to stop as these were given.
+  std::vector<Point> metres_of(const TourLeg& leg) const {
+    std::vector<Point> path = answer_.map.to_world(leg.path);
+    path.front() = place_at(leg.from).asked;
+    path.back() = place_at(leg.to).asked;
+    return path;
   }
   Json legs_json() const {
     Json legs = Json::array();
@@ -159,16 +189,17 @@ class TourProblem : public Problem {
                       {"to", leg.to},
                       {"length", number(leg.length)},
                       {"path", points(leg.path)}});
-      if (in_metres()) legs.back()["path_world"] = points(answer_.map.to_world(leg.path));
+      if (answer_.tour.cost) legs.back()["cost"] = number(leg.cost);
+      if (in_metres()) legs.back()["path_world"] = points(metres_of(leg));
     }
     return legs;
   }
-  Json answer_of(const MapEnds& ends, const Record& record) const {
+  Json answer_of(const MapEnds& ends, const Record& record, const Json& findings) const {
     const TourResult& tour = answer_.tour;
     const bool found = record.has_path();
     Json json = Json::object(), world;
     for (const Place& stop : answer_.stops) {
-      json["stops"].push_back(cell_json(stop));
+      json["stops"].push_back(cell_json(stop, in_metres()));
       world.push_back(point(stop.asked));
     }
     if (in_metres()) {
@@ -184,11 +215,15 @@ class TourProblem : public Problem {
     json["legs"] = found ? legs_json() : Json();
     json["length"] = number(record.result.length);
     if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
+    if (answer_.map.costs) json["cost"] = optional_number(tour.cost);
     add_proof(json, record.result);
+    if (answer_.map.costs) json["gap"] = optional_number(tour.gap());
     json["left_out"] = Json::array();
     for (const LeftOut& out : tour.left_out)
       json["left_out"].push_back({{"stop", out.stop}, {"why", out.why}});
     json["priced"] = tour.priced;
+    add_course(json, record);
+    json.update(findings);
     if (answer_.ends.fault != Fault::none) json.update(end_findings(ends));
     return json;
   }
@@ -203,19 +238,24 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   command.open = recorded<bool>(result, "parameters/open");
   command.generations = static_cast<int>(
       recorded_integer(result, "parameters/generations", 0, TourCommand::kMostGenerations));
-  if (is_tsplib(recorded<std::string>(result, "map/file"))) {
-    read_recorded(from, find_algorithm(kTourAlgorithm), command.run);
-    command.run.params = make_params<Params>(command.run, bitmaps());
+  const Algorithm& algorithm = *std::ranges::find(
+      tour::algorithms(), algorithm_of(tour_kind(), recorded<std::string>(result, "algorithm")),
+      &Algorithm::name);
+  RunOptions asked;
+  read_recorded(from, algorithm, asked);
+  const bool tsplib = is_tsplib(recorded<std::string>(result, "map/file"));
+  if (tsplib) {
+    command.run = asked;
     command.run.map.file = from.map_file();
-    return tsplib_problem(std::move(command));
+  } else {
+    command.run = recorded_run(from, find_algorithm(kLegAlgorithm));
+    static_cast<SearchOptions&>(command.run) = asked;
   }
-  command.run = recorded_run(from);
-  const bool metres = command.run.frame == Frame::world;
-  const std::string stops = metres ? "stops_world" : "stops";
-  const Json& list = value_at(result, stops);
-  if (!list.is_array() || list.empty()) throw UsageError("\"" + stops + "\" is no list of stops");
-  for (std::size_t i = 0; i < list.size(); ++i)
-    command.stops.points.push_back(recorded_place(Json{{stops, list[i]}}, stops, !metres));
+  choose_ants(command);
+  if (tsplib) return tsplib_problem(std::move(command));
+  const Json& list = value_at(result, "stops");
+  if (!list.is_array() || list.empty()) throw UsageError("\"stops\" is no list of stops");
+  command.stops.points = recorded_ends(result, "stops");
   const auto given = [&](const char* key, auto& value) {
     if (result.contains(key))
       value = recorded<std::remove_reference_t<decltype(value)>>(result, key);
@@ -227,15 +267,24 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
     command.capacity = static_cast<int>(
         recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
   for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
-    if (!value_at(result, key).is_null())
-      *end = recorded_place(result, metres ? key + std::string("_world") : key, !metres);
+    if (!value_at(result, key).is_null()) *end = recorded_end(result, key);
   return std::make_unique<TourProblem>(std::move(command));
 }
 
 }  // namespace
 
 const ProblemKind& tour_kind() {
-  static const ProblemKind kKind{.format = kTourFormat, .again = tour_again};
+  static const ProblemKind kKind{
+      .key = "tour_algorithms",
+      .title = "Stops, by `lasius tour MAP` and `lasius tour PROBLEM.tsp`",
+      .plans = "over stops",
+      .advice = "; ask it with lasius tour",
+      .commands = {"tour"},
+      .algorithms = tour::algorithms(),
+      .default_text = default_text<tour::AntParams>,
+      .formulas = formulas_of<tour::AntParams>,
+      .format = kTourFormat,
+      .again = tour_again};
   return kKind;
 }
 
@@ -245,6 +294,7 @@ TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
   TourRequest request;
   request.open = command.open || command.goal;
   request.seed = command.run.seed;
+  request.ants = command.ants;
   request.generations = command.generations;
   request.capacity = command.capacity;
   request.target_gap = command.run.target_gap;
@@ -253,8 +303,23 @@ TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
   return request;
 }
 
+void choose_ants(TourCommand& command) {
+  RunOptions& run = command.run;
+  command.ants = make_params<tour::AntParams>(run, tour_kind());
+  SearchOptions legs;
+  legs.algorithm = kLegAlgorithm;
+  legs.seed = run.seed;
+  legs.threads = run.threads;
+  run.params = make_params<Params>(legs, bitmaps());
+}
+
+void add_course(Json& json, const Record& record) {
+  if (record.algorithm.kind == Algorithm::Kind::colony) json::add_convergence(json, record.result);
+}
+
 SearchResult search_result(const TourResult& tour) {
   SearchResult result;
+  static_cast<lasius::Convergence&>(result) = tour.run;
   result.status = tour.status;
   if (tour.status == Status::limit) result.limit = Limit::time;
   result.error = tour.error;

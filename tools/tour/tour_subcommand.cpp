@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "tools/bitmap/cost_layers.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/kinds.h"
+#include "tools/console/parameters.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/tour/tour_kind.h"
@@ -23,7 +25,8 @@ constexpr const char* kTourOutputs =
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
   for (const char* option : {"--stops", "--start", "--goal", "--capacity", "--frame", "--radius",
-                             "--unknown-free", "--prepare", "--prepared", "--corners"})
+                             "--unknown-free", "--prepare", "--prepared", "--corners", "--cost",
+                             "--inflation"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
@@ -45,8 +48,9 @@ Subcommand add_tour(CLI::App& app) {
       "Visit many stops of a map in a short order, with a bound that no order is below");
   table.file(
       "--stops", text->stops_file,
-      "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, or "
-      "metres with --frame world; with \"name\", \"after\" (names that come before) and \"load\"",
+      "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, points "
+      "with decimals, or metres with --frame world; with \"name\", \"after\" (names that come "
+      "before) and \"load\"",
       {".tsv", ".json", ".geojson"});
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
   table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
@@ -74,13 +78,16 @@ Subcommand add_tour(CLI::App& app) {
                    .json = "Print one JSON object",
                    .outputs = kTourOutputs,
                    .endings = kTourEndings});
+  add_cost_options(table, text->run.map.costs);
   table["--gap"]->description("No effect: a tour always tells its certified gap");
   table["--goal-tolerance"]->group(kRefused);
   return table.command(
       {.examples = {{"lasius tour maps/grid30a.map --stops stops.tsv -o tour.png",
                      "a closed tour, and a picture of it"},
                     {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
-                     "from the depot to the last stop"}},
+                     "from the depot to the last stop"},
+                    {"lasius tour maps/grid30a.map --stops stops.tsv --algorithm mmas --ants 10",
+                     "by a published colony"}},
        .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
@@ -99,16 +106,21 @@ Subcommand add_tour(CLI::App& app) {
         if (table.given("--goal-tolerance"))
           throw UsageError(
               "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
-        if (run.algorithm.empty()) run.algorithm = kTourAlgorithm;
-        if (algorithm_of(bitmaps(), run.algorithm) != kTourAlgorithm)
-          throw UsageError("--algorithm " + run.algorithm +
-                           ": legs of tours are shortest paths, by exact; leave it out");
         if (is_tsplib(run.map.file))
           check_tsplib(table, run);
         else
           require("", "--stops", tour.stops_file);
         if (table.given("--capacity")) tour.capacity = text->capacity_given;
+        const SearchOptions asked = run;
+        run.algorithm = kLegAlgorithm;
+        run.settings.clear();
+        run.named.clear();
         finish_run(run);
+        run.algorithm = asked.algorithm;
+        run.settings = asked.settings;
+        run.named = asked.named;
+        refuse_repeats(run.settings);
+        choose_ants(tour);
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +
                            ": one tour has one seed; a range is for plan");
@@ -117,10 +129,16 @@ Subcommand add_tour(CLI::App& app) {
           run.notes.emplace_back("--gap has no effect: a tour always tells its certified gap");
         }
         run.inputs.push_back(tour.stops_file);
+        const CostLayers& costs = run.map.costs;
+        for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
+        if (run.map.prepare && (!costs.layers.empty() || costs.inflation)) {
+          run.map.prepare = false;
+          run.notes.emplace_back("--prepare has no effect over costs");
+        }
         for (const auto& [option, given, end] :
              {std::tuple("--start", &text->start_text, &tour.start),
               std::tuple("--goal", &text->goal_text, &tour.goal)})
-          if (!given->empty()) *end = end_value(option, *given, run.frame, run.map.file);
+          if (!given->empty()) *end = point_value(option, *given, run.frame);
         return run_command(tour);
       });
 }

@@ -34,7 +34,7 @@ class TsplibProblem : public Problem {
   }
   Record record() const override {
     Record record{.options = command_.run,
-                  .algorithm = find_algorithm(kTourAlgorithm),
+                  .algorithm = tour::find_algorithm(command_.ants.algorithm()),
                   .format = kTourFormat,
                   .inputs = {{"map",
                               {{"file", command_.run.map.file},
@@ -54,6 +54,7 @@ class TsplibProblem : public Problem {
     add_proof(record.answer, record.result);
     record.answer["left_out"] = Json::array();
     record.answer["priced"] = tour_.priced;
+    add_course(record.answer, record);
     return record;
   }
   Forms show(const Record&) const override {

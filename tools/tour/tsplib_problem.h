@@ -10,8 +10,12 @@
 namespace lasius::tool {
 
 inline constexpr const char* kTourFormat = "lasius-tour/1";
-inline constexpr const char* kTourAlgorithm = "exact";  ///< that legs are planned by
+inline constexpr const char* kLegAlgorithm = "exact";  ///< that legs are planned by
 
+/// Takes the algorithm and its parameters from `run` to `ants`, and leaves `run` those of legs.
+void choose_ants(TourCommand& command);
+/// Of ants: their course.
+void add_course(Json& json, const Record& record);
 /// `lasius tour PROBLEM.tsp`.
 std::unique_ptr<Problem> tsplib_problem(TourCommand command);
 

@@ -16,8 +16,8 @@ struct Step {
 
 }  // namespace
 
-LocalSearch::LocalSearch(const Costs& costs, const Candidates& candidates)
-    : costs_(&costs), candidates_(&candidates), waits_(costs.size(), 0) {}
+LocalSearch::LocalSearch(const Costs& costs, const Candidates& candidates, int depth)
+    : depth_(depth), costs_(&costs), candidates_(&candidates), waits_(costs.size(), 0) {}
 
 void LocalSearch::queue(int stop) {
   if (waits_[stop]) return;
@@ -90,7 +90,7 @@ bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
     if (end != t_[0] && steps[i].gain > costs_->lower(end, t_[0]) &&
         steps[i].gain > (*costs_)(end, t_[0]) && close(tour, level + 1))
       return true;
-    if (level + 1 <= kDepth - 1 && deepen(tour, level + 1, steps[i].gain)) return true;
+    if (level + 1 < kDepth && level + 1 < depth_ && deepen(tour, level + 1, steps[i].gain)) return true;
   }
   return false;
 }

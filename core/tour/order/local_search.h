@@ -14,22 +14,25 @@ namespace lasius::tour {
 /// Improves tours. Keeps its memory from tour to tour.
 class LocalSearch {
  public:
-  LocalSearch(const Costs& costs, const Candidates& candidates);
+  static constexpr int kDepth = 3;
 
-  /// Exchanges edges until none of depth 3 is cheaper, beginning at all stops; false if stopped.
+  /// Exchanges are of up to `depth` edges, 2 or 3.
+  LocalSearch(const Costs& costs, const Candidates& candidates, int depth = kDepth);
+
+  /// Exchanges edges until none of that depth is cheaper, beginning at all stops; false if stopped.
   bool improve(ArrayTour& tour, Poller& poller);
   /// So often: swaps the outer two of three segments of up to 30 stops at a random place, improves
   /// there, and goes back where the tour became dearer. False if stopped.
   bool kick(ArrayTour& tour, std::int64_t times, kernels::RandomStream& random, Poller& poller);
 
  private:
-  static constexpr int kDepth = 3;
   bool run(ArrayTour& tour, Poller& poller);
   bool improve_at(ArrayTour& tour, int stop);
   bool deepen(ArrayTour& tour, int level, std::int64_t gain);
   bool close(ArrayTour& tour, int edges);
   void queue(int stop);
 
+  int depth_;
   const Costs* costs_;
   const Candidates* candidates_;
   std::vector<int> waiting_;

@@ -32,6 +32,7 @@ class PartialOrder {
                std::int64_t capacity = kUnlimited);
 
   bool any_order() const noexcept { return next_.empty() && !limited(); }
+  bool has_relation() const noexcept { return !next_.empty(); }
   bool limited() const noexcept { return capacity_ != kUnlimited; }
   std::int64_t capacity() const noexcept { return capacity_; }
   int load(int stop) const noexcept { return loads_.empty() ? 0 : loads_[stop]; }

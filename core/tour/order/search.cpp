@@ -21,18 +21,6 @@ constexpr int kAnts = 10;
 constexpr double kKicksOfAnt = 0.3;  // a stop
 constexpr int kPatience = 3;         // generations without change
 
-void check_ends(int size, const Ends& ends) {
-  const auto refuse = [](const std::string& problem, const char* remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
-  };
-  for (const int end : {ends.start, ends.goal})
-    if (end < -1 || end >= size)
-      refuse("there is no stop " + number_text(end), "give one of the stops, from 0");
-  if (ends.goal >= 0 && !ends.open) refuse("a closed tour has no goal", "ask for an open one");
-  if (ends.goal >= 0 && ends.goal == ends.start && size > 1)
-    refuse("start and goal are the same stop", "ask for a closed tour from there");
-}
-
 // The search over closed tours of more than kMostBySubsets stops.
 class Colony {
  public:
@@ -131,6 +119,18 @@ class Colony {
 };
 
 }  // namespace
+
+void check_ends(int size, const Ends& ends) {
+  const auto refuse = [](const std::string& problem, const char* remedy) {
+    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+  };
+  for (const int end : {ends.start, ends.goal})
+    if (end < -1 || end >= size)
+      refuse("there is no stop " + number_text(end), "give one of the stops, from 0");
+  if (ends.goal >= 0 && !ends.open) refuse("a closed tour has no goal", "ask for an open one");
+  if (ends.goal >= 0 && ends.goal == ends.start && size > 1)
+    refuse("start and goal are the same stop", "ask for a closed tour from there");
+}
 
 OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Point> places,
                       const OrderOptions& options) {

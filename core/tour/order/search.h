@@ -35,10 +35,13 @@ struct OrderFound {
   StopCondition::Cause cause = StopCondition::Cause::none;  ///< what ended it early
 };
 
-/// A cheap order: deterministic, but for when it is stopped; then the best one so far. At least one
-/// stop. `places`, one a stop, are where quadrants are told by; none without.
 /// @throws Error(invalid_parameter) for ends that are not among the stops or are the same, or a
 /// goal of a closed tour.
+void check_ends(int size, const Ends& ends);
+
+/// A cheap order: deterministic, but for when it is stopped; then the best one so far. At least one
+/// stop. `places`, one a stop, are where quadrants are told by; none without.
+/// @throws as check_ends.
 OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Point> places,
                       const OrderOptions& options);
 

@@ -53,7 +53,7 @@ class StudyReader {
 
  private:
   static ProblemKind kind_of(const Node* world) {
-    static constexpr std::string_view kNames[] = {"bitmap", "polygon", "arm", "online"};
+    static constexpr std::string_view kNames[] = {"bitmap", "polygon", "arm", "online", "tours"};
     return world == nullptr ? ProblemKind::bitmap : static_cast<ProblemKind>(world->choice(kNames));
   }
 

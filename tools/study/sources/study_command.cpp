@@ -24,6 +24,7 @@
 #include "tools/study/portrait.h"
 #include "tools/study/sources/console.h"
 #include "tools/study/sources/online.h"
+#include "tools/study/sources/tours.h"
 #include "tools/study/table.h"
 #include "tools/yaml/document.h"
 #ifdef LASIUS_WITH_POLYGON
@@ -42,7 +43,8 @@ using study::Findings;
 using study::Study;
 
 bool was_built(study::ProblemKind kind) {
-  bool built = kind == study::ProblemKind::bitmap || kind == study::ProblemKind::online;
+  bool built = kind == study::ProblemKind::bitmap || kind == study::ProblemKind::online ||
+               kind == study::ProblemKind::tours;
 #ifdef LASIUS_WITH_POLYGON
   built = built || kind == study::ProblemKind::polygon;
 #endif
@@ -60,16 +62,28 @@ std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& m
 #ifdef LASIUS_WITH_ARM
   if (study.kind == study::ProblemKind::arm) return std::make_unique<study::ArmScenes>(study, maps);
 #endif
+  if (study.kind == study::ProblemKind::tours)
+    return std::make_unique<study::StopTours>(study, maps);
   if (study.kind == study::ProblemKind::online)
     return std::make_unique<study::OnlineDrives>(study, maps);
   return std::make_unique<study::Bitmaps>(study, maps);
 }
 
-std::vector<Study> studies() {
+/// Without what the maps have not, which is told where messages are wanted.
+std::vector<Study> studies(const StudyCommand& command) {
   std::vector<Study> all;
   for (const auto name : study::study_names())
     if (Study study = study::make_study(name); was_built(study.kind))
       all.push_back(std::move(study));
+  for (Study& study : all) {
+    if (study.kind != study::ProblemKind::tours) continue;
+    const fs::path maps = find_maps(command.maps);
+    const auto absent = study::leave_out_absent(study, maps);
+    if (command.name != study.name && command.name != "all") continue;
+    for (const std::string& file : absent)
+      message(study.name + ": " + file + " is not in " + maps.string() +
+              " and is left out; name the folder of TSPLIB's instances by --maps");
+  }
   return all;
 }
 
@@ -243,7 +257,7 @@ StudyCommand with_page(StudyCommand command) {
 int run_command(const StudyCommand& asked) {
   const StudyCommand command = with_page(asked);
   if (command.name == "run" || is_document(command.name)) return run_users_study(command);
-  const auto all = studies();
+  const auto all = studies(command);
   std::string list;
   std::vector<std::string_view> known{"list", "all"};
   for (const Study& study : all) {

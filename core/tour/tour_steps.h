@@ -1,0 +1,64 @@
+// What the plans of all tours have in common, whatever their legs cost.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/tour/order/partial_order.h"
+#include "core/tour/order/search.h"
+#include "lasius/tour.h"
+
+namespace lasius {
+
+inline bool by_ants(const TourRequest& request) { return request.ants.algorithm() != "exact"; }
+
+/// Where the stops are.
+std::vector<Point> points_of(const TourRequest& request);
+
+/// The stops that a tour visits, by their index in the request; names the others in `tour`.
+std::vector<int> visited(const Planner& planner, const TourRequest& request,
+                         std::span<const Point> points, TourResult& tour);
+
+/// What is given of the order of some of `all` stops, by their places among these.
+tour::PartialOrder given_order(const TourRequest& request, const std::vector<int>& indices,
+                               int all);
+
+/// `cause`: what ended the search for the order.
+Status status_after(StopCondition::Cause cause, const StopCondition& stop);
+
+/// Of a tour that has no order: why.
+void tell_no_order(const tour::PartialOrder& given, const tour::Ends& ends,
+                   const tour::OrderFound& found, std::span<const int> named, bool ants,
+                   TourResult& tour);
+
+struct Ordered {
+  tour::OrderFound found;
+  std::int64_t bound = 0;
+};
+
+/// An order and its bound. `lower`: at most the costs, `costs` themselves where these are proven;
+/// `scale` is how many of a cost make a length; `named` the stops' indices.
+Ordered order_and_bound(const tour::Costs& costs, const tour::Costs& lower, const tour::Ends& ends,
+                        std::span<const Point> places, const tour::PartialOrder& given,
+                        const TourRequest& request, double scale, const TourObserver& observer,
+                        std::span<const int> named, TourResult& tour, bool symmetric = true);
+
+/// @throws Error(invalid_parameter) for a circle.
+void check_circle(int n, const std::vector<tour::Before>& relation);
+/// @throws Error(invalid_parameter), as plan_tour.
+void check(const TourRequest& request, int n);
+
+/// A tour's stops on a map.
+struct TourStops {
+  std::vector<Point> points;  ///< of all
+  std::vector<int> indices;   ///< of those that are visited; none where there is no tour
+  std::vector<Point> places;  ///< of these
+  tour::Ends ends;            ///< likewise
+  tour::PartialOrder given;   ///< likewise
+  int size() const noexcept { return static_cast<int>(indices.size()); }
+};
+/// Where there is none to visit, or an end cannot be, `tour` says why. @throws as check
+TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour);
+
+}  // namespace lasius

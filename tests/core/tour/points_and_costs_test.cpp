@@ -1,0 +1,113 @@
+// Tours over points of any coordinates, and over costs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lasius/error.h"
+#include "lasius/path.h"
+#include "lasius/tour.h"
+#include "tests/core/tour/rooms.h"
+
+namespace lasius {
+namespace {
+
+TEST(Distances, AndToursOfPoints) {
+  const Planner plain(rooms());
+  for (const Planner& planner :
+       {plain, plain.prepared({.threads = 1}), Planner(rooms(), Disc{0.4})}) {
+    std::vector<Point> points;
+    unsigned word = 7;
+    while (points.size() < 20) {  // a seventh of a cell apart: corners and borders among them
+      word = word * 1664525u + 1013904223u;
+      const Point p{(word >> 8) % 420 / 7.0, (word >> 17) % 280 / 7.0};
+      if (planner.clear_at(p)) points.push_back(p);
+    }
+    const Params exact("exact");
+    const auto all = planner.distances(points, points, 2);
+    ASSERT_TRUE(all);
+    for (std::size_t a = 0; a < points.size(); ++a)
+      for (std::size_t b = 0; b < points.size(); ++b) {
+        const Result found =
+            planner.plan({.start_point = points[a], .goal_point = points[b]}, exact);
+        EXPECT_EQ(planner.joined_at(points[a], points[b]), !found.path.empty());
+        EXPECT_NEAR((*all)[a * points.size() + b], found.length, 1e-9 * (1 + found.length));
+      }
+    TourRequest request;
+    request.points = points;
+    request.points.push_back({30.5, 3.25});  // in a wall
+    request.points.push_back({60.01, 3});
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_EQ(tour.order.size(), points.size());
+    ASSERT_EQ(tour.left_out.size(), 2U);
+    EXPECT_EQ(tour.left_out[0].why, "stop 20 at (30.5, 3.25) is blocked");
+    EXPECT_EQ(tour.left_out[1].why, "stop 21 at (60.01, 3) is outside the map");
+    for (const TourLeg& leg : tour.legs) {
+      EXPECT_EQ(leg.path.front(), points[leg.from]);
+      EXPECT_EQ(leg.path.back(), points[leg.to]);
+    }
+    EXPECT_LE(*tour.lower_bound, tour.length);
+    EXPECT_LT(*tour.gap(), 0.05);
+  }
+  EXPECT_THROW(
+      static_cast<void>(plain.distances(std::vector<Point>{{30.5, 3}}, std::vector<Point>{{1, 1}})),
+      Error);
+  EXPECT_FALSE(plain.clear_at({30.5, 3.5}));
+  EXPECT_TRUE(plain.clear_at({30, 3.5}));  // the border of a free cell
+}
+
+TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
+  Grid grid = rooms();
+  std::vector<double> weights;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) weights.push_back(1 + (x / 5 + y / 7) % 4);
+  const CostField field(60, 40, weights);
+  const CostPlanner planner(Planner(grid), field);
+  for (const int count : {1, 2, 5, 6})
+    for (const int kind : {0, 1, 2, 3}) {
+      if (count == 1 && kind == 3) continue;
+      TourRequest request = ask(some_stops(grid, count));
+      request.open = kind > 0;
+      if (kind > 1) request.start = 0;
+      if (kind > 2) request.goal = count - 1;
+      const TourResult tour = plan_tour(planner, request);
+      ASSERT_EQ(tour.order.size(), static_cast<std::size_t>(count));
+      double sum = 0;
+      for (const TourLeg& leg : tour.legs) {
+        EXPECT_EQ(leg.path.front(), centre(request.stops[leg.from]));
+        EXPECT_EQ(leg.path.back(), centre(request.stops[leg.to]));
+        EXPECT_NEAR(leg.length, path_length(leg.path), 1e-9);
+        sum += leg.cost;
+      }
+      EXPECT_EQ(*tour.cost, sum);
+      EXPECT_LE(*tour.lower_bound, sum);
+      EXPECT_LE(*tour.gap(), 0.0025);
+      std::vector<int> order(count);
+      std::vector<double> pair;
+      for (int i = 0; i < count; ++i) {
+        order[i] = i;
+        for (int k = 0; k < count; ++k)
+          pair.push_back(planner.plan({request.stops[i], request.stops[k]}).cost);
+      }
+      double best = std::numeric_limits<double>::infinity();
+      do {
+        if ((kind > 1 && order.front() != 0) || (kind > 2 && order.back() != count - 1)) continue;
+        double cost = 0;
+        for (int i = 1; i < count + (kind == 0 && count > 1); ++i)
+          cost += pair[order[i - 1] * count + order[i % count]];
+        best = std::min(best, cost);
+      } while (std::next_permutation(order.begin(), order.end()));
+      EXPECT_LE(sum, best * 1.003 + 1e-9);
+      EXPECT_LE(*tour.lower_bound, best + 1e-9);
+    }
+  TourRequest request = ask(some_stops(grid, 20));
+  request.stop.deadline = Clock::now();
+  const TourResult hurried = plan_tour(planner, request);
+  EXPECT_EQ(hurried.order.size(), 20U);
+  EXPECT_EQ(hurried.status, Status::limit);
+  EXPECT_EQ(hurried.legs.size(), 20U);
+  EXPECT_THROW(plan_tour(planner, ask(some_stops(grid, 201))), Error);
+}
+
+}  // namespace
+}  // namespace lasius
