@@ -1,0 +1,69 @@
+// Whether a robot touches something in a posture, or anywhere along a straight motion.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/arm/contact/motion_bound.h"
+#include "core/arm/contact/shape.h"
+#include "lasius/stop.h"
+
+namespace lasius::arm {
+
+/// Two things: a link of the robot, and what it is near to.
+struct NearPair {
+  double distance = 0;  // metres
+  int link = -1;        // -1: there is no pair
+  int other = -1;       // link; -1: an obstacle
+  int obstacle = -1;
+};
+
+/// A robot and its scene, ready to be asked by several threads at a time. Nearer than twice the
+/// clearance counts as touched, and what is called free is nowhere nearer than the clearance: all
+/// along a motion, which is shown by bounds, not by samples. Meshes are surfaces.
+class Contact {
+ public:
+  /// Precondition: both are as `validate` wants them, and outlive it.
+  Contact(const Robot& robot, const Scene& scene);
+
+  /// True where nothing is nearer than 2 `clearance`; if not, `touch` is told what is.
+  /// Precondition: a value for each joint, in all that follows.
+  bool posture_free(std::span<const double> q, double clearance, NearPair* touch = nullptr) const;
+
+  enum class Answer { free, blocked, stopped };
+  /// `free`: nothing comes nearer than `clearance` while each joint goes straight. `blocked`: in a
+  /// posture on the way something is nearer than twice that. Polls `stop` all the time.
+  Answer motion(std::span<const double> from, std::span<const double> to, double clearance,
+                const StopCondition& stop) const;
+
+  /// The nearest pair of those that must not touch; infinitely far where there is none.
+  NearPair nearest(std::span<const double> q) const;
+
+  const Kinematics& kinematics() const noexcept { return arm_; }
+
+ private:
+  /// Two shapes that must not touch, of which the first moves seen from the second.
+  struct Pair {
+    const Shape* a;
+    const Shape* b;
+    int relation;
+  };
+  /// Bodies, the first above the second.
+  struct Relation {
+    int body, from;
+  };
+  class Search;
+
+  void add(const Shape* a, const Shape* b, int body, int from);
+  NearPair told(const Pair& pair, double distance) const;
+
+  const Robot& robot_;
+  Kinematics arm_;
+  ShapeStore store_;
+  std::vector<int> link_;  // of each solid of the robot
+  int obstacles_ = 0;      // solids from this number on are the robot's
+  std::vector<Relation> relations_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace lasius::arm
