@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arm/contact/gjk.h"
 #include "core/base/poller.h"
@@ -50,83 +51,85 @@ bool first_is_opened(const Shape& a, const Shape& b) noexcept {
 
 }  // namespace
 
-Contact::Contact(const Robot& robot, const Scene& scene) : robot_(robot), arm_(robot) {
-  std::vector<const Shape*> obstacles;
-  for (const Obstacle& o : scene.obstacles)
-    if (const Shape* const shape = store_.add(o, obstacles_++)) obstacles.push_back(shape);
-
+RobotShapes::RobotShapes(const Robot& robot) : arm_(robot) {
   const int links = static_cast<int>(robot.links.size());
-  std::vector<const Shape*> whole(links, nullptr);            // of each link
-  std::vector<std::vector<int>> of_body(robot.size() + 1);    // links with solids
+  std::vector<const Shape*> whole(links, nullptr);          // of each link
+  std::vector<std::vector<int>> of_body(robot.size() + 1);  // links with solids
   for (int l = 0; l < links; ++l) {
     std::vector<const Shape*> shapes;
     for (const Solid& solid : robot.links[l].solids) {
-      if (const Shape* const shape =
-              store_.add(solid, obstacles_ + static_cast<int>(link_.size())))
+      if (const Shape* const shape = store_.add(solid, static_cast<int>(links_.size())))
         shapes.push_back(shape);
-      link_.push_back(l);
+      links_.push_back(l);
     }
     if (shapes.empty()) continue;
     whole[l] = store_.join(shapes);
     of_body[robot.links[l].body].push_back(l);
   }
-  std::vector<const Shape*> body(robot.size() + 1, nullptr);
-  for (int i = 0; i <= robot.size(); ++i) {
+  for (const std::vector<int>& on : of_body) {
     std::vector<const Shape*> shapes;
-    for (const int l : of_body[i]) shapes.push_back(whole[l]);
-    if (!shapes.empty()) body[i] = store_.join(shapes);
+    for (const int l : on) shapes.push_back(whole[l]);
+    bodies_.push_back(shapes.empty() ? nullptr : store_.join(shapes));
   }
 
   std::vector<std::vector<char>> checked(links, std::vector<char>(links, 0));
   for (const auto& [a, b, check] : link_pairs(robot))
     checked[a][b] = checked[b][a] = check == LinkPair::Check::yes;
-  const auto all_checked = [&](int link, const std::vector<int>& others) {
-    return std::ranges::all_of(others, [&](int other) { return checked[link][other] != 0; });
-  };
   for (int i = 1; i <= robot.size(); ++i) {
-    if (body[i] == nullptr) continue;
-    for (const Shape* const obstacle : obstacles) add(body[i], obstacle, i, 0);
     for (int j = 0; j < i; ++j) {
-      if (body[j] == nullptr) continue;
       // As few pairs as cover those that are checked, and no others.
-      std::vector<int> left;
-      for (const int a : of_body[i])
-        if (!all_checked(a, of_body[j])) left.push_back(a);
-      if (left.empty()) {
-        add(body[i], body[j], i, j);
+      std::vector<int> wholly, partly;
+      for (const int a : of_body[i]) {
+        const bool all = std::ranges::all_of(of_body[j], [&](int b) { return checked[a][b] != 0; });
+        (all ? wholly : partly).push_back(a);
+      }
+      if (of_body[j].empty() || of_body[i].empty()) continue;
+      if (partly.empty()) {
+        pairs_.push_back({bodies_[i], bodies_[j], i, j});
         continue;
       }
-      for (const int a : of_body[i]) {
-        if (std::ranges::find(left, a) == left.end()) add(whole[a], body[j], i, j);
-      }
-      for (const int b : of_body[j]) {
-        for (const int a : left)
-          if (checked[a][b] != 0) add(whole[a], whole[b], i, j);
+      for (const int a : wholly) pairs_.push_back({whole[a], bodies_[j], i, j});
+      for (const int a : partly) {
+        for (const int b : of_body[j])
+          if (checked[a][b] != 0) pairs_.push_back({whole[a], whole[b], i, j});
       }
     }
   }
 }
 
-void Contact::add(const Shape* a, const Shape* b, int body, int from) {
-  const auto known = std::ranges::find_if(
-      relations_, [&](const Relation& r) { return r.body == body && r.from == from; });
-  pairs_.push_back({a, b, static_cast<int>(known - relations_.begin())});
-  if (known == relations_.end()) relations_.push_back({body, from});
+Contact::Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene)
+    : robot_(std::move(robot)) {
+  std::vector<const Shape*> obstacles;
+  for (int o = 0; o < static_cast<int>(scene.obstacles.size()); ++o) {
+    const Shape* const shape = store_.add(scene.obstacles[o], -1 - o);
+    if (shape == nullptr) continue;
+    for (int i = 1; i <= robot_->kinematics().size(); ++i)
+      if (robot_->body(i) != nullptr) add({robot_->body(i), shape, i, 0});
+  }
+  for (const ShapePair& pair : robot_->pairs()) add(pair);
+}
+
+void Contact::add(const ShapePair& pair) {
+  const auto known = std::ranges::find_if(relations_, [&](const Relation& r) {
+    return r.body == pair.body && r.from == pair.from;
+  });
+  pairs_.push_back({pair.a, pair.b, static_cast<int>(known - relations_.begin())});
+  if (known == relations_.end()) relations_.push_back({pair.body, pair.from});
 }
 
 NearPair Contact::told(const Pair& pair, double distance) const {
-  NearPair found{.distance = std::max(0.0, distance), .link = link_[pair.a->solid - obstacles_]};
-  if (pair.b->solid < obstacles_)
-    found.obstacle = pair.b->solid;
+  NearPair found{.distance = std::max(0.0, distance), .link = robot_->link_of(pair.a->solid)};
+  if (pair.b->solid < 0)
+    found.obstacle = -1 - pair.b->solid;
   else
-    found.other = link_[pair.b->solid - obstacles_];
+    found.other = robot_->link_of(pair.b->solid);
   return found;
 }
 
 bool Contact::posture_free(std::span<const double> q, double clearance, NearPair* touch) const {
   Kinematics::Poses poses;
   Bodies bodies;
-  place_bodies(arm_, q, poses, bodies);
+  place_bodies(robot_->kinematics(), q, poses, bodies);
   std::vector<Pair> left;
   for (const Pair& root : pairs_) {
     left.assign(1, root);
@@ -148,7 +151,7 @@ bool Contact::posture_free(std::span<const double> q, double clearance, NearPair
         }
       }
       const bool first = first_is_opened(*a, *b);
-      for (const Shape* const part : store_.parts_of(first ? *a : *b))
+      for (const Shape* const part : parts_of(first ? *a : *b))
         left.push_back(first ? Pair{part, b, relation} : Pair{a, part, relation});
     }
   }
@@ -158,7 +161,7 @@ bool Contact::posture_free(std::span<const double> q, double clearance, NearPair
 NearPair Contact::nearest(std::span<const double> q) const {
   Kinematics::Poses poses;
   Bodies bodies;
-  place_bodies(arm_, q, poses, bodies);
+  place_bodies(robot_->kinematics(), q, poses, bodies);
   NearPair found{.distance = kInfinity};
   std::vector<Pair> left;
   const auto gap = [&](const Pair& pair) {
@@ -186,7 +189,7 @@ NearPair Contact::nearest(std::span<const double> q) const {
       const bool first = first_is_opened(*a, *b);
       std::array<Pair, 2> parts;
       for (int i = 0; i < 2; ++i) {
-        const Shape* const part = store_.parts_of(first ? *a : *b)[i];
+        const Shape* const part = parts_of(first ? *a : *b)[i];
         parts[i] = first ? Pair{part, b, relation} : Pair{a, part, relation};
       }
       if (gap(parts[0]) < gap(parts[1])) std::swap(parts[0], parts[1]);
@@ -202,16 +205,17 @@ class Contact::Search {
   Search(const Contact& contact, std::span<const double> from, std::span<const double> to,
          double clearance, const StopCondition& stop)
       : contact_(contact),
+        arm_(contact.robot_->kinematics()),
         from_(from),
         clearance_(clearance),
-        bound_(contact.arm_),
+        bound_(arm_),
         poller_(stop, 64),
         relative_(contact.relations_.size()) {
-    for (int j = 0; j < contact.arm_.size(); ++j) change_[j] = to[j] - from[j];
+    for (int j = 0; j < arm_.size(); ++j) change_[j] = to[j] - from[j];
   }
 
   Answer run() {
-    const int joints = contact_.arm_.size();
+    const int joints = arm_.size();
     double way = 0;
     for (int j = 0; j < joints; ++j) way += std::abs(change_[j]);
     int pieces = 1;
@@ -255,10 +259,10 @@ class Contact::Search {
   /// the interval, and is apart in its middle.
   bool look(const Interval& interval, std::vector<Pair>& next) {
     JointArray q;
-    const int joints = contact_.arm_.size();
+    const int joints = arm_.size();
     for (int j = 0; j < joints; ++j) q[j] = from_[j] + interval.middle * change_[j];
     const std::span<const double> change(change_.data(), static_cast<std::size_t>(joints));
-    place_bodies(contact_.arm_, std::span<const double>(q).first(change.size()), poses_, bodies_);
+    place_bodies(arm_, std::span<const double>(q).first(change.size()), poses_, bodies_);
     bound_.set(change, interval.half, poses_);
     known_.assign(relative_.size(), 0);
     for (std::size_t i = interval.first; i < interval.last; ++i) {
@@ -273,7 +277,7 @@ class Contact::Search {
         if (verdict != Verdict::opened) continue;
         const auto& [a, b, relation] = pair;
         const bool first = first_is_opened(*a, *b);
-        for (const Shape* const part : contact_.store_.parts_of(first ? *a : *b))
+        for (const Shape* const part : parts_of(first ? *a : *b))
           stack_.push_back(first ? Pair{part, b, relation} : Pair{a, part, relation});
       }
     }
@@ -320,6 +324,7 @@ class Contact::Search {
   }
 
   const Contact& contact_;
+  const Kinematics& arm_;
   std::span<const double> from_;
   double clearance_;
   JointArray change_{};

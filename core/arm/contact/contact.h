@@ -1,6 +1,7 @@
 // Whether a robot touches something in a posture, or anywhere along a straight motion.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,13 +19,40 @@ struct NearPair {
   int obstacle = -1;
 };
 
+/// Two shapes that must not touch, of bodies by number: 0 is the base, i moves with joint i - 1.
+struct ShapePair {
+  const Shape* a;
+  const Shape* b;
+  int body, from;  // of a and of b, which is below
+};
+
+/// A robot's links, prepared once for any number of scenes.
+class RobotShapes {
+ public:
+  /// Precondition: a robot that `validate` accepts.
+  explicit RobotShapes(const Robot& robot);
+
+  const Kinematics& kinematics() const noexcept { return arm_; }
+  /// All that moves with a body; null: nothing.
+  const Shape* body(int i) const noexcept { return bodies_[i]; }
+  std::span<const ShapePair> pairs() const noexcept { return pairs_; }
+  int link_of(int solid) const noexcept { return links_[solid]; }
+
+ private:
+  Kinematics arm_;
+  ShapeStore store_;
+  std::vector<int> links_;  // of each solid
+  std::vector<const Shape*> bodies_;
+  std::vector<ShapePair> pairs_;
+};
+
 /// A robot and its scene, ready to be asked by several threads at a time. Nearer than twice the
 /// clearance counts as touched, and what is called free is nowhere nearer than the clearance: all
 /// along a motion, which is shown by bounds, not by samples. Meshes are surfaces.
 class Contact {
  public:
-  /// Precondition: both are as `validate` wants them, and outlive it.
-  Contact(const Robot& robot, const Scene& scene);
+  /// Precondition: a scene that `validate` accepts.
+  Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene);
 
   /// True where nothing is nearer than 2 `clearance`; if not, `touch` is told what is.
   /// Precondition: a value for each joint, in all that follows.
@@ -39,10 +67,9 @@ class Contact {
   /// The nearest pair of those that must not touch; infinitely far where there is none.
   NearPair nearest(std::span<const double> q) const;
 
-  const Kinematics& kinematics() const noexcept { return arm_; }
+  const std::shared_ptr<const RobotShapes>& robot() const noexcept { return robot_; }
 
  private:
-  /// Two shapes that must not touch, of which the first moves seen from the second.
   struct Pair {
     const Shape* a;
     const Shape* b;
@@ -54,14 +81,11 @@ class Contact {
   };
   class Search;
 
-  void add(const Shape* a, const Shape* b, int body, int from);
+  void add(const ShapePair& pair);
   NearPair told(const Pair& pair, double distance) const;
 
-  const Robot& robot_;
-  Kinematics arm_;
-  ShapeStore store_;
-  std::vector<int> link_;  // of each solid of the robot
-  int obstacles_ = 0;      // solids from this number on are the robot's
+  std::shared_ptr<const RobotShapes> robot_;
+  ShapeStore store_;  // of the obstacles
   std::vector<Relation> relations_;
   std::vector<Pair> pairs_;
 };

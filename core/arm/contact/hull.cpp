@@ -1,6 +1,8 @@
 #include "core/arm/contact/hull.h"
 
+#include <cstring>
 #include <limits>
+#include <utility>
 
 #include "core/arm/contact/gjk.h"
 
@@ -45,6 +47,49 @@ Vec3 way_out(std::span<const Vec3> corners, Vec3 p, double near) {
   }
   return to;
 }
+
+// Four points at a time, in the vectors that compilers make of this: the same additions in the same
+// order on every machine.
+using Floats [[gnu::vector_size(16)]] = float;
+using Ints [[gnu::vector_size(16)]] = int;
+
+/// The furthest along a direction so far, of each fourth point.
+class Scan {
+ public:
+  explicit Scan(Vec3 d) noexcept : x_(all(d.x)), y_(all(d.y)), z_(all(d.z)) {}
+
+  /// The four points from number `at` on: x behind `x`, y `count` further on, z again.
+  void step(const float* x, int count, int at) noexcept {
+    const Floats along = x_ * load(x) + y_ * load(x + count) + z_ * load(x + 2 * count);
+    const Ints more = along > most_;
+    most_ = reinterpret_cast<Floats>((more & reinterpret_cast<Ints>(along)) |
+                                     (~more & reinterpret_cast<Ints>(most_)));
+    best_ = (more & (Ints{at, at, at, at} + Ints{0, 1, 2, 3})) | (~more & best_);
+  }
+  /// Its number, and how far along it is.
+  std::pair<int, float> best() const noexcept {
+    int lane = 0;
+    for (int l = 1; l < 4; ++l)
+      if (most_[l] > most_[lane]) lane = l;
+    return {best_[lane], most_[lane]};
+  }
+
+ private:
+  static Floats all(double v) noexcept {
+    const auto f = static_cast<float>(v);
+    return Floats{f, f, f, f};
+  }
+  static Floats load(const float* from) noexcept {
+    Floats four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+  }
+
+  static constexpr float kLow = -std::numeric_limits<float>::max();
+  Floats x_, y_, z_;
+  Floats most_{kLow, kLow, kLow, kLow};
+  Ints best_{};
+};
 
 }  // namespace
 
@@ -93,59 +138,22 @@ Hull::Hull(std::span<const Vec3> points, double wanted) {
 }
 
 int Hull::furthest(Vec3 direction) const noexcept {
-  const auto dx = static_cast<float>(direction.x), dy = static_cast<float>(direction.y),
-             dz = static_cast<float>(direction.z);
-  const float* const x = floats_.data();
-  const float* const y = x + count_;
-  const float* const z = y + count_;
-  // Four at a time: compilers make vectors of it.
-  std::array<float, 4> most;
-  std::array<int, 4> best{0, 1, 2, 3};
-  for (int l = 0; l < 4; ++l) most[l] = dx * x[l] + dy * y[l] + dz * z[l];
-  for (int i = 4; i < count_; i += 4) {
-    for (int l = 0; l < 4; ++l) {
-      const float along = dx * x[i + l] + dy * y[i + l] + dz * z[i + l];
-      best[l] = along > most[l] ? i + l : best[l];
-      most[l] = along > most[l] ? along : most[l];
-    }
-  }
-  int lane = 0;
-  for (int l = 1; l < 4; ++l)
-    if (most[l] > most[lane]) lane = l;
-  return best[lane];
+  Scan scan(direction);
+  for (int i = 0; i < count_; i += 4) scan.step(floats_.data() + i, count_, i);
+  return scan.best().first;
 }
 
 Hull::Furthest Hull::furthest(Vec3 first, double first_start, Vec3 second,
                               double second_start) const noexcept {
-  const auto ax = static_cast<float>(first.x), ay = static_cast<float>(first.y),
-             az = static_cast<float>(first.z), bx = static_cast<float>(second.x),
-             by = static_cast<float>(second.y), bz = static_cast<float>(second.z);
-  const float* const x = floats_.data();
-  const float* const y = x + count_;
-  const float* const z = y + count_;
-  std::array<float, 4> most, other;
-  std::array<int, 4> best{0, 1, 2, 3}, others{0, 1, 2, 3};
-  for (int l = 0; l < 4; ++l) {
-    most[l] = ax * x[l] + ay * y[l] + az * z[l];
-    other[l] = bx * x[l] + by * y[l] + bz * z[l];
+  Scan ahead(first), behind(second);
+  for (int i = 0; i < count_; i += 4) {
+    ahead.step(floats_.data() + i, count_, i);
+    behind.step(floats_.data() + i, count_, i);
   }
-  for (int i = 4; i < count_; i += 4) {
-    for (int l = 0; l < 4; ++l) {
-      const float along = ax * x[i + l] + ay * y[i + l] + az * z[i + l];
-      best[l] = along > most[l] ? i + l : best[l];
-      most[l] = along > most[l] ? along : most[l];
-      const float across = bx * x[i + l] + by * y[i + l] + bz * z[i + l];
-      others[l] = across > other[l] ? i + l : others[l];
-      other[l] = across > other[l] ? across : other[l];
-    }
-  }
-  int lane = 0, lane_other = 0;
-  for (int l = 1; l < 4; ++l) {
-    if (most[l] > most[lane]) lane = l;
-    if (other[l] > other[lane_other]) lane_other = l;
-  }
-  if (first_start + most[lane] >= second_start + other[lane_other]) return {best[lane], false};
-  return {others[lane_other], true};
+  const auto [index, along] = ahead.best();
+  const auto [other, across] = behind.best();
+  if (first_start + along >= second_start + across) return {index, false};
+  return {other, true};
 }
 
 }  // namespace lasius::arm

@@ -11,7 +11,7 @@ namespace lasius::arm {
 namespace {
 
 constexpr int kMostInHull = 1024;     // triangles; of larger covers only the first has one
-constexpr double kCover = 0.004;      // of its radius: how near a hull follows what it covers
+constexpr double kCover = 0.01;      // of its radius: how near a hull follows what it covers
 
 struct Ball {
   Vec3 centre;
@@ -87,6 +87,12 @@ struct Shape::Mesh {
 ShapeStore::ShapeStore() = default;
 ShapeStore::~ShapeStore() = default;
 
+Shape& ShapeStore::make() const {
+  Shape& shape = shapes_.emplace_back();
+  shape.store = this;
+  return shape;
+}
+
 const Shape* ShapeStore::add(const Solid& solid, int number) {
   const Placement at = from_eigen(solid.pose);
   if (solid.shape == Solid::Shape::mesh) {
@@ -112,7 +118,7 @@ const Shape* ShapeStore::add(const Solid& solid, int number) {
     for (std::size_t t = 0; t < given.size(); ++t) mesh.order[t] = static_cast<int>(t);
     return cover(mesh, 0, static_cast<int>(given.size()), number, true);
   }
-  Shape& shape = shapes_.emplace_back();
+  Shape& shape = make();
   shape.exact = true;
   shape.solid = number;
   shape.at = at;
@@ -142,7 +148,7 @@ const Shape* ShapeStore::add(const Solid& solid, int number) {
 
 const Shape* ShapeStore::cover(Shape::Mesh& mesh, int first, int count, int number,
                                bool root) const {
-  Shape& shape = shapes_.emplace_back();
+  Shape& shape = make();
   shape.solid = number;
   if (count == 1) {
     const auto& triangle = mesh.triangles[mesh.order[first]];
@@ -196,7 +202,7 @@ const Shape* ShapeStore::join(std::span<const Shape* const> shapes) {
   const std::span all(sorted);
   const Shape::Parts parts{join(all.first(half)), join(all.subspan(half))};
 
-  Shape& shape = shapes_.emplace_back();
+  Shape& shape = make();
   shape.round = round;
   surround(shape, points);
   shape.hull = Hull(points, kCover * shape.radius);

@@ -28,7 +28,8 @@ struct Shape {
   Vec3 half;            // box; cylinder: half.x its radius, half.z half its length
   std::array<Vec3, 3> corner;  // segment: two of them
   Hull hull;
-  int solid = 0;  // of an exact shape: its number among those that were added
+  int solid = 0;  // of an exact shape: the number that was given with the solid
+  const class ShapeStore* store = nullptr;  // that keeps it
 
   /// False of a cover without a hull: only its ball is known.
   bool hull_or_exact() const noexcept { return exact || hull.count() > 0; }
@@ -46,17 +47,14 @@ class ShapeStore {
   ShapeStore();
   ~ShapeStore();
 
-  /// The number that `solid` shall have; null for a mesh without triangles.
+  /// The solid, which is told by `number`; null for a mesh without triangles.
   const Shape* add(const Solid& solid, int number);
   /// A cover of all of them. Precondition: there are some.
   const Shape* join(std::span<const Shape* const> shapes);
-  /// What together makes the shape. Precondition: it is not exact.
-  const Shape::Parts& parts_of(const Shape& shape) const {
-    const Shape::Parts* known = shape.parts.load(std::memory_order_acquire);
-    return known != nullptr ? *known : make_parts(shape);
-  }
 
  private:
+  friend const Shape::Parts& parts_of(const Shape& shape);
+  Shape& make() const;
   const Shape::Parts& make_parts(const Shape& shape) const;
   const Shape* cover(Shape::Mesh& mesh, int first, int count, int number, bool root) const;
 
@@ -65,6 +63,12 @@ class ShapeStore {
   mutable std::deque<Shape::Parts> parts_;
   std::vector<std::unique_ptr<Shape::Mesh>> meshes_;
 };
+
+/// What together makes a shape. Precondition: it is not exact.
+inline const Shape::Parts& parts_of(const Shape& shape) {
+  const Shape::Parts* known = shape.parts.load(std::memory_order_acquire);
+  return known != nullptr ? *known : shape.store->make_parts(shape);
+}
 
 /// A shape in the world, as the search for a separating plane asks.
 class PlacedShape {
