@@ -190,7 +190,8 @@ std::optional<Result> RequestSolver::drop_blocked_ends() {
     if (ended() || !position_free(end.q)) continue;
     if (parameters_.direct && !ended()) {
       ++asked_.motions;
-      if (sensor_.motion_free(request_.start, end.q)) return straight_line_result(end);
+      if (sensor_.try_motion(request_.start, end.q, request_.stop).value_or(false))
+        return straight_line_result(end);
     }
     free.push_back(std::move(end));
   }
@@ -274,7 +275,7 @@ Result RequestSolver::search_lattices(const Search& search) {
                                   std::to_string(Lattice::kMostNodes) + " fit");
     }
     Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
-                    parameters_, asked_);
+                    parameters_, request_.stop, asked_);
     add_postures(lattice);
     if (lattice.has_target()) {
       append(search(lattice, parameters_), result);

@@ -37,7 +37,8 @@ class CountedSensor {
   CountedSensor(const Sensor& sensor, const TrajectoryOptions& options)
       : sensor_(sensor),
         clearance_(sensor.clearance()),
-        poller_(options.stop, 16),
+        stop_(options.stop),
+        poller_(stop_, kQuestions),
         most_(options.max_questions) {
     check_clearance(sensor);
   }
@@ -45,7 +46,9 @@ class CountedSensor {
   bool motion_free(const JointRef& from, const JointRef& to) {
     if (poller_.stop_after(1) || (spent_ |= asked_ >= most_)) return false;
     ++asked_;
-    return sensor_.motion_free(from, to);
+    const auto free = sensor_.try_motion(from, to, stop_);
+    if (!free) poller_.stop_after(kQuestions);
+    return free.value_or(false);
   }
   bool stopped() const noexcept { return poller_.stopped() || spent_; }
   /// Says in `result` how it ended, and what was asked.
@@ -59,6 +62,8 @@ class CountedSensor {
  private:
   const Sensor& sensor_;
   double clearance_;
+  static constexpr int kQuestions = 16;  // between two polls
+  const StopCondition& stop_;
   Poller poller_;
   std::int64_t most_;
   std::int64_t asked_ = 0;

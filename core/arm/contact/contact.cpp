@@ -100,11 +100,11 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot) {
 Contact::Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene)
     : robot_(std::move(robot)) {
   std::vector<const Shape*> obstacles;
-  for (int o = 0; o < static_cast<int>(scene.obstacles.size()); ++o) {
-    const Shape* const shape = store_.add(scene.obstacles[o], -1 - o);
-    if (shape == nullptr) continue;
-    for (int i = 1; i <= robot_->kinematics().size(); ++i)
-      if (robot_->body(i) != nullptr) add({robot_->body(i), shape, i, 0});
+  for (int o = 0; o < static_cast<int>(scene.obstacles.size()); ++o)
+    if (const Shape* const s = store_.add(scene.obstacles[o], -1 - o)) obstacles.push_back(s);
+  for (int i = 1; i <= robot_->kinematics().size(); ++i) {
+    if (robot_->body(i) == nullptr) continue;
+    for (const Shape* const obstacle : obstacles) add({robot_->body(i), obstacle, i, 0});
   }
   for (const ShapePair& pair : robot_->pairs()) add(pair);
 }
