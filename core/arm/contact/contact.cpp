@@ -34,10 +34,11 @@ BallGap ball_gap(const Shape& a, const Placement& at, const Shape& b,
 
 /// Metres between two shapes where that is below `enough`, else something from there on; never
 /// above the distance, of covers of that of what they cover.
+template <GjkAsked asked>
 double shapes_apart(const Shape& a, const PlacedShape& at, Vec3 guess, const Shape& b,
                     const PlacedShape& other, double enough) noexcept {
   const double round = a.round + b.round;
-  return gjk_apart(at, other, guess, enough + round) - round;
+  return gjk_apart<asked>(at, other, guess, enough + round) - round;
 }
 
 Vec3 off(const Shape& a, const Placement& at, const Shape& b, const Placement& other) noexcept {
@@ -123,6 +124,7 @@ NearPair Contact::told(const Pair& pair, double distance) const {
     found.obstacle = -1 - pair.b->solid;
   else
     found.other = robot_->link_of(pair.b->solid);
+  if (pair.b->solid >= 0 && found.other < found.link) std::swap(found.link, found.other);
   return found;
 }
 
@@ -142,11 +144,15 @@ bool Contact::posture_free(std::span<const double> q, double clearance, NearPair
       if (ball_gap(*a, bodies[body], *b, other).gap >= 2 * clearance) continue;
       const PlacedShape at(*a, bodies[body]);
       if (a->hull_or_exact() && b->hull_or_exact()) {
-        const double apart = shapes_apart(*a, at, off(*a, bodies[body], *b, bodies[from]), *b,
-                                          other, 2 * clearance);
+        const Vec3 guess = off(*a, bodies[body], *b, bodies[from]);
+        const double apart =
+            shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance);
         if (apart >= 2 * clearance) continue;
         if (a->exact && b->exact) {
-          if (touch != nullptr) *touch = told(pair, apart);
+          if (touch != nullptr) {
+            *touch = told(pair, shapes_apart<GjkAsked::distance>(*a, at, guess, *b, other,
+                                                                 2 * clearance));
+          }
           return false;
         }
       }
@@ -177,7 +183,7 @@ NearPair Contact::nearest(std::span<const double> q) const {
       const auto& [body, from] = relations_[relation];
       if (gap(pair) >= found.distance) continue;
       if (a->hull_or_exact() && b->hull_or_exact()) {
-        const double apart = shapes_apart(
+        const double apart = shapes_apart<GjkAsked::distance>(
             *a, PlacedShape(*a, bodies[body]), off(*a, bodies[body], *b, bodies[from]), *b,
             PlacedShape(*b, bodies[from]), found.distance);
         if (apart >= found.distance) continue;
@@ -315,10 +321,10 @@ class Contact::Search {
       const SweptShape swept(at, h * motion.turn, h * motion.shift);
       const double round = a->round * (1 + h * motion.turning) + b->round;
       const double need = clearance_ + curved + round;
-      if (gjk_apart(swept, other, guess, need) >= need) return Verdict::free;
+      if (gjk_apart<GjkAsked::decision>(swept, other, guess, need) >= need) return Verdict::free;
     }
     if (ball.gap >= 2 * clearance_) return Verdict::apart;
-    if (shapes_apart(*a, at, guess, *b, other, 2 * clearance_) >= 2 * clearance_)
+    if (shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance_) >= 2 * clearance_)
       return Verdict::apart;
     return a->exact && b->exact ? Verdict::touched : Verdict::opened;
   }

@@ -26,10 +26,13 @@ struct GjkSimplex {
 /// left where the origin is inside.
 Vec3 nearest_point(GjkSimplex& simplex) noexcept;
 
+/// What is asked of two sets: their distance, or only whether they are so far apart.
+enum class GjkAsked { distance, decision };
+
 /// Metres between two sets where that is below `enough`, too small by at most a millionth of it and
-/// 1e-9; else a value from `enough` on that is not above it. `support_a(d)` is a point of one that
+/// 1e-9 where the distance is asked for; else a value from `enough` on that is not above it. `support_a(d)` is a point of one that
 /// is furthest along d, `support_b` of the other; `guess` is a difference of their points.
-template <class A, class B>
+template <GjkAsked asked, class A, class B>
 double gjk_apart(const A& support_a, const B& support_b, Vec3 guess, double enough) noexcept {
   constexpr int kMostSteps = 64;
   Vec3 to = guess;  // of the differences of their points the nearest to 0 so far
@@ -39,7 +42,8 @@ double gjk_apart(const A& support_a, const B& support_b, Vec3 guess, double enou
     const Vec3 next = support_a(-1.0 * to) - support_b(to);
     apart = std::max(apart, dot(next, to) / size);
     if (apart >= enough || size - apart <= 1e-6 * size + 1e-9) break;
-    if (i > 0 && size < enough) break;  // a plane cannot keep them further apart than they are
+    // A plane cannot keep them further apart than they are.
+    if (asked == GjkAsked::decision && i > 0 && size < enough) break;
     for (int k = 0; k < simplex.count; ++k)
       if (simplex.point[k] == next) return apart;
     simplex.point[simplex.count++] = next;

@@ -165,10 +165,10 @@ TEST(Gjk, NeverSaysMoreThanTheDistance) {
     const auto outside = [](double x, double most) { return std::max(0.0, std::abs(x) - most); };
     const double expected = length({outside(a.x - b.x, half.x), outside(a.y - b.y, half.y),
                                     outside(a.z - b.z, half.z)});
-    const double found = gjk_apart([&](Vec3) { return a; }, box, a - b, 1e9);
+    const double found = gjk_apart<GjkAsked::distance>([&](Vec3) { return a; }, box, a - b, 1e9);
     EXPECT_LE(found, expected + 1e-12);
     EXPECT_GE(found, expected - 1e-6 * expected - 2e-9);
-    const double enough = draw.between(0.01, 1), capped = gjk_apart(
+    const double enough = draw.between(0.01, 1), capped = gjk_apart<GjkAsked::decision>(
         [&](Vec3) { return a; }, box, a - b, enough);
     EXPECT_EQ(capped >= enough, expected >= enough) << expected - enough;
   }
