@@ -14,7 +14,7 @@ namespace lasius::bench {
 namespace {
 
 struct MbmOptions {
-  std::string folder, problems, name = "ur5", base = "base_link", tip = "ee_link", markdown;
+  std::string folder, problems, base, name = "ur5", tip = "ee_link", markdown;
   double clearance = arm::Sensor::kLeastClearance;
   std::uint64_t seed = 1;
   int each = 1, checked = 0, instants = 2001;
@@ -143,7 +143,7 @@ void add_arm_mbm_command(CLI::App& app) {
       ->required();
   command.add_option("--problems", options.problems, "Their folder; default: DIR/NAME/problems");
   command.add_option("--name", options.name, "The robot")->capture_default_str();
-  command.add_option("--base", options.base, "First link of the chain")->capture_default_str();
+  command.add_option("--base", options.base, "First link of the chain; default: the root");
   command.add_option("--tip", options.tip, "Last link of the chain")->capture_default_str();
   add_number(command, "--clearance", options.clearance, "Metres", 1e-6, 1);
   add_number(command, "--seed", options.seed, "Of the trees");

@@ -34,6 +34,7 @@ arm::Scene scene_of(const std::string& file) {
       arm::Obstacle obstacle;
       obstacle.name = object["id"].as<std::string>();
       obstacle.pose = pose_of(object["primitive_poses"][i]);
+      if (object["pose"]) obstacle.pose = pose_of(object["pose"]) * obstacle.pose;
       if (kind == "box") {
         obstacle.size = vector_of(sizes);
       } else if (kind == "cylinder") {

@@ -81,7 +81,7 @@ void append(Result more, Result& result) {
 RequestSolver::RequestSolver(const Robot& robot, const Sensor& sensor, const Request& request,
                              const Params& given)
     : robot_(robot), sensor_(sensor), request_(request), parameters_(given) {
-  validate(robot);
+  validate_but_corners(robot);
   validate(given);
   check_target_gap(request.target_gap);
   request_.start = within_limits(robot, request.start, "start", notes_);

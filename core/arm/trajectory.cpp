@@ -139,7 +139,7 @@ Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Wa
 
 /// The columns, none like the one before. @throws Error(invalid_parameter) outside of joint limits.
 Waypoints waypoints_of(const Robot& robot, const Eigen::Ref<const Eigen::MatrixXd>& waypoints) {
-  validate(robot);
+  validate_but_corners(robot);
   for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
     const std::string fault =
         values_fault(robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), 1e-9);
