@@ -102,21 +102,22 @@ void run_arm_mbm(const MbmOptions& options) {
   const double read = preparing.seconds();
   const arm::SceneSensor prepared(robot, {}, options.clearance);
   const double ready = preparing.seconds() - read;
-  const auto problems = read_mbm_problems(
-      options.problems.empty() ? folder + "/problems" : options.problems, robot);
+  const auto problems =
+      read_mbm_problems(options.problems.empty() ? folder + "/problems" : options.problems, robot);
   Table table("MotionBenchMaker, " + options.name + ", meshes as they are, clearance " +
-                  short_number(1e3 * options.clearance) + " mm, one thread, processor time; read in " +
-                  short_number(read) + " s, prepared in " + short_number(ready) +
+                  short_number(1e3 * options.clearance) +
+                  " mm, one thread, processor time; read in " + short_number(read) +
+                  " s, prepared in " + short_number(ready) +
                   " s. Times in ms: median, mean, 95 %, worst; travel in rad.",
               {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %",
                "worst", "motions asked", "travel", "shortened", "contacts, by FCL"},
               options.markdown);
   std::map<std::string, MbmFigures> sets;
   MbmFigures all;
-  int number = 0;
+  int number = 0, taken = 0;
   for (const MbmProblem& problem : problems) {
     if (number++ % options.each != 0) continue;
-    const bool check = options.checked > 0 && number % options.checked == 0;
+    const bool check = options.checked > 0 && taken++ % options.checked == 0;
     solve(robot, prepared, problem, options, check, sets[problem.set]);
   }
   for (const auto& [name, f] : sets) {

@@ -106,10 +106,9 @@ std::vector<MbmProblem> read_mbm_problems(const std::string& problems, const arm
     read.push_back(
         {file.parent_path().filename().string(), std::stoi(number),
          scene_of((file.parent_path() / ("scene" + number + ".yaml")).string()),
-         values_of(robot,
-                   [&](const std::string& name) {
-                     return find(start["name"], start["position"], name);
-                   }),
+         values_of(
+             robot,
+             [&](const std::string& name) { return find(start["name"], start["position"], name); }),
          values_of(robot, [&](const std::string& name) { return goal_of(goal, name); })});
   }
   return read;

@@ -24,8 +24,7 @@ Node count_points(const Box& box) {
 
 Lattice::Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
                  const JointVector& start, double pitch, const Box& box, Targets targets,
-                 const Params& parameters, const StopCondition& stop,
-                 const Questions& before)
+                 const Params& parameters, const StopCondition& stop, const Questions& before)
     : kinematics_(kinematics),
       sensor_(sensor),
       stop_(stop),

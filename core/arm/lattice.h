@@ -53,8 +53,7 @@ class Lattice {
  public:
   Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
           const JointVector& start, double pitch, const Box& box, Targets targets,
-          const Params& parameters, const StopCondition& stop = {},
-          const Questions& before = {});
+          const Params& parameters, const StopCondition& stop = {}, const Questions& before = {});
 
   static constexpr Node kMostNodes = Node{1} << 24;
 

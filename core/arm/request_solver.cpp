@@ -162,7 +162,8 @@ std::optional<Result> RequestSolver::find_targets() {
   for (const int g : goals_) {
     const bool point =
         std::ranges::any_of(points, [&](const Targets::Point& one) { return one.goal == g; });
-    if (parameters_.postures > 1 || parameters_.direct || parameters_.trees > 0 || !point) wanted.push_back(g);
+    if (parameters_.postures > 1 || parameters_.direct || parameters_.trees > 0 || !point)
+      wanted.push_back(g);
   }
   if (wanted.empty()) return std::nullopt;
   const int most = std::max(4, 4 * parameters_.postures);

@@ -201,13 +201,14 @@ LineChart question_chart(const std::vector<arm::Questions>& asked) {
 /// What came of it, below or beside the title.
 std::string figures_text(const ArmAnswer& answer) {
   if (answer.plan.tips.cols() == 0) return std::string(to_string(answer.plan.status));
-  return printed(
-      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
-      answer.plan.direct  ? "straight in joint space,"
-      : answer.plan.trees ? "two trees met,"
-                          : "lattice path", answer.plan.length,
-      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
-      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
+  return printed("%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
+                 answer.plan.direct  ? "straight in joint space,"
+                 : answer.plan.trees ? "two trees met,"
+                                     : "lattice path",
+                 answer.plan.length, unit_of(answer.parameters.objective),
+                 static_cast<long long>(answer.plan.questions.positions),
+                 static_cast<long long>(answer.plan.questions.motions),
+                 answer.plan.trajectory.duration());
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/arm/contact/motion_bound.h"
-#include "core/arm/contact/shape.h"
+#include "core/arm/contact/robot_shapes.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {
@@ -17,33 +16,6 @@ struct NearPair {
   int link = -1;        // -1: there is no pair
   int other = -1;       // link; -1: an obstacle
   int obstacle = -1;
-};
-
-/// Two shapes that must not touch, of bodies by number: 0 is the base, i moves with joint i - 1.
-struct ShapePair {
-  const Shape* a;
-  const Shape* b;
-  int body, from;  // of a and of b, which is below
-};
-
-/// A robot's links, prepared once for any number of scenes.
-class RobotShapes {
- public:
-  /// Precondition: a robot that `validate` accepts.
-  explicit RobotShapes(const Robot& robot);
-
-  const Kinematics& kinematics() const noexcept { return arm_; }
-  /// All that moves with a body; null: nothing.
-  const Shape* body(int i) const noexcept { return bodies_[i]; }
-  std::span<const ShapePair> pairs() const noexcept { return pairs_; }
-  int link_of(int solid) const noexcept { return links_[solid]; }
-
- private:
-  Kinematics arm_;
-  ShapeStore store_;
-  std::vector<int> links_;  // of each solid
-  std::vector<const Shape*> bodies_;
-  std::vector<ShapePair> pairs_;
 };
 
 /// A robot and its scene, ready to be asked by several threads at a time. Nearer than twice the
@@ -82,10 +54,14 @@ class Contact {
   class Search;
 
   void add(const ShapePair& pair);
+  /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
+  /// look, which need not find what there is.
+  bool reaches_inside(std::span<const double> from, std::span<const double> to) const;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;
   ShapeStore store_;  // of the obstacles
+  std::vector<const Shape*> obstacles_;
   std::vector<Relation> relations_;
   std::vector<Pair> pairs_;
 };

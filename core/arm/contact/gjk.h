@@ -30,8 +30,9 @@ Vec3 nearest_point(GjkSimplex& simplex) noexcept;
 enum class GjkAsked { distance, decision };
 
 /// Metres between two sets where that is below `enough`, too small by at most a millionth of it and
-/// 1e-9 where the distance is asked for; else a value from `enough` on that is not above it. `support_a(d)` is a point of one that
-/// is furthest along d, `support_b` of the other; `guess` is a difference of their points.
+/// 1e-9 where the distance is asked for; else a value from `enough` on that is not above it.
+/// `support_a(d)` is a point of one that is furthest along d, `support_b` of the other; `guess` is
+/// a difference of their points.
 template <GjkAsked asked, class A, class B>
 double gjk_apart(const A& support_a, const B& support_b, Vec3 guess, double enough) noexcept {
   constexpr int kMostSteps = 64;

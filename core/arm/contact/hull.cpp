@@ -105,10 +105,13 @@ Hull::Hull(std::span<const Vec3> points, double wanted) {
     for (const Vec3 p : points) add(p);
   } else {
     constexpr double kDiagonal = 0.577;
-    for (const Vec3 d :
-         {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {kDiagonal, kDiagonal, kDiagonal},
-          {kDiagonal, kDiagonal, -kDiagonal}, {kDiagonal, -kDiagonal, kDiagonal},
-          {-kDiagonal, kDiagonal, kDiagonal}}) {
+    for (const Vec3 d : {Vec3{1, 0, 0},
+                         {0, 1, 0},
+                         {0, 0, 1},
+                         {kDiagonal, kDiagonal, kDiagonal},
+                         {kDiagonal, kDiagonal, -kDiagonal},
+                         {kDiagonal, -kDiagonal, kDiagonal},
+                         {-kDiagonal, kDiagonal, kDiagonal}}) {
       add(points[furthest_of(points, d)]);
       add(points[furthest_of(points, -1.0 * d)]);
     }
@@ -118,8 +121,7 @@ Hull::Hull(std::span<const Vec3> points, double wanted) {
       const Vec3 out = way_out(corners, p, wanted);
       const double left = length(out);
       // The point reached is one of the hull: its distance is one that holds.
-      if (left > wanted && corners.size() < kMostCorners &&
-          add(points[furthest_of(points, out)]))
+      if (left > wanted && corners.size() < kMostCorners && add(points[furthest_of(points, out)]))
         continue;
       margin_ = std::max(margin_, left);
       break;

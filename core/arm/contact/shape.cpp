@@ -10,8 +10,8 @@
 namespace lasius::arm {
 namespace {
 
-constexpr int kMostInHull = 1024;     // triangles; of larger covers only the first has one
-constexpr double kCover = 0.01;      // of its radius: how near a hull follows what it covers
+constexpr int kMostInHull = 1024;  // triangles; of larger covers only the first has one
+constexpr double kCover = 0.01;    // of its radius: how near a hull follows what it covers
 
 struct Ball {
   Vec3 centre;
@@ -134,9 +134,8 @@ const Shape* ShapeStore::add(const Solid& solid, int number) {
     default:  // a ball is a capsule of no length
       shape.kind = Shape::Kind::segment;
       shape.round = solid.radius;
-      shape.corner = {at.position, solid.shape == Solid::Shape::capsule
-                                       ? at * Vec3(solid.size)
-                                       : at.position};
+      shape.corner = {at.position,
+                      solid.shape == Solid::Shape::capsule ? at * Vec3(solid.size) : at.position};
   }
   surround(shape, corners_of(shape));
   if (shape.kind == Shape::Kind::cylinder) {
@@ -189,9 +188,8 @@ const Shape* ShapeStore::join(std::span<const Shape* const> shapes) {
     round = std::max(round, s->round);
   }
   const auto spread = [&](double Vec3::*axis) {
-    const auto [least, most] = std::ranges::minmax(sorted, {}, [axis](const Shape* s) {
-      return s->centre.*axis;
-    });
+    const auto [least, most] =
+        std::ranges::minmax(sorted, {}, [axis](const Shape* s) { return s->centre.*axis; });
     return most->centre.*axis - least->centre.*axis;
   };
   double Vec3::*longest = &Vec3::x;
@@ -227,8 +225,8 @@ const Shape::Parts& ShapeStore::make_parts(const Shape& shape) const {
   if (size.y > size.*axis) axis = &Vec3::y;
   if (size.z > size.*axis) axis = &Vec3::z;
   const double middle = 0.5 * (low.*axis + high.*axis);
-  auto cut = std::stable_partition(begin, end,
-                                   [&](int t) { return mesh.middle(t).*axis < middle; });
+  auto cut =
+      std::stable_partition(begin, end, [&](int t) { return mesh.middle(t).*axis < middle; });
   // Halved by number where by place one side would get next to nothing.
   if (8 * std::min(cut - begin, end - cut) < end - begin) {
     cut = begin + (end - begin) / 2;
@@ -287,8 +285,7 @@ Vec3 PlacedShape::nearest(Vec3 p) const noexcept {
   };
   switch (shape_.kind) {
     case Shape::Kind::box:
-      return solid_ *
-             clamp(rotate_back(solid_.rotation, p - solid_.position), shape_.half);
+      return solid_ * clamp(rotate_back(solid_.rotation, p - solid_.position), shape_.half);
     case Shape::Kind::cylinder: {
       Vec3 local = rotate_back(solid_.rotation, p - solid_.position);
       const double across = std::sqrt(local.x * local.x + local.y * local.y);
@@ -321,9 +318,9 @@ Vec3 SweptShape::operator()(Vec3 direction) const noexcept {
   bool back = false;
   if (shape.kind == Shape::Kind::hull) {
     const Placement& body = placed_.body_;
-    const auto [index, second] = shape.hull.furthest(
-        rotate_back(body.rotation, ahead), dot(ahead, body.position) + along,
-        rotate_back(body.rotation, behind), dot(behind, body.position) - along);
+    const auto [index, second] =
+        shape.hull.furthest(rotate_back(body.rotation, ahead), dot(ahead, body.position) + along,
+                            rotate_back(body.rotation, behind), dot(behind, body.position) - along);
     p = body * shape.hull.at(index);
     back = second;
   } else {

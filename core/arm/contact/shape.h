@@ -19,13 +19,13 @@ namespace lasius::arm {
 struct Shape {
   enum class Kind { hull, box, cylinder, segment, triangle };
   Kind kind = Kind::hull;
-  bool exact = false;   // no cover: all of it is solid
-  Vec3 centre;          // of a ball around all of it
-  double radius = 0;    // of that ball
-  double far = 0;       // no point of it is further from the body's origin
-  double round = 0;     // it reaches so far around the set of its kind
-  Placement at;         // box, cylinder
-  Vec3 half;            // box; cylinder: half.x its radius, half.z half its length
+  bool exact = false;          // no cover: all of it is solid
+  Vec3 centre;                 // of a ball around all of it
+  double radius = 0;           // of that ball
+  double far = 0;              // no point of it is further from the body's origin
+  double round = 0;            // it reaches so far around the set of its kind
+  Placement at;                // box, cylinder
+  Vec3 half;                   // box; cylinder: half.x its radius, half.z half its length
   std::array<Vec3, 3> corner;  // segment: two of them
   Hull hull;
   int solid = 0;  // of an exact shape: the number that was given with the solid
@@ -35,8 +35,8 @@ struct Shape {
   bool hull_or_exact() const noexcept { return exact || hull.count() > 0; }
 
   struct Mesh;
-  Mesh* mesh = nullptr;       // of which it covers triangles
-  int first = 0, count = 0;   // of the mesh's order
+  Mesh* mesh = nullptr;      // of which it covers triangles
+  int first = 0, count = 0;  // of the mesh's order
   using Parts = std::array<const Shape*, 2>;
   mutable std::atomic<const Parts*> parts = nullptr;
 };

@@ -163,13 +163,13 @@ TEST(Gjk, NeverSaysMoreThanTheDistance) {
                       d.z < 0 ? -half.z : half.z};
     };
     const auto outside = [](double x, double most) { return std::max(0.0, std::abs(x) - most); };
-    const double expected = length({outside(a.x - b.x, half.x), outside(a.y - b.y, half.y),
-                                    outside(a.z - b.z, half.z)});
+    const double expected = length(
+        {outside(a.x - b.x, half.x), outside(a.y - b.y, half.y), outside(a.z - b.z, half.z)});
     const double found = gjk_apart<GjkAsked::distance>([&](Vec3) { return a; }, box, a - b, 1e9);
     EXPECT_LE(found, expected + 1e-12);
     EXPECT_GE(found, expected - 1e-6 * expected - 2e-9);
     const double enough = draw.between(0.01, 1), capped = gjk_apart<GjkAsked::decision>(
-        [&](Vec3) { return a; }, box, a - b, enough);
+                                                     [&](Vec3) { return a; }, box, a - b, enough);
     EXPECT_EQ(capped >= enough, expected >= enough) << expected - enough;
   }
 }
@@ -222,10 +222,10 @@ TEST(Contact, MotionsAreFreeExactlyWhereNoPostureOfThemTouches) {
   constexpr double kClearance = 1e-5;
   int free = 0, blocked = 0, doubtful = 0;
   for (const char* const name : {"industrial6", "planar3", "redundant7", "scara"}) {
-    const Robot robot = std::string(name) == "scara"
-                            ? read_robot(LASIUS_MAPS_DIR "/../tests/core/arm/robots/scara.urdf",
-                                         {.tip = "tool"})
-                            : shipped(name);
+    const Robot robot =
+        std::string(name) == "scara"
+            ? read_robot(LASIUS_MAPS_DIR "/../tests/core/arm/robots/scara.urdf", {.tip = "tool"})
+            : shipped(name);
     const SceneSensor empty(robot, {}, kClearance);
     for (int i = 0; i < 60; ++i) {
       const SceneSensor sensor(empty, any_scene(draw, 5));
