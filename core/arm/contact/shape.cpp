@@ -160,17 +160,25 @@ const Shape* ShapeStore::cover(Shape::Mesh& mesh, int first, int count, int numb
   shape.mesh = &mesh;
   shape.first = first;
   shape.count = count;
-  std::vector<int> used;
-  for (int i = first; i < first + count; ++i)
-    for (const int corner : mesh.triangles[mesh.order[i]]) used.push_back(corner);
-  std::ranges::sort(used);
-  const auto repeated = std::ranges::unique(used);
-  used.erase(repeated.begin(), repeated.end());
+  const bool hull = root || count <= kMostInHull;
   std::vector<Vec3> points;
-  points.reserve(used.size());
-  for (const int corner : used) points.push_back(mesh.corners[corner]);
+  if (root) {
+    points = mesh.corners;
+  } else {
+    std::vector<int> used;
+    used.reserve(static_cast<std::size_t>(3) * count);
+    for (int i = first; i < first + count; ++i)
+      for (const int corner : mesh.triangles[mesh.order[i]]) used.push_back(corner);
+    if (hull) {  // each once
+      std::ranges::sort(used);
+      const auto repeated = std::ranges::unique(used);
+      used.erase(repeated.begin(), repeated.end());
+    }
+    points.reserve(used.size());
+    for (const int corner : used) points.push_back(mesh.corners[corner]);
+  }
   surround(shape, points);
-  if (root || count <= kMostInHull) {
+  if (hull) {
     shape.hull = Hull(points, kCover * shape.radius);
     shape.round = shape.hull.margin();
   }
