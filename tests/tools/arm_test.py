@@ -298,7 +298,7 @@ class Arm(ProgramTest):
                      "--goal-joints", "0.3,1.1,0.2", start="0,0,0", goal=None)
         self.assertIn("try a smaller pitch", run.err)
         self.assertNotIn("more postures", run.err)
-        status(6, "no_path", "--set", "iterations=0")
+        status(6, "no_path", "--set", "iterations=0", "--set", "trees=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
 
@@ -582,8 +582,8 @@ class Arm(ProgramTest):
 
     def test_a_recheck_is_interrupted(self):
         run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",
-                                 "--goal", "0.4,0.5,0", "--set", "direct=off", "--recheck",
-                                 "1000000", "--json", "--progress", "always")
+                                 "--goal", "0.4,0.5,0", "--set", "direct=off", "--set", "trees=0",
+                                 "--recheck", "1000000", "--json", "--progress", "always")
         self.assertTrue(run.stderr.read(1))  # after the first of few iterations
         self.assertNotIn("recheck", json.loads(self.interrupted(run)[0]))
 

@@ -5,7 +5,7 @@
 
 namespace lasius::arm {
 
-RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), solids_(robot.size() + 1) {
+RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() + 1) {
   const int links = static_cast<int>(robot.links.size());
   std::vector<const Shape*> whole(links, nullptr);          // of each link
   std::vector<std::vector<int>> of_body(robot.size() + 1);  // links with solids
@@ -15,7 +15,9 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), solids_(robot.size()
       if (const Shape* const shape = store_.add(solid, static_cast<int>(links_.size())))
         shapes.push_back(shape);
       links_.push_back(l);
-      solids_[robot.links[l].body].push_back(solid);
+      const std::vector<InnerBall> balls = inner_balls(solid);
+      auto& of_all = inner_[robot.links[l].body];
+      of_all.insert(of_all.end(), balls.begin(), balls.end());
     }
     if (shapes.empty()) continue;
     whole[l] = store_.join(shapes);
@@ -26,6 +28,10 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), solids_(robot.size()
     for (const int l : on) shapes.push_back(whole[l]);
     bodies_.push_back(shapes.empty() ? nullptr : store_.join(shapes));
   }
+
+  // Here, not in the first motion, which may have to end soon.
+  for (std::vector<InnerBall>& balls : inner_)
+    std::ranges::stable_sort(balls, std::greater<>(), &InnerBall::radius);
 
   std::vector<std::vector<char>> checked(links, std::vector<char>(links, 0));
   for (const auto& [a, b, check] : link_pairs(robot))
@@ -50,20 +56,6 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), solids_(robot.size()
       }
     }
   }
-}
-
-const std::vector<InnerBall>& RobotShapes::inner(int body) const {
-  std::call_once(filled_, [this] {
-    for (const auto& solids : solids_) {
-      std::vector<InnerBall>& balls = inner_.emplace_back();
-      for (const Solid& solid : solids) {
-        const std::vector<InnerBall> of_solid = inner_balls(solid);
-        balls.insert(balls.end(), of_solid.begin(), of_solid.end());
-      }
-      std::ranges::stable_sort(balls, std::greater<>(), &InnerBall::radius);
-    }
-  });
-  return inner_[body];
 }
 
 }  // namespace lasius::arm

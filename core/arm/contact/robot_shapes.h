@@ -1,7 +1,6 @@
 // What of a robot is tested against what, prepared once for any number of scenes.
 #pragma once
 
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -29,17 +28,15 @@ class RobotShapes {
   const Shape* body(int i) const noexcept { return bodies_[i]; }
   std::span<const ShapePair> pairs() const noexcept { return pairs_; }
   int link_of(int solid) const noexcept { return links_[solid]; }
-  /// Balls inside of what moves with a body. Found when they are first asked for, thread-safely.
-  const std::vector<InnerBall>& inner(int body) const;
+  /// Balls inside of what moves with a body, the largest first.
+  const std::vector<InnerBall>& inner(int body) const noexcept { return inner_[body]; }
 
  private:
   Kinematics arm_;
   ShapeStore store_;
   std::vector<int> links_;  // of each solid
   std::vector<const Shape*> bodies_;
-  std::vector<std::vector<Solid>> solids_;  // of each body
-  mutable std::once_flag filled_;
-  mutable std::vector<std::vector<InnerBall>> inner_;
+  std::vector<std::vector<InnerBall>> inner_;  // of each body
   std::vector<ShapePair> pairs_;
 };
 
