@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/arm/contact/gjk.h"
+#include "core/arm/contact/motion_bound.h"
 #include "kernels/base/sine.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
