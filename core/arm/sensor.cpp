@@ -23,9 +23,7 @@ class SceneSensor::Impl {
 
   double clearance() const noexcept { return clearance_; }
 
-  bool is_free(const JointRef& q, NearPair* touch = nullptr) const {
-    return contact_.posture_free(checked(q), clearance_, touch);
-  }
+  bool is_free(const JointRef& q) const { return contact_.posture_free(checked(q), clearance_); }
   Contact::Answer motion(const JointRef& from, const JointRef& to,
                          const StopCondition& stop) const {
     return contact_.motion(checked(from), checked(to), clearance_, stop);
@@ -35,8 +33,9 @@ class SceneSensor::Impl {
     if (pair.link < 0) return {kInfinity, {}, {}};
     return {pair.distance, link_name(*robot_, pair.link), other_name(pair)};
   }
-  /// What is said of two that count as touching.
-  std::string told(const NearPair& pair) const {
+  /// What is said of the two that are nearest, which count as touching.
+  std::string told(const JointRef& q) const {
+    const NearPair pair = contact_.nearest(checked(q));
     std::string text = link_name(*robot_, pair.link) + " and " + other_name(pair);
     if (!(pair.distance > 0)) return text;
     const auto [is, least] = metres(pair.distance, 2 * clearance_);
@@ -98,8 +97,7 @@ double SceneSensor::clearance() const { return impl_->clearance(); }
 double SceneSensor::distance(const JointRef& q) const { return impl_->nearest(q).distance; }
 SceneSensor::Nearest SceneSensor::nearest(const JointRef& q) const { return impl_->nearest(q); }
 std::string SceneSensor::contact(const JointRef& q) const {
-  NearPair touch;
-  return impl_->is_free(q, &touch) ? std::string() : impl_->told(touch);
+  return impl_->is_free(q) ? std::string() : impl_->told(q);
 }
 
 }  // namespace lasius::arm

@@ -36,7 +36,7 @@ NearPair Contact::told(const Pair& pair, double distance) const {
   return found;
 }
 
-bool Contact::posture_free(std::span<const double> q, double clearance, NearPair* touch) const {
+bool Contact::posture_free(std::span<const double> q, double clearance) const {
   Kinematics::Poses poses;
   Bodies bodies;
   place_bodies(robot_->kinematics(), q, poses, bodies);
@@ -56,13 +56,7 @@ bool Contact::posture_free(std::span<const double> q, double clearance, NearPair
         const double apart =
             shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance);
         if (apart >= 2 * clearance) continue;
-        if (a->exact && b->exact) {
-          if (touch != nullptr) {
-            *touch = told(
-                pair, shapes_apart<GjkAsked::distance>(*a, at, guess, *b, other, 2 * clearance));
-          }
-          return false;
-        }
+        if (a->exact && b->exact) return false;
       }
       const bool first = first_is_opened(*a, *b);
       for (const Shape* const part : parts_of(first ? *a : *b))

@@ -26,9 +26,9 @@ class Contact {
   /// Precondition: a scene that `validate` accepts.
   Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene);
 
-  /// True where nothing is nearer than 2 `clearance`; if not, `touch` is told what is.
+  /// True where nothing is nearer than 2 `clearance`.
   /// Precondition: a value for each joint, in all that follows.
-  bool posture_free(std::span<const double> q, double clearance, NearPair* touch = nullptr) const;
+  bool posture_free(std::span<const double> q, double clearance) const;
 
   enum class Answer { free, blocked, stopped };
   /// `free`: nothing comes nearer than `clearance` while each joint goes straight. `blocked`: in a

@@ -221,6 +221,7 @@ Contact::Answer Contact::motion(std::span<const double> from, std::span<const do
                                 double clearance, const StopCondition& stop) const {
   if (std::ranges::equal(from, to))
     return posture_free(from, clearance) ? Answer::free : Answer::blocked;
+  if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
   if (reaches_inside(from, to)) return Answer::blocked;
   return Search(*this, from, to, clearance, stop).run();
 }
