@@ -186,6 +186,7 @@ double asked(const arm::Questions& q) { return static_cast<double>(q.positions +
 std::vector<Proof> proofs() {
   arm::Params colony = rival("postures");
   colony.direct = false;
+  colony.trees = 0;
   colony.refine = 0;
   arm::Params trailless = colony;
   trailless.alpha = 0;

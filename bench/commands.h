@@ -32,6 +32,7 @@ void add_vehicles_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);   ///< only with GEOS
 void add_sampling_command(CLI::App& app);   ///< only with OMPL
 void add_arm_command(CLI::App& app);        ///< only with lasius::arm
+void add_arm_mbm_command(CLI::App& app);    ///< likewise
 void add_arm_peers_command(CLI::App& app);  ///< only with lasius::arm and OMPL
 void add_smoke_command(CLI::App& app);
 

@@ -46,6 +46,7 @@ void lasius::bench::add_commands(CLI::App& app) {
 #endif
 #ifdef LASIUS_HAVE_ARM
   add_arm_command(app);
+  add_arm_mbm_command(app);
 #endif
 #if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
   add_arm_peers_command(app);

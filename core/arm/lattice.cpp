@@ -24,9 +24,10 @@ Node count_points(const Box& box) {
 
 Lattice::Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
                  const JointVector& start, double pitch, const Box& box, Targets targets,
-                 const Params& parameters, const Questions& before)
+                 const Params& parameters, const StopCondition& stop, const Questions& before)
     : kinematics_(kinematics),
       sensor_(sensor),
+      stop_(stop),
       joints_(kinematics.size()),
       pitch_(pitch),
       gamma_(parameters.gamma),

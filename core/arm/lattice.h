@@ -53,7 +53,7 @@ class Lattice {
  public:
   Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
           const JointVector& start, double pitch, const Box& box, Targets targets,
-          const Params& parameters, const Questions& before = {});
+          const Params& parameters, const StopCondition& stop = {}, const Questions& before = {});
 
   static constexpr Node kMostNodes = Node{1} << 24;
 
@@ -149,6 +149,10 @@ class Lattice {
   bool spent() const noexcept { return most_asked_ > 0 && asked() + 2 > most_asked_; }
   /// True once a LatticePoller stopped for that reason.
   bool out_of_questions() const noexcept { return out_of_questions_; }
+  /// Why a question was left open, which counts as closed until it is asked again.
+  StopCondition::Cause cut() const noexcept {
+    return cut_ ? stop_.poll() : StopCondition::Cause::none;
+  }
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
@@ -180,6 +184,7 @@ class Lattice {
 
   const Kinematics& kinematics_;
   const Sensor& sensor_;
+  StopCondition stop_;
   int joints_;
   double pitch_;
   double gamma_;
@@ -210,7 +215,7 @@ class Lattice {
   mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
   friend class LatticePoller;
-  mutable std::atomic<bool> out_of_questions_{false};
+  mutable std::atomic<bool> out_of_questions_{false}, cut_{false};
 };
 
 /// Polls after so many steps, and after every question that was asked: a sensor may take its time.

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -21,15 +22,15 @@ bool Lattice::answer_once(std::uint8_t& answer, const Find& find) {
     if (seen == kUnknown && state.compare_exchange_strong(seen, kAsking)) break;
     std::this_thread::yield();
   }
-  // A sensor that throws leaves the question open.
+  // A sensor that throws, or is told to stop, leaves the question open.
   struct Settle {
     std::atomic_ref<std::uint8_t> state;
     std::uint8_t found = kUnknown;
     ~Settle() { state.store(found, std::memory_order_release); }
   } settle{state};
-  const bool yes = find();
-  settle.found = yes ? kYes : kNo;
-  return yes;
+  const std::optional<bool> yes = find();
+  if (yes) settle.found = *yes ? kYes : kNo;
+  return yes.value_or(false);
 }
 
 const double* Lattice::configuration(Node v) const {
@@ -38,7 +39,7 @@ const double* Lattice::configuration(Node v) const {
   // Two threads may solve the same point: they find equal values, and one of them enters them.
   JointArray q;
   const bool found = solve(v, q);
-  const bool yes = answer_once(solved_[v], [&] {
+  const bool yes = answer_once(solved_[v], [&]() -> std::optional<bool> {
     if (!found) return false;
     std::copy_n(q.begin(), joints_, values_.at(v * joints_));
     fill_guidance(v);
@@ -92,7 +93,7 @@ bool Lattice::reachable_by_joints(Node a, int move) const noexcept {
 }
 
 bool Lattice::position_free(Node v) const {
-  return answer_once(position_[v], [&] {
+  return answer_once(position_[v], [&]() -> std::optional<bool> {
     positions_asked_.fetch_add(1, std::memory_order_relaxed);
     return sensor_.position_free(joint_values(v));
   });
@@ -105,7 +106,7 @@ int Lattice::end_by_way_of(const JointVector& via) const {
   const auto free = [&](const JointRef& from, const JointRef& to) {
     if (spent()) return false;
     motions_asked_.fetch_add(1, std::memory_order_relaxed);
-    return sensor_.motion_free(from, to);
+    return sensor_.try_motion(from, to, stop_).value_or(false);
   };
   if (!free(joint_values(start_), via)) return -1;
   std::vector<std::pair<double, int>> nearest;
@@ -124,11 +125,14 @@ bool Lattice::open(Node v, int move) const {
   if (const std::uint8_t known = load(answer); known == kYes || known == kNo) return known == kYes;
   const Node w = to(v, move);
   const bool reachable = configuration(w) != nullptr && reachable_by_joints(v, move);
-  return answer_once(answer, [&] {
+  return answer_once(answer, [&]() -> std::optional<bool> {
     if (!reachable || !position_free(w)) return false;
     // Always in the same direction, so that the answer does not depend on who comes first.
     motions_asked_.fetch_add(1, std::memory_order_relaxed);
-    return sensor_.motion_free(joint_values(std::min(v, w)), joint_values(std::max(v, w)));
+    const auto free =
+        sensor_.try_motion(joint_values(std::min(v, w)), joint_values(std::max(v, w)), stop_);
+    if (!free) cut_ = true;
+    return free;
   });
 }
 

@@ -50,7 +50,7 @@ class WaySearch {
       if (lattice_.arrived(at)) return {.cost = so_far, .moves = moves_to(at)};
       settle(at, so_far, entry.total);
     }
-    return {};
+    return {.cause = lattice_.cut()};
   }
 
  private:

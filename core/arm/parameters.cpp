@@ -48,6 +48,8 @@ constexpr std::array kEntries{
                   "1"),
     Table::choice<&Params::direct, kSwitch>("direct", "first try the straight joint-space line",
                                             "off"),
+    Table::number("trees", &Params::trees, 0, 1000000000,
+                  "then grow two trees by so many joint values; 0: none", "0"),
     Table::number("lines", &Params::lines, 0, 0.99,
                   "weight of the straight joint-space line from where an ant is to a goal", "0"),
     Table::number("leash", &Params::leash, 0, 1e6,
@@ -76,8 +78,8 @@ constexpr std::string_view kSource =
 
 constexpr std::array kAlgorithms{
     Algorithm{"postures",
-              "arms among unknown obstacles (lasius arm): ants in a lattice of tip positions, "
-              "several postures a point; few questions",
+              "arms (lasius arm): two trees of motions that are free all along, then ants in "
+              "a lattice of tip positions, several postures a point",
               kSource, kInfos},
     Algorithm{"goritov2020",
               "arms among unknown obstacles: the source's ants, one posture a lattice point, drawn "
@@ -92,6 +94,7 @@ void postures(Params& p) {
   p.joint_step = 1.5;
   p.postures = 6;
   p.direct = true;
+  p.trees = 50000;
   p.lines = 0.05;
   p.leash = 2;
   p.vias = 16;

@@ -52,6 +52,7 @@ Result answer_of(const KnownWay& way, const Lattice& lattice) {
 /// In one lattice, and nothing but it.
 Params lattice_alone(Params parameters) {
   parameters.direct = false;
+  parameters.trees = 0;
   parameters.refine = 0;
   return parameters;
 }

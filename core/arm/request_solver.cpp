@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/arm/two_trees.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/loop/run_status.h"
@@ -80,7 +81,7 @@ void append(Result more, Result& result) {
 RequestSolver::RequestSolver(const Robot& robot, const Sensor& sensor, const Request& request,
                              const Params& given)
     : robot_(robot), sensor_(sensor), request_(request), parameters_(given) {
-  validate(robot);
+  validate_but_corners(robot);
   validate(given);
   check_target_gap(request.target_gap);
   request_.start = within_limits(robot, request.start, "start", notes_);
@@ -131,6 +132,8 @@ Result RequestSolver::reach_goals(const Search& search) {
     if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay_at_goal(g);
   }
   if (auto done = find_targets()) return *std::move(done);
+  if (parameters_.trees > 0 && !ends_.empty())
+    if (auto met = grow_trees()) return *std::move(met);
   return search_lattices(search);
 }
 
@@ -159,7 +162,8 @@ std::optional<Result> RequestSolver::find_targets() {
   for (const int g : goals_) {
     const bool point =
         std::ranges::any_of(points, [&](const Targets::Point& one) { return one.goal == g; });
-    if (parameters_.postures > 1 || parameters_.direct || !point) wanted.push_back(g);
+    if (parameters_.postures > 1 || parameters_.direct || parameters_.trees > 0 || !point)
+      wanted.push_back(g);
   }
   if (wanted.empty()) return std::nullopt;
   const int most = std::max(4, 4 * parameters_.postures);
@@ -190,7 +194,8 @@ std::optional<Result> RequestSolver::drop_blocked_ends() {
     if (ended() || !position_free(end.q)) continue;
     if (parameters_.direct && !ended()) {
       ++asked_.motions;
-      if (sensor_.motion_free(request_.start, end.q)) return straight_line_result(end);
+      if (sensor_.try_motion(request_.start, end.q, request_.stop).value_or(false))
+        return straight_line_result(end);
     }
     free.push_back(std::move(end));
   }
@@ -205,6 +210,20 @@ bool RequestSolver::every_posture_blocked() {
   return std::ranges::none_of(ends, free) && !ended();
 }
 
+double RequestSolver::line_length(const JointVector& a, const JointVector& b) const {
+  if (parameters_.objective == Objective::joint) return joint_travel(a, b);
+  if (parameters_.objective == Objective::duration) {
+    double longest = 0;
+    for (int j = 0; j < robot_.size(); ++j)
+      longest = std::max(longest, std::abs(b[j] - a[j]) / robot_.joints[j].velocity);
+    return longest;
+  }
+  const auto at = point_near(tip_position(robot_, a), tip_position(robot_, b), parameters_.pitch);
+  const int moves = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]);
+  return parameters_.pitch * std::max({1.0, static_cast<double>(moves),
+                                       std::ceil(largest_change(a, b) / parameters_.joint_step)});
+}
+
 Result RequestSolver::straight_line_result(const End& end) const {
   Result result;
   result.status = Status::solved;
@@ -214,20 +233,33 @@ Result RequestSolver::straight_line_result(const End& end) const {
   result.joints << request_.start, end.q;
   result.tips.resize(3, 2);
   result.tips << Eigen::Vector3d(from_), Eigen::Vector3d(end.tip);
-  if (parameters_.objective == Objective::joint) {
-    result.length = joint_travel(request_.start, end.q);
-  } else if (parameters_.objective == Objective::duration) {
-    result.length = 0;
-    for (int j = 0; j < robot_.size(); ++j)
-      result.length = std::max(result.length,
-                               std::abs(end.q[j] - request_.start[j]) / robot_.joints[j].velocity);
-  } else {
-    const auto at = point_near(from_, end.tip, parameters_.pitch);
-    const int moves = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]);
-    result.length =
-        parameters_.pitch *
-        std::max({1.0, static_cast<double>(moves),
-                  std::ceil(largest_change(request_.start, end.q) / parameters_.joint_step)});
+  result.length = line_length(request_.start, end.q);
+  return result;
+}
+
+std::optional<Result> RequestSolver::grow_trees() {
+  const auto may_ask = [&] {
+    if (ended()) return false;
+    ++asked_.motions;
+    return true;
+  };
+  const TreesWay way = grow_two_trees(robot_, sensor_, request_, ends_, parameters_.trees,
+                                      parameters_.seed, may_ask);
+  Result result;
+  if (way.waypoints.empty() && !ended()) return std::nullopt;
+  end_run(result, way.waypoints.empty() ? cause() : StopCondition::Cause::none,
+          way.waypoints.empty() ? Status::no_path : Status::solved);
+  if (way.waypoints.empty()) return result;
+  result.goal = way.goal;
+  result.trees = true;
+  const std::ptrdiff_t count = std::ssize(way.waypoints);
+  result.joints.resize(robot_.size(), count);
+  result.tips.resize(3, count);
+  result.length = 0;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    result.joints.col(i) = way.waypoints[i];
+    result.tips.col(i) = tip_position(robot_, way.waypoints[i]);
+    if (i > 0) result.length += line_length(way.waypoints[i - 1], way.waypoints[i]);
   }
   return result;
 }
@@ -274,7 +306,7 @@ Result RequestSolver::search_lattices(const Search& search) {
                                   std::to_string(Lattice::kMostNodes) + " fit");
     }
     Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
-                    parameters_, asked_);
+                    parameters_, request_.stop, asked_);
     add_postures(lattice);
     if (lattice.has_target()) {
       append(search(lattice, parameters_), result);

@@ -43,8 +43,11 @@ class RequestSolver {
   std::optional<Result> drop_blocked_ends();
   /// False where some posture at the goals is free, or there was no time to look for one.
   bool every_posture_blocked();
-  /// In the unit of the objective; of `length` pitch times the lattice moves between the tips, or
-  /// times the joint steps where those are more.
+  /// Nothing where they do not meet; a result also where they are told to stop.
+  std::optional<Result> grow_trees();
+  /// The length of a straight line in the unit of the objective; of `length` pitch times the
+  /// lattice moves between the tips, or times the joint steps where those are more.
+  double line_length(const JointVector& a, const JointVector& b) const;
   Result straight_line_result(const End& end) const;
   Targets targets_at(double pitch) const;
   Result search_lattices(const Search& search);

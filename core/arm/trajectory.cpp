@@ -37,7 +37,8 @@ class CountedSensor {
   CountedSensor(const Sensor& sensor, const TrajectoryOptions& options)
       : sensor_(sensor),
         clearance_(sensor.clearance()),
-        poller_(options.stop, 16),
+        stop_(options.stop),
+        poller_(stop_, kQuestions),
         most_(options.max_questions) {
     check_clearance(sensor);
   }
@@ -45,7 +46,9 @@ class CountedSensor {
   bool motion_free(const JointRef& from, const JointRef& to) {
     if (poller_.stop_after(1) || (spent_ |= asked_ >= most_)) return false;
     ++asked_;
-    return sensor_.motion_free(from, to);
+    const auto free = sensor_.try_motion(from, to, stop_);
+    if (!free) poller_.stop_after(kQuestions);
+    return free.value_or(false);
   }
   bool stopped() const noexcept { return poller_.stopped() || spent_; }
   /// Says in `result` how it ended, and what was asked.
@@ -59,6 +62,8 @@ class CountedSensor {
  private:
   const Sensor& sensor_;
   double clearance_;
+  static constexpr int kQuestions = 16;  // between two polls
+  const StopCondition& stop_;
   Poller poller_;
   std::int64_t most_;
   std::int64_t asked_ = 0;
@@ -130,6 +135,27 @@ Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Wa
     way = std::move(shorter);
   }
   return way;
+}
+
+/// The columns, none like the one before. @throws Error(invalid_parameter) outside of joint limits.
+Waypoints waypoints_of(const Robot& robot, const Eigen::Ref<const Eigen::MatrixXd>& waypoints) {
+  validate_but_corners(robot);
+  for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
+    const std::string fault =
+        values_fault(robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), 1e-9);
+    if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
+  }
+  Waypoints way;
+  for (const auto q : waypoints.colwise()) {
+    if (way.empty() || q != way.back()) way.emplace_back(q);
+  }
+  return way;
+}
+
+Waypoints shorter_way(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
+                      CountedSensor& counted) {
+  if (options.shortcut) way = shortened(std::move(way), counted);
+  return cut_at_random(robot, options, std::move(way), counted);
 }
 
 /// The fastest that the joints' velocities allow on the straight.
@@ -283,26 +309,28 @@ Trajectory::State Trajectory::at(double time) const {
   return state;
 }
 
+Eigen::MatrixXd shorten_way(const Robot& robot, const Sensor& sensor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
+                            const TrajectoryOptions& options) {
+  const Waypoints given = waypoints_of(robot, waypoints);
+  CountedSensor counted(sensor, options);
+  if (given.empty()) return waypoints;
+  const Waypoints way = shorter_way(robot, options, given, counted);
+  Eigen::MatrixXd columns(robot.size(), std::ssize(way));
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) columns.col(i) = way[i];
+  return columns;
+}
+
 TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
                                  const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
                                  const TrajectoryOptions& options) {
   constexpr int kRounds = 6;
-  validate(robot);
   check_duration(options.duration);
-  for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
-    const std::string fault =
-        values_fault(robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), 1e-9);
-    if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
-  }
+  const Waypoints given = waypoints_of(robot, waypoints);
   TrajectoryResult result;
-  if (waypoints.cols() == 0) return result;
-  Waypoints way;
-  for (const auto q : waypoints.colwise()) {
-    if (way.empty() || q != way.back()) way.emplace_back(q);
-  }
+  if (given.empty()) return result;
   CountedSensor counted(sensor, options);
-  if (options.shortcut) way = shortened(std::move(way), counted);
-  way = cut_at_random(robot, options, std::move(way), counted);
+  const Waypoints way = shorter_way(robot, options, given, counted);
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
     counted.finish(result);

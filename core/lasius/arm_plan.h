@@ -46,7 +46,8 @@ constexpr std::string_view to_string(Objective v) noexcept { return name_of(v, k
 
 /// Parameters of one plan. The constructor sets the values of an algorithm, which `algorithms()`
 /// lists: `postures`, the default, or `goritov2020`, the source's system and base set (Goritov &
-/// Goncharov 2020). Both read all of them; `postures` is other values, not another search.
+/// Goncharov 2020). Both read all of them; `postures` is other values: it tries the straight line,
+/// then two trees (Params::trees), and then the lattice.
 struct LASIUS_ARM_EXPORT Params {
   /// Those of `postures`.
   Params() : Params("postures") {}
@@ -87,6 +88,10 @@ struct LASIUS_ARM_EXPORT Params {
   // it, as in the source; with more, it is joined by joint steps.
   int postures = 1;     ///< K: joint values that a lattice point may have, 1 .. 16
   bool direct = false;  ///< first try the straight joint-space line to each posture of the goals
+  /// Then two trees of straight motions grow from the start and the goals, by so many joint values
+  /// at most, 0 .. 10^9: what finds a way at once where questions are cheap. A lattice is searched
+  /// where they do not meet. 0: none.
+  int trees = 0;
   /// Weight of the straight joint-space line to the nearest posture of the goals, from wherever an
   /// ant is: 0 .. 0.99. Such lines are not of the lattice, no bound counts them.
   double lines = 0;
@@ -190,6 +195,7 @@ struct Result : SearchResult {
   bool stops = false;           ///< the motion rests at each waypoint: see TrajectoryResult
   int goal = -1;                ///< which of the request's was reached, from 0; -1: none
   bool direct = false;          ///< the straight joint-space line was free: no lattice was searched
+  bool trees = false;           ///< two trees met: no lattice was searched
   double tip_travel = 0;        ///< of the motion (without one, of `joints`), metres
   double joint_travel = 0;      ///< likewise, how long the way is in joint space
   double duration = 0;          ///< of the motion, seconds

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lasius/arm_robot.h"
+#include "lasius/stop.h"
 
 namespace lasius::arm {
 
@@ -23,6 +25,11 @@ class LASIUS_ARM_EXPORT Sensor {
   /// True when nothing is touched while every joint goes straight from `from` to `to`.
   virtual bool motion_free(const JointRef& from, const JointRef& to) const = 0;
 
+  /// The same, unless told to stop before it is known: nothing then. A sensor whose questions take
+  /// long should answer itself; unless overridden motion_free is asked, to its end.
+  virtual std::optional<bool> try_motion(const JointRef& from, const JointRef& to,
+                                         const StopCondition& stop) const;
+
   /// What is called free keeps at least this distance from everything, in metres; at least
   /// kLeastClearance.
   virtual double clearance() const = 0;
@@ -37,19 +44,26 @@ class LASIUS_ARM_EXPORT Sensor {
 ///
 /// Distances are those of the solids as they are, never above the true ones: a mesh is a surface,
 /// what is inside of it is free. Links that stand still are not checked against obstacles. A motion
-/// is followed by conservative advancement (Mirtich 1996): as far as no point of a link can
-/// have used up its distance, then measured again, so that what is called free is free all along.
+/// is free where bounds to the second order of how all points of all links move show that it is,
+/// all along; see docs/theory.md.
 class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
  public:
-  /// What comes nearer than twice `clearance` counts as touched, an obstacle and another link
-  /// alike, and nothing that counts as free is nearer than `clearance`. Copies both.
+  /// A position in which something, an obstacle or another link, is nearer than twice `clearance`
+  /// is not free; nor is a motion that has one half way, in which it is looked at. Nothing that
+  /// counts as free is nearer than `clearance`. Copies both.
   /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses and a clearance
   ///         that is not kLeastClearance .. 1; its questions, of values as `tip_position`.
   SceneSensor(const Robot& robot, const Scene& scene, double clearance = kClearance);
+  /// The same robot and clearance among other things: what was prepared of the robot is shared,
+  /// which of large meshes is most of the work. @throws likewise, for the scene.
+  SceneSensor(const SceneSensor& other, const Scene& scene);
   ~SceneSensor() override;
 
   bool position_free(const JointRef& q) const override;
   bool motion_free(const JointRef& from, const JointRef& to) const override;
+  /// Looks at `stop` after each few thousand nanoseconds' work.
+  std::optional<bool> try_motion(const JointRef& from, const JointRef& to,
+                                 const StopCondition& stop) const override;
   double clearance() const override;
 
   /// What is in the way at `q`, for people: "the base and link 3 (after elbow)", or of a URDF's
@@ -59,6 +73,15 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   /// Metres from what moves of the robot at `q` to the nearest obstacle or link that it is checked
   /// against; 0 where something touches, infinite where there is nothing. Never more than it is.
   double distance(const JointRef& q) const;
+
+  /// Two things, as messages name them, and the metres between.
+  struct Nearest {
+    double distance = 0;  ///< as distance() says it
+    std::string link;     ///< "link 3 (after elbow)"; empty where there is no pair
+    std::string other;    ///< another link, or "obstacle 2 (shelf)"
+  };
+  /// What is nearest to each other at `q`, of all that must not touch.
+  Nearest nearest(const JointRef& q) const;
 
   static constexpr double kClearance = 0.002;  ///< what is kept unless said otherwise, metres
 

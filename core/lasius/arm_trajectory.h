@@ -88,6 +88,12 @@ LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
     const Robot& robot, const Sensor& sensor, const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
     const TrajectoryOptions& options = {});
 
+/// The waypoints, a column each, that make_trajectory would lay the motion through: what `shortcut`
+/// and `shortcuts` leave of these. Straight motions between them are free. @throws likewise.
+LASIUS_ARM_EXPORT Eigen::MatrixXd shorten_way(const Robot& robot, const Sensor& sensor,
+                                              const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
+                                              const TrajectoryOptions& options = {});
+
 /// What an independent check of a trajectory found: kinematics by KDL, collision of the solids by
 /// FCL, at `samples` times evenly spread, and between them as often as it takes to show by
 /// distances and speeds that nothing touches there. No kinematics or distance of the planner's

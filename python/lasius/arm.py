@@ -286,6 +286,7 @@ class Result(SearchResult):
     stops: bool  #: it rests at each waypoint
     goal: int  #: which of the request's was reached, from 0; -1: none
     direct: bool  #: the straight joint-space line was free
+    trees: bool  #: two trees met
     tip_travel: float  #: metres
     joint_travel: float  #: how long the way is in joint space
     duration: float  #: of the motion, seconds

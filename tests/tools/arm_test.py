@@ -208,7 +208,7 @@ class Arm(ProgramTest):
         self.assertEqual(result["goal"], goal)
 
     def test_effort_and_travel(self):
-        result = self.arm("--json", "--set", "direct=off").json
+        result = self.arm("--json", "--set", "direct=off", "--set", "trees=0").json
         asked = result["questions"]["by_iteration"]
         for name in ("positions", "motions"):
             self.assertEqual(len(asked[name]), result["iterations"])
@@ -220,7 +220,7 @@ class Arm(ProgramTest):
         for name, points in (("tip_travel", samples["tip"]), ("joint_travel", samples["q"])):
             sampled = sum(math.dist(a, b) for a, b in zip(points, points[1:]))
             self.assertGreater(result[name], 0.98 * sampled)
-        fewer = self.arm("--json", "--set", "direct=off", "--max-questions", "20")
+        fewer = self.arm("--json", "--set", "direct=off", "--set", "trees=0", "--max-questions", "20")
         counts = fewer.json["questions"]
         self.assertLessEqual(counts["positions"] + counts["motions"] + counts["trajectory"], 20)
         self.assertEqual((fewer.code, fewer.json["status"]), (6, "limit"))
@@ -228,6 +228,8 @@ class Arm(ProgramTest):
         self.assertNotIn("no time", fewer.err)
         self.write("fewer.json", fewer.out)
         self.assertEqual(self.run_program("verify", "fewer.json").code, 0)
+        met = self.arm("--json", "--set", "direct=off").json
+        self.assertEqual((met["trees"], met["iterations"], met["status"]), (True, 0, "solved"))
         for objective in ("joint", "duration"):
             run = self.arm("--json", "--objective", objective)
             self.assertEqual((run.code, run.json["parameters"]["objective"]), (0, objective))
@@ -290,13 +292,13 @@ class Arm(ProgramTest):
         self.assertIn("obstacle 1 (post)", run.json["error"])
         run = status(4, "invalid", goal="0.62,0.18,0")  # within the post: no ant could try it
         self.assertIn("at the goal", run.json["error"])
-        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off")
+        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off", "--set", "trees=0")
         self.assertIn("not found in this lattice", run.err)
-        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off",
+        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off", "--set", "trees=0",
                      "--goal-joints", "0.3,1.1,0.2", start="0,0,0", goal=None)
         self.assertIn("try a smaller pitch", run.err)
         self.assertNotIn("more postures", run.err)
-        status(6, "no_path", "--set", "iterations=0")
+        status(6, "no_path", "--set", "iterations=0", "--set", "trees=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
 
@@ -580,8 +582,8 @@ class Arm(ProgramTest):
 
     def test_a_recheck_is_interrupted(self):
         run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",
-                                 "--goal", "0.4,0.5,0", "--set", "direct=off", "--recheck",
-                                 "1000000", "--json", "--progress", "always")
+                                 "--goal", "0.4,0.5,0", "--set", "direct=off", "--set", "trees=0",
+                                 "--recheck", "1000000", "--json", "--progress", "always")
         self.assertTrue(run.stderr.read(1))  # after the first of few iterations
         self.assertNotIn("recheck", json.loads(self.interrupted(run)[0]))
 

@@ -104,6 +104,8 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
   return path;
 }
 
+bool in_lattice(const ArmAnswer& answer) { return !answer.plan.direct && !answer.plan.trees; }
+
 void draw_view(Canvas& canvas, const Box& box, const Aspect& view,
                const Eigen::AlignedBox3d& bounds, const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
@@ -128,7 +130,7 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view,
     for (const auto& p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
-  if (!answer.plan.direct) line(answer.plan.tips.colwise(), kLattice, 1.5);
+  if (in_lattice(answer)) line(answer.plan.tips.colwise(), kLattice, 1.5);
   line(tip_path(answer), kTip, 3);
   for (const arm::Goal& goal : answer.goals)
     canvas.diamond(frame.at(tip_of(answer.robot, goal)), 10, kGoal);
@@ -148,7 +150,7 @@ std::vector<Key> keys_of(const ArmAnswer& answer) {
     keys.push_back(area_key("between, evenly in time", pale(kGhost, 0.35)));
     keys.push_back(line_key("way of the tip", kTip, 3));
   }
-  if (!answer.plan.direct && answer.plan.tips.cols() > 1)
+  if (in_lattice(answer) && answer.plan.tips.cols() > 1)
     keys.push_back(line_key("lattice path", kLattice, 1.5));
   keys.push_back(area_key("base", pale(kBase, 0.5)));
   if (!answer.scene.obstacles.empty()) keys.push_back(area_key("obstacle", pale(kObstacle, 0.5)));
@@ -199,11 +201,14 @@ LineChart question_chart(const std::vector<arm::Questions>& asked) {
 /// What came of it, below or beside the title.
 std::string figures_text(const ArmAnswer& answer) {
   if (answer.plan.tips.cols() == 0) return std::string(to_string(answer.plan.status));
-  return printed(
-      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
-      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
-      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
-      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
+  return printed("%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
+                 answer.plan.direct  ? "straight in joint space,"
+                 : answer.plan.trees ? "two trees met,"
+                                     : "lattice path",
+                 answer.plan.length, unit_of(answer.parameters.objective),
+                 static_cast<long long>(answer.plan.questions.positions),
+                 static_cast<long long>(answer.plan.questions.motions),
+                 answer.plan.trajectory.duration());
 }
 
 }  // namespace

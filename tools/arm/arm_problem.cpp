@@ -205,6 +205,7 @@ class ArmProblem : public Problem {
     const bool found = plan.joints.cols() > 0;
     json["goal_reached"] = plan.goal >= 0 ? Json(plan.goal) : Json(nullptr);
     json["direct"] = plan.direct;
+    if (plan.trees) json["trees"] = true;  // records from before there were any replay
     json["tip_travel"] = found ? number(plan.tip_travel) : Json(nullptr);
     json["joint_travel"] = found ? number(plan.joint_travel) : Json(nullptr);
     json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);

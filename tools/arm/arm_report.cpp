@@ -141,7 +141,7 @@ void write_arm_report(std::ostream& out, const Record& run, const ArmCommand& co
   content["low"] = vector_json(bounds.min());
   content["high"] = vector_json(bounds.max());
   content["lattice"] = Json::array();
-  if (!answer.plan.direct)
+  if (!answer.plan.direct && !answer.plan.trees)
     for (const Vector3d p : answer.plan.tips.colwise())
       content["lattice"].push_back(vector_json(p));
   content["goals"] = Json::array();

@@ -84,7 +84,10 @@ void check_rotation(const Pose& pose, const std::string& what) {
   }
 }
 
-void check_solid(const Solid& s, const std::string& what) {
+/// Whether the corners of meshes are looked at, too.
+enum class Corners { looked_at, left_out };
+
+void check_solid(const Solid& s, const std::string& what, Corners corners) {
   if (const int shape = static_cast<int>(s.shape); shape < 0 || shape >= std::ssize(kShapeNames))
     refuse(what + ": its shape is " + std::to_string(shape), "0 is a box, 4 a capsule");
   const auto size = [&](double v, const char* name) {
@@ -113,7 +116,7 @@ void check_solid(const Solid& s, const std::string& what) {
       if (!finite(s.size)) refuse(what + ": its size is out of range", "within 1000 m");
       break;
     case Solid::Shape::mesh:
-      if (s.triangles == nullptr) break;
+      if (s.triangles == nullptr || corners == Corners::left_out) break;
       for (const auto& triangle : *s.triangles) {
         for (const Eigen::Vector3d& corner : triangle) {
           if (!finite(corner)) refuse(what + ": a corner is out of range", "within 1000 m");
@@ -123,7 +126,7 @@ void check_solid(const Solid& s, const std::string& what) {
   }
 }
 
-void check_links(const Robot& robot) {
+void check_links(const Robot& robot, Corners corners) {
   const int count = static_cast<int>(robot.links.size());
   std::size_t solids = 0;
   const auto field = [&](int i, const char* name, int value) {
@@ -139,7 +142,7 @@ void check_links(const Robot& robot) {
       refuse(field(i, "parent", link.parent), "links are counted from 0, -1 is none");
     }
     const std::string what = link_name(robot, i);
-    for (const Solid& solid : link.solids) check_solid(solid, what);
+    for (const Solid& solid : link.solids) check_solid(solid, what, corners);
     solids += link.solids.size();
   }
   std::vector<int> seen(count, -1);  // on the way from which link
@@ -161,9 +164,46 @@ void check_links(const Robot& robot) {
   }
 }
 
+void check(const Robot& robot, Corners corners) {
+  if (robot.joints.empty() || robot.size() > Robot::kMaxJoints) {
+    refuse("the robot has " + std::to_string(robot.joints.size()) + " joints",
+           "it must have 1 .. " + std::to_string(Robot::kMaxJoints));
+  }
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    const std::string what = joint_name(robot, j);
+    if (!finite(from_eigen(joint.frame).position)) {
+      refuse(what + ": its origin is out of range", "within 1000 m");
+    }
+    check_rotation(joint.frame, what);
+    if (!(std::abs(length(joint.axis) - 1) < 1e-6)) {
+      refuse(what + ": its axis is not of length 1", "divide it by its length");
+    }
+    if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
+      refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
+    }
+    const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e6; };
+    if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
+      refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e6");
+    }
+    if (const int kind = static_cast<int>(joint.kind);
+        kind < 0 || kind >= std::ssize(kJointKindNames))
+      refuse(what + ": its kind is " + std::to_string(kind), "0 is revolute, 1 prismatic");
+    if (joint.continuous && joint.kind == Joint::Kind::prismatic)
+      refuse(what + ": it is prismatic and continuous", "only what is revolute turns on and on");
+  }
+  for (const auto& [name, q] : robot.states) {
+    if (q.size() != robot.size() || !q.allFinite())
+      refuse("state \"" + name + "\" has not a number for each joint", "give it one for each");
+  }
+  if (!finite(from_eigen(robot.tip).position)) refuse("the tip is out of range", "within 1000 m");
+  check_rotation(robot.tip, "the tip");
+  check_links(robot, corners);
+}
+
 /// Where the body is that moves with each joint.
 std::vector<Placement> place(const Robot& robot, const JointRef& q) {
-  validate(robot);
+  validate_but_corners(robot);
   check_values(robot, as_span(q));
   Kinematics::Poses poses;
   Kinematics(robot).place(as_span(q), poses);
@@ -202,46 +242,13 @@ Robot read_robot(const std::string& path, const Chain& chain) {
   return parse_robot(read_text(path, kMostBytes), path, chain);
 }
 
-void validate(const Robot& robot) {
-  if (robot.joints.empty() || robot.size() > Robot::kMaxJoints) {
-    refuse("the robot has " + std::to_string(robot.joints.size()) + " joints",
-           "it must have 1 .. " + std::to_string(Robot::kMaxJoints));
-  }
-  for (int j = 0; j < robot.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    const std::string what = joint_name(robot, j);
-    if (!finite(from_eigen(joint.frame).position)) {
-      refuse(what + ": its origin is out of range", "within 1000 m");
-    }
-    check_rotation(joint.frame, what);
-    if (!(std::abs(length(joint.axis) - 1) < 1e-6)) {
-      refuse(what + ": its axis is not of length 1", "divide it by its length");
-    }
-    if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
-      refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
-    }
-    const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e6; };
-    if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
-      refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e6");
-    }
-    if (const int kind = static_cast<int>(joint.kind);
-        kind < 0 || kind >= std::ssize(kJointKindNames))
-      refuse(what + ": its kind is " + std::to_string(kind), "0 is revolute, 1 prismatic");
-    if (joint.continuous && joint.kind == Joint::Kind::prismatic)
-      refuse(what + ": it is prismatic and continuous", "only what is revolute turns on and on");
-  }
-  for (const auto& [name, q] : robot.states) {
-    if (q.size() != robot.size() || !q.allFinite())
-      refuse("state \"" + name + "\" has not a number for each joint", "give it one for each");
-  }
-  if (!finite(from_eigen(robot.tip).position)) refuse("the tip is out of range", "within 1000 m");
-  check_rotation(robot.tip, "the tip");
-  check_links(robot);
-}
+void validate(const Robot& robot) { check(robot, Corners::looked_at); }
+void validate_but_corners(const Robot& robot) { check(robot, Corners::left_out); }
 
 void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-    check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1));
+    check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1),
+                Corners::looked_at);
   }
 }
 

@@ -47,6 +47,7 @@ inline Request across(const Robot& robot) {
 inline Params in_lattice() {
   Params p;
   p.direct = false;
+  p.trees = 0;
   p.threads = 1;
   return p;
 }

@@ -1,0 +1,110 @@
+#include "core/arm/contact/contact.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/arm/contact/pair_tests.h"
+#include "core/base/special_values.h"
+
+namespace lasius::arm {
+
+Contact::Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene)
+    : robot_(std::move(robot)) {
+  for (int o = 0; o < static_cast<int>(scene.obstacles.size()); ++o)
+    if (const Shape* const s = store_.add(scene.obstacles[o], -1 - o)) obstacles_.push_back(s);
+  for (int i = 1; i <= robot_->kinematics().size(); ++i) {
+    if (robot_->body(i) == nullptr) continue;
+    for (const Shape* const obstacle : obstacles_) add({robot_->body(i), obstacle, i, 0});
+  }
+  for (const ShapePair& pair : robot_->pairs()) add(pair);
+}
+
+void Contact::add(const ShapePair& pair) {
+  const auto known = std::ranges::find_if(
+      relations_, [&](const Relation& r) { return r.body == pair.body && r.from == pair.from; });
+  pairs_.push_back({pair.a, pair.b, static_cast<int>(known - relations_.begin())});
+  if (known == relations_.end()) relations_.push_back({pair.body, pair.from});
+}
+
+NearPair Contact::told(const Pair& pair, double distance) const {
+  NearPair found{.distance = std::max(0.0, distance), .link = robot_->link_of(pair.a->solid)};
+  if (pair.b->solid < 0)
+    found.obstacle = -1 - pair.b->solid;
+  else
+    found.other = robot_->link_of(pair.b->solid);
+  if (pair.b->solid >= 0 && found.other < found.link) std::swap(found.link, found.other);
+  return found;
+}
+
+bool Contact::posture_free(std::span<const double> q, double clearance) const {
+  Kinematics::Poses poses;
+  Bodies bodies;
+  place_bodies(robot_->kinematics(), q, poses, bodies);
+  std::vector<Pair> left;
+  for (const Pair& root : pairs_) {
+    left.assign(1, root);
+    while (!left.empty()) {
+      const Pair pair = left.back();
+      left.pop_back();
+      const auto& [a, b, relation] = pair;
+      const auto& [body, from] = relations_[relation];
+      const PlacedShape other(*b, bodies[from]);
+      if (ball_gap(*a, bodies[body], *b, other).gap >= 2 * clearance) continue;
+      const PlacedShape at(*a, bodies[body]);
+      if (a->hull_or_exact() && b->hull_or_exact()) {
+        const Vec3 guess = off(*a, bodies[body], *b, bodies[from]);
+        const double apart =
+            shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance);
+        if (apart >= 2 * clearance) continue;
+        if (a->exact && b->exact) return false;
+      }
+      const bool first = first_is_opened(*a, *b);
+      for (const Shape* const part : parts_of(first ? *a : *b))
+        left.push_back(first ? Pair{part, b, relation} : Pair{a, part, relation});
+    }
+  }
+  return true;
+}
+
+NearPair Contact::nearest(std::span<const double> q) const {
+  Kinematics::Poses poses;
+  Bodies bodies;
+  place_bodies(robot_->kinematics(), q, poses, bodies);
+  NearPair found{.distance = kInfinity};
+  std::vector<Pair> left;
+  const auto gap = [&](const Pair& pair) {
+    const auto& [body, from] = relations_[pair.relation];
+    return ball_gap(*pair.a, bodies[body], *pair.b, PlacedShape(*pair.b, bodies[from])).gap;
+  };
+  for (const Pair& root : pairs_) {
+    left.assign(1, root);
+    while (!left.empty()) {
+      const Pair pair = left.back();
+      left.pop_back();
+      const auto& [a, b, relation] = pair;
+      const auto& [body, from] = relations_[relation];
+      if (gap(pair) >= found.distance) continue;
+      if (a->hull_or_exact() && b->hull_or_exact()) {
+        const double apart = shapes_apart<GjkAsked::distance>(
+            *a, PlacedShape(*a, bodies[body]), off(*a, bodies[body], *b, bodies[from]), *b,
+            PlacedShape(*b, bodies[from]), found.distance);
+        if (apart >= found.distance) continue;
+        if (a->exact && b->exact) {
+          found = told(pair, apart);
+          continue;
+        }
+      }
+      const bool first = first_is_opened(*a, *b);
+      std::array<Pair, 2> parts;
+      for (int i = 0; i < 2; ++i) {
+        const Shape* const part = parts_of(first ? *a : *b)[i];
+        parts[i] = first ? Pair{part, b, relation} : Pair{a, part, relation};
+      }
+      if (gap(parts[0]) < gap(parts[1])) std::swap(parts[0], parts[1]);
+      left.insert(left.end(), parts.begin(), parts.end());  // the nearer one is looked at first
+    }
+  }
+  return found;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,69 @@
+// Whether a robot touches something in a posture, or anywhere along a straight motion.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/arm/contact/robot_shapes.h"
+#include "lasius/stop.h"
+
+namespace lasius::arm {
+
+/// Two things: a link of the robot, and what it is near to.
+struct NearPair {
+  double distance = 0;  // metres
+  int link = -1;        // -1: there is no pair
+  int other = -1;       // link; -1: an obstacle
+  int obstacle = -1;
+};
+
+/// A robot and its scene, ready to be asked by several threads at a time. Nearer than twice the
+/// clearance counts as touched, and what is called free is nowhere nearer than the clearance: all
+/// along a motion, which is shown by bounds, not by samples. Meshes are surfaces.
+class Contact {
+ public:
+  /// Precondition: a scene that `validate` accepts.
+  Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene);
+
+  /// True where nothing is nearer than 2 `clearance`.
+  /// Precondition: a value for each joint, in all that follows.
+  bool posture_free(std::span<const double> q, double clearance) const;
+
+  enum class Answer { free, blocked, stopped };
+  /// `free`: nothing comes nearer than `clearance` while each joint goes straight. `blocked`: in a
+  /// posture on the way something is nearer than twice that. Polls `stop` all the time.
+  Answer motion(std::span<const double> from, std::span<const double> to, double clearance,
+                const StopCondition& stop) const;
+
+  /// The nearest pair of those that must not touch; infinitely far where there is none.
+  NearPair nearest(std::span<const double> q) const;
+
+  const std::shared_ptr<const RobotShapes>& robot() const noexcept { return robot_; }
+
+ private:
+  struct Pair {
+    const Shape* a;
+    const Shape* b;
+    int relation;
+  };
+  /// Bodies, the first above the second.
+  struct Relation {
+    int body, from;
+  };
+  class Search;
+
+  void add(const ShapePair& pair);
+  /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
+  /// look, which need not find what there is.
+  bool reaches_inside(std::span<const double> from, std::span<const double> to) const;
+  NearPair told(const Pair& pair, double distance) const;
+
+  std::shared_ptr<const RobotShapes> robot_;
+  ShapeStore store_;  // of the obstacles
+  std::vector<const Shape*> obstacles_;
+  std::vector<Relation> relations_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace lasius::arm

@@ -1,0 +1,61 @@
+#include "core/arm/contact/robot_shapes.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace lasius::arm {
+
+RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() + 1) {
+  const int links = static_cast<int>(robot.links.size());
+  std::vector<const Shape*> whole(links, nullptr);          // of each link
+  std::vector<std::vector<int>> of_body(robot.size() + 1);  // links with solids
+  for (int l = 0; l < links; ++l) {
+    std::vector<const Shape*> shapes;
+    for (const Solid& solid : robot.links[l].solids) {
+      if (const Shape* const shape = store_.add(solid, static_cast<int>(links_.size())))
+        shapes.push_back(shape);
+      links_.push_back(l);
+      const std::vector<InnerBall> balls = inner_balls(solid);
+      auto& of_all = inner_[robot.links[l].body];
+      of_all.insert(of_all.end(), balls.begin(), balls.end());
+    }
+    if (shapes.empty()) continue;
+    whole[l] = store_.join(shapes);
+    of_body[robot.links[l].body].push_back(l);
+  }
+  for (const std::vector<int>& on : of_body) {
+    std::vector<const Shape*> shapes;
+    for (const int l : on) shapes.push_back(whole[l]);
+    bodies_.push_back(shapes.empty() ? nullptr : store_.join(shapes));
+  }
+
+  // Here, not in the first motion, which may have to end soon.
+  for (std::vector<InnerBall>& balls : inner_)
+    std::ranges::stable_sort(balls, std::greater<>(), &InnerBall::radius);
+
+  std::vector<std::vector<char>> checked(links, std::vector<char>(links, 0));
+  for (const auto& [a, b, check] : link_pairs(robot))
+    checked[a][b] = checked[b][a] = check == LinkPair::Check::yes;
+  for (int i = 1; i <= robot.size(); ++i) {
+    for (int j = 0; j < i; ++j) {
+      // As few pairs as cover those that are checked, and no others.
+      std::vector<int> wholly, partly;
+      for (const int a : of_body[i]) {
+        const bool all = std::ranges::all_of(of_body[j], [&](int b) { return checked[a][b] != 0; });
+        (all ? wholly : partly).push_back(a);
+      }
+      if (of_body[j].empty() || of_body[i].empty()) continue;
+      if (partly.empty()) {
+        pairs_.push_back({bodies_[i], bodies_[j], i, j});
+        continue;
+      }
+      for (const int a : wholly) pairs_.push_back({whole[a], bodies_[j], i, j});
+      for (const int a : partly) {
+        for (const int b : of_body[j])
+          if (checked[a][b] != 0) pairs_.push_back({whole[a], whole[b], i, j});
+      }
+    }
+  }
+}
+
+}  // namespace lasius::arm
