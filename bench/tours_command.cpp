@@ -168,7 +168,7 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
   std::int64_t legs = 0;
   for (int seed = 1; seed <= options.seeds; ++seed) {
     const TourTime time(options.seconds);  // prices count
-    tour::MapPricer pricer(planner, stops, time.stop());
+    tour::MapPricer pricer(planner, instance.places, time.stop());
     runs.back().second.push_back(
         searched({instance.size(), pricer}, instance, static_cast<std::uint64_t>(seed), time));
     legs = pricer.priced();

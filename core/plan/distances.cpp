@@ -53,8 +53,8 @@ std::optional<std::vector<double>> searched(const Planner::Impl& map,
 }
 
 // By labels: a look from each place, and a merge for each pair.
-std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<const Cell> sources,
-                                          std::span<const Cell> targets, bool same, int threads,
+std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<const Point> sources,
+                                          std::span<const Point> targets, bool same, int threads,
                                           const StopCondition& stop) {
   using exact::LabelSearch;
   std::vector<LabelSearch> searches(static_cast<std::size_t>(threads));

@@ -30,7 +30,8 @@ struct PoseQuery {
 /// commas, tabs or blanks. @throws Error(file_missing, file_broken) naming file and line
 std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMap& map,
                                          Frame frame) {
-  static constexpr std::array<std::string_view, 6> kColumns{"sx", "sy", "syaw", "gx", "gy", "gyaw"};
+  static constexpr std::array<std::string_view, 6> kVehicleColumns{"sx", "sy", "syaw",
+                                                                   "gx", "gy", "gyaw"};
   auto in = opened(file, "name a table of poses");
   std::string text(std::istreambuf_iterator<char>(in), {});
   end_lines_in_lf(text);
@@ -48,10 +49,10 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
     if (fields.empty()) continue;
     if (columns == 0) {
       columns = fields.size();
-      for (std::size_t i = 0; i < kColumns.size(); ++i) {
-        const auto found = std::ranges::find(fields, kColumns[i]);
+      for (std::size_t i = 0; i < kVehicleColumns.size(); ++i) {
+        const auto found = std::ranges::find(fields, kVehicleColumns[i]);
         if (found == fields.end())
-          fail("the header has no column " + std::string(kColumns[i]),
+          fail("the header has no column " + std::string(kVehicleColumns[i]),
                "begin with sx sy syaw gx gy gyaw");
         at[i] = static_cast<std::size_t>(found - fields.begin());
       }

@@ -244,9 +244,9 @@ void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
 }
 
 LabelSearch::View LabelSearch::view(const Grid& grid, const CornerGraph& graph,
-                                    const CornerLabels& labels, Cell cell) {
+                                    const CornerLabels& labels, Point place) {
   begin(graph, labels);
-  View view{.at = QueryEnd(centre(cell)), .blocks = {}};
+  View view{.at = QueryEnd(place), .blocks = {}};
   const StopCondition never;
   Poller poller(never);
   gather(view_of(grid), view, poller, [&](std::uint32_t corner) { view.dead.push_back(corner); });

@@ -33,14 +33,14 @@ class LabelSearch {
     std::uint32_t corner;
     double before;  ///< length from the end to the corner
   };
-  /// What the centre of a free cell sees, and all entries behind that.
+  /// What a point of a free cell sees, and all entries behind that.
   struct View {
     QueryEnd at;
     std::vector<Block> blocks;
     std::int64_t entries = 0;
     std::vector<std::uint32_t> dead = {};  ///< corners at which a path can only end
   };
-  View view(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Cell cell);
+  View view(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point place);
   /// The lengths of shortest paths from one place to others, a merge each; infinite where there is
   /// none. All views are of this map.
   void lengths_to(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,

@@ -15,7 +15,8 @@ namespace {
 TEST(Distances, AndToursOfPoints) {
   const Planner plain(rooms());
   for (const Planner& planner :
-       {plain, plain.prepared({.threads = 1}), Planner(rooms(), Disc{0.4})}) {
+       {plain, plain.prepared({.threads = 1}), plain.prepared({.threads = 1, .labels = true}),
+        Planner(rooms(), Disc{0.4})}) {
     std::vector<Point> points;
     unsigned word = 7;
     while (points.size() < 20) {  // a seventh of a cell apart: corners and borders among them
