@@ -63,9 +63,8 @@ void bind_navigator(py::module_& module) {
           py::init([](const Grid& map, Cell goal, const Params& params, double radius, bool prepare,
                       double target_gap, bool search_on, double goal_tolerance, int doubt_after,
                       const CostField* costs, const std::optional<InflationNumbers>& inflation) {
-            const auto options =
-                navigator_options(params, radius, prepare, target_gap, search_on, goal_tolerance,
-                                  doubt_after, costs, inflation);
+            const auto options = navigator_options(params, radius, prepare, target_gap, search_on,
+                                                   goal_tolerance, doubt_after, costs, inflation);
             const py::gil_scoped_release released;
             return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
           }))

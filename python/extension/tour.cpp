@@ -27,8 +27,9 @@ py::tuple fields(const TourResult& tour) {
                         to_array(offsets));
 }
 
-py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points, bool open, std::optional<int> start,
-               std::optional<int> goal, std::vector<std::vector<int>> after, std::vector<int> load,
+py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points, bool open,
+               std::optional<int> start, std::optional<int> goal,
+               std::vector<std::vector<int>> after, std::vector<int> load,
                std::optional<std::int64_t> capacity, std::uint64_t seed, int generations,
                double target_gap, int threads, std::optional<double> time_limit,
                const py::object& callback) {

@@ -135,9 +135,9 @@ struct VehicleCommand {
   std::string file = {};
   PoseEnd start = {};
   std::vector<PoseEnd> goals = {};  ///< at least one; one of them is met
-  std::string queries = {};      ///< of `batch`: a file, in place of these
-  double heading_tolerance = 0;  ///< radians; pi: any heading
-  bool smooth = true;            ///< shorten what the search finds
+  std::string queries = {};         ///< of `batch`: a file, in place of these
+  double heading_tolerance = 0;     ///< radians; pi: any heading
+  bool smooth = true;               ///< shorten what the search finds
 };
 
 struct DriveCommand : PlanCommand {

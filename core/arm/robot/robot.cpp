@@ -247,8 +247,7 @@ void validate_but_corners(const Robot& robot) { check(robot, Corners::left_out);
 
 void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-    check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1),
-                Corners::looked_at);
+    check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1), Corners::looked_at);
   }
 }
 

@@ -90,7 +90,8 @@ bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
     if (end != t_[0] && steps[i].gain > costs_->lower(end, t_[0]) &&
         steps[i].gain > (*costs_)(end, t_[0]) && close(tour, level + 1))
       return true;
-    if (level + 1 < kDepth && level + 1 < depth_ && deepen(tour, level + 1, steps[i].gain)) return true;
+    if (level + 1 < kDepth && level + 1 < depth_ && deepen(tour, level + 1, steps[i].gain))
+      return true;
   }
   return false;
 }
