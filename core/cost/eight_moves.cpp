@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/cost/moves.h"
+
 namespace lasius::cost {
 namespace {
 
-constexpr double kDiagonal = 1.4142135623730951;
-// Along axes, between them, and as a knight moves: first into the cell that move kOver leads to.
-constexpr int kDx[16] = {1, 0, -1, 0, 1, -1, -1, 1, 2, 2, -2, -2, 1, -1, 1, -1};
-constexpr int kDy[16] = {0, 1, 0, -1, 1, 1, -1, -1, 1, -1, 1, -1, 2, 2, -2, -2};
+// A knight's move goes first into the cell that move kOver leads to.
 constexpr int kOver[8] = {0, 0, 2, 2, 1, 1, 3, 3};
 constexpr double kKnight = 2.23606797749979;
 

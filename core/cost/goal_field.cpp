@@ -4,15 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/cost/moves.h"
+
 namespace lasius::cost {
-namespace {
-
-constexpr double kDiagonal = 1.4142135623730951;
-// Along axes, then between two of these: move i between i - 4 and (i - 3) & 3.
-constexpr int kDx[8] = {1, 0, -1, 0, 1, -1, -1, 1};
-constexpr int kDy[8] = {0, 1, 0, -1, 1, 1, -1, -1};
-
-}  // namespace
 
 GoalField::GoalField(const Terrain& terrain, Cell goal, double least)
     : terrain_(terrain), goal_(goal), robot_(goal), least_(least) {

@@ -86,12 +86,12 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   std::vector<Workspace> workspaces(thread_count(request.threads));
   const Params exact("exact");
   parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
-               [&](int i, int thread) {
+               [&, &at = points](int i, int thread) {
                  const int a = tour.order[i], b = tour.order[(i + 1) % n];
                  // Never cut short: once there is an order, what stops the search leaves it its
                  // legs.
-                 Result leg = planner.plan({.start_point = points[a], .goal_point = points[b]},
-                                           exact, &workspaces[thread]);
+                 Result leg = planner.plan({.start_point = at[a], .goal_point = at[b]}, exact,
+                                           &workspaces[thread]);
                  tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
                });
   for (const TourLeg& leg : tour.legs) tour.length += leg.length;

@@ -10,7 +10,7 @@ namespace lasius::vehicle {
 namespace {
 
 constexpr double kZero = 1e-10;
-constexpr double kQuarter = kPi / 2;
+constexpr double kRightAngle = kPi / 2;
 
 struct Lengths {
   bool found = false;
@@ -88,13 +88,13 @@ Lengths quarter_to_left(const Seen& to) noexcept {  // 8.9
   if (p.radius < 2) return {};
   const double r = std::sqrt(p.radius * p.radius - 4);
   const double t = half_turned(p.angle + direction(r, -2));
-  const double v = half_turned(to.yaw - kQuarter - t);
+  const double v = half_turned(to.yaw - kRightAngle - t);
   return {t >= -kZero && 2 - r <= kZero && v <= kZero, t, 2 - r, v};
 }
 Lengths quarter_to_right(const Seen& to) noexcept {  // 8.10
   const Polar p = polar(1 + to.cosine - to.y, to.x + to.sine);
   if (p.radius < 2) return {};
-  const double v = half_turned(p.angle + kQuarter - to.yaw);
+  const double v = half_turned(p.angle + kRightAngle - to.yaw);
   return {p.angle >= -kZero && v <= kZero, p.angle, 2 - p.radius, v};
 }
 Lengths two_quarters(const Seen& to) noexcept {  // 8.11
@@ -153,7 +153,7 @@ class WordMaker {
   void all() noexcept {
     const auto three = [](const Lengths& l) { return std::array<double, 5>{l.t, l.u, l.v}; };
     const auto quarter = [](const Lengths& l) {
-      return std::array<double, 5>{l.t, -kQuarter, l.u, l.v};
+      return std::array<double, 5>{l.t, -kRightAngle, l.u, l.v};
     };
     enter(left_straight_left, {1, 0, 1}, three);
     enter(left_straight_right, {1, 0, -1}, three);
@@ -170,7 +170,7 @@ class WordMaker {
       enter(quarter_to_right, {1, -1, 0, -1}, quarter, backwards);
     }
     enter(two_quarters, {1, -1, 0, 1, -1}, [](const Lengths& l) {
-      return std::array<double, 5>{l.t, -kQuarter, l.u, -kQuarter, l.v};
+      return std::array<double, 5>{l.t, -kRightAngle, l.u, -kRightAngle, l.v};
     });
   }
 

@@ -11,7 +11,7 @@
 namespace lasius::vehicle {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kBucket = 0.125;
 constexpr int kProbed = 2000;  ///< states of the probe from the goals
 
@@ -181,7 +181,7 @@ class Search {
       const int heading = leads_.heading(index);
       if (const Reached* met = reached_.find(at.x, at.y, heading, layer)) {
         const double total = static_cast<double>(met->cost) + cost;
-        if (total < kFar && (best_.goal < 0 || total < best_.cost)) {
+        if (total < kNever && (best_.goal < 0 || total < best_.cost)) {
           finish(reached_.index(at.x, at.y, heading, layer), total);
         }
       }
@@ -215,7 +215,7 @@ class Search {
     if (flood > 1e29 || flood > 4 * radius() || vehicle_.turning_radius == 0 || goals_.size() > 8) {
       return flood;
     }
-    double least = kFar;
+    double least = kNever;
     const Pose pose = lattice_.pose(at.x, at.y, heading);
     for (const Goal& goal : goals_) least = std::min(least, steering_.least(pose, goal.pose));
     return options_.lattice_tolerance > 0 ? flood : std::max(flood, least);
@@ -281,7 +281,7 @@ class Search {
     const double key = cost + options_.weight * static_cast<double>(state.left);
     if (const Leads* leads = leads_.find(x, y, heading, layer)) {
       const double total = cost + static_cast<double>(leads->cost);
-      if (total < kFar && (best_.goal < 0 || total < best_.cost)) finish(index, total);
+      if (total < kNever && (best_.goal < 0 || total < best_.cost)) finish(index, total);
     }
     if (best_.goal < 0 || key < best_.cost) queue_.push(index, key);
   }
@@ -317,7 +317,7 @@ class Search {
   void shoot_from(std::uint32_t index, const Cell& at, int heading, int layer, double cost) {
     const Pose pose = lattice_.pose(at.x, at.y, heading);
     const Goal* nearest = nullptr;
-    double least = kFar;
+    double least = kNever;
     for (const Goal& goal : goals_) {
       const double dx = goal.pose.x - pose.x;
       const double dy = goal.pose.y - pose.y;
