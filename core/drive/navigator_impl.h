@@ -246,8 +246,7 @@ class Navigator::Impl {
     if (way.path.size() == 1) cells.assign(1, at);
     if (way.path.size() > 1) cells = costs->walk();
     const auto kept = std::ranges::find(walk, at);
-    way.replanned =
-        cells.empty() || !std::ranges::equal(cells, std::ranges::subrange(kept, walk.end()));
+    way.replanned = cells.empty() || !std::equal(cells.begin(), cells.end(), kept, walk.end());
     walk = std::move(cells);
     constexpr std::size_t kMoves = 64;
     way.walk.assign(walk.begin(), walk.begin() + std::min(walk.size(), kMoves));

@@ -61,7 +61,8 @@ bool Contact::reaches_inside(std::span<const double> from, std::span<const doubl
       const Vec3 middle = at * all.centre;
       placed.clear();
       for (const Shape* const obstacle : obstacles_) {
-        if (!obstacle->exact || squared_gap(*obstacle, middle) > all.radius * all.radius) continue;
+        const bool solid = obstacle->exact && obstacle->kind != Shape::Kind::triangle;
+        if (!solid || squared_gap(*obstacle, middle) > all.radius * all.radius) continue;
         if (placed.empty())
           for (const InnerBall& ball : balls) placed.push_back(at * ball.centre);
         // What is smaller than the body may be all inside of a mesh, which is free.
