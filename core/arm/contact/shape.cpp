@@ -171,8 +171,7 @@ const Shape* ShapeStore::cover(Shape::Mesh& mesh, int first, int count, int numb
       for (const int corner : mesh.triangles[mesh.order[i]]) used.push_back(corner);
     if (hull) {  // each once
       std::ranges::sort(used);
-      const auto repeated = std::ranges::unique(used);
-      used.erase(repeated.begin(), repeated.end());
+      used.erase(std::unique(used.begin(), used.end()), used.end());
     }
     points.reserve(used.size());
     for (const int corner : used) points.push_back(mesh.corners[corner]);
