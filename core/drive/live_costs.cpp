@@ -52,13 +52,19 @@ LiveCosts::LiveCosts(const EditedMap& map, const CostField& costs,
       terrain_(map.passable(), costs) {
   if (!inflation_) return;
   cost::check_inflation(*inflation_);
-  if (const double most = *std::ranges::max_element(given_) + inflation_->weight;
+  check_sum(given_);
+  edited_.add({0, 0, map.map().width(), map.map().height()});
+  bring_up_to_date();
+}
+
+/// @throws Error(invalid_parameter) where given costs and the inflation pass what is allowed.
+void LiveCosts::check_sum(std::span<const double> weights) const {
+  if (!inflation_) return;
+  if (const double most = *std::ranges::max_element(weights) + inflation_->weight;
       !(most <= CostField::kMost))
     throw Error(ErrorCode::invalid_parameter,
                 "costs and inflation together may weigh " + number_text(most),
                 "use smaller ones: weights are at most " + number_text(CostField::kMost));
-  edited_.add({0, 0, map.map().width(), map.map().height()});
-  bring_up_to_date();
 }
 
 void LiveCosts::set(const Rectangle& part, std::span<const double> weights) {
@@ -69,6 +75,7 @@ void LiveCosts::set(const Rectangle& part, std::span<const double> weights) {
                 "costs of " + size_text(part.width, part.height) + " cells from " +
                     pair_text(part.x, part.y) + " leave the map",
                 "give those inside of it");
+  check_sum(weights);
   for (int y = 0; y < part.height; ++y) {
     for (int x = 0; x < part.width; ++x) {
       const double weight = checked.weight({x, y});

@@ -45,6 +45,7 @@ class LiveCosts {
 
  private:
   void bring_up_to_date();
+  void check_sum(std::span<const double> weights) const;
   double weight_of(Cell c, std::int32_t squared_half_cells) const noexcept;
 
   const EditedMap& map_;

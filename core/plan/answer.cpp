@@ -261,7 +261,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
       on_grid = on_grid.first(on_grid.size() - 1);
     // What an edge was stored for needs no second look.
     const bool stored = algorithm.kind == Algorithm::Kind::exact && map.disc == nullptr &&
-                        memory.exact_answer.stored_legs && on_grid.size() > 2;
+                        map.graph != nullptr && !map.from_file && memory.exact_answer.stored_legs &&
+                        on_grid.size() > 2;
     auto fault = fault_of(map, result, stored ? on_grid.first(2) : on_grid, corners);
     if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);

@@ -40,6 +40,7 @@ struct PlanningMap {
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
   const cost::Terrain* terrain = nullptr;       ///< of a search over costs; of a colony's, too
+  bool from_file = false;                       ///< the graph: its edges are not proven here
   /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
   /// goal's tolerance leads to the centre of a cell.
   bool walked = false;

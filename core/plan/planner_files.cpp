@@ -2,9 +2,11 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
@@ -53,6 +55,10 @@ std::uint64_t checksum(std::string_view text) {
 }
 
 std::string read_all(const std::string& file) {
+  std::error_code none;
+  const auto kind = std::filesystem::status(file, none).type();
+  if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found)
+    refuse(file, 0, "is no regular file", "name another");
   std::ifstream in;
   {
     const OpeningPipe opening(file);
@@ -137,6 +143,7 @@ Planner Planner::load_preparation(const std::string& file) const {
   report.bytes = graph->bytes();
   report.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   more->graph = graph;
+  more->from_file = true;
   return Planner(std::move(more));
 }
 

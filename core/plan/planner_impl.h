@@ -81,7 +81,8 @@ class Planner::Impl {
             .connected = [this, &stop](Cell a, Cell b,
                                        Corners corners) { return connected(a, b, corners, stop); },
             .disc = disc.get(),
-            .disc_graph = disc_graph.get()};
+            .disc_graph = disc_graph.get(),
+            .from_file = from_file};
   }
 
   /// The rule of corners, of a disc its own.
@@ -142,6 +143,7 @@ class Planner::Impl {
   const std::vector<Direction> excluded;
   const std::vector<Cell> closed;                     ///< blocked in `map()` by `excluded` alone
   std::shared_ptr<const exact::CornerGraph> graph;    ///< of `grid`; null if not prepared
+  bool from_file = false;                             ///< it is: not proven here
   std::shared_ptr<const exact::CornerLabels> labels;  ///< of `graph`; null if there are none
   const std::shared_ptr<const DiscMap> disc;          ///< null for a point
   std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared

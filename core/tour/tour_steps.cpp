@@ -106,24 +106,33 @@ Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
                                                    : Status::solved;
 }
 
+// Why no order whatever keeps what is given, where an end or a stop alone shows it; else empty.
+std::string contradiction(const PartialOrder& given, const tour::Ends& ends,
+                          std::span<const int> named) {
+  const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
+  if (ends.start >= 0 && !given.previous(ends.start).empty())
+    return stop(ends.start) + " is the start, but " + stop(given.previous(ends.start).front()) +
+           " comes before it";
+  if (ends.goal >= 0 && !given.next(ends.goal).empty())
+    return stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
+           " comes after it";
+  for (int v = 0; v < static_cast<int>(named.size()); ++v)
+    if (given.load(v) > given.capacity())
+      return stop(v) + " alone exceeds the capacity of " + number_text(given.capacity());
+  return {};
+}
+
 // Of a tour that has no order: why.
 void tell_no_order(const PartialOrder& given, const tour::Ends& ends, const tour::OrderFound& found,
                    std::span<const int> named, bool ants, TourResult& tour) {
   const bool proven = found.optimal;
-  const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
   tour.status = proven ? Status::unreachable : Status::no_path;
   if (found.cause != StopCondition::Cause::none) tour.status = status_after(found.cause, {});
-  const std::string capacity = "the capacity of " + number_text(given.capacity());
-  tour.error = (proven ? "no order keeps " : "no order was found that keeps ") + capacity;
+  tour.error = contradiction(given, ends, named);
+  if (!tour.error.empty()) return;
+  tour.error = std::string(proven ? "no order keeps " : "no order was found that keeps ") +
+               "the capacity of " + number_text(given.capacity());
   if (ants) tour.error = "no ant has come to all stops";
-  for (int v = 0; v < static_cast<int>(named.size()); ++v)
-    if (given.load(v) > given.capacity()) tour.error = stop(v) + " alone exceeds " + capacity;
-  if (ends.start >= 0 && !given.previous(ends.start).empty())
-    tour.error = stop(ends.start) + " is the start, but " +
-                 stop(given.previous(ends.start).front()) + " comes before it";
-  else if (ends.goal >= 0 && !given.next(ends.goal).empty())
-    tour.error = stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
-                 " comes after it";
 }
 
 // An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
@@ -168,6 +177,10 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     if (!ants && (early.found.order.empty() || early.found.cost <= options.target)) return early;
   }
   Ordered ordered;
+  if (ants && !contradiction(given, ends, named).empty()) {
+    ordered.found.optimal = true;
+    return ordered;
+  }
   if (ants) {
     ordered.found = find_order_by_ants(costs, ends, symmetric, request.ants, request.threads,
                                        options, tour.run);

@@ -51,7 +51,8 @@ double Bound::length(const Request& request) const {
     if (request.goal_tolerance == 0 && request.heading_tolerance == 0) {
       bound = std::max(bound, steering.least(start, goal));
     }
-    if (request.goals.size() <= kMost) {
+    // Within a tolerance it may end on the other side of a wall.
+    if (request.goals.size() <= kMost && request.goal_tolerance == 0) {
       bound = std::max(bound, around_obstacles({start.x, start.y}, {goal.x, goal.y}, request.stop));
     }
     least = std::min(least, bound - request.goal_tolerance);

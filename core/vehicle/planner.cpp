@@ -66,6 +66,19 @@ void check(const Request& request) {
                     request.max_states, "give 1 to 100000000");
 }
 
+/// The goal that the start is at already, within the tolerances; or -1.
+int reached(const Request& request) {
+  const Pose& at = request.start;
+  for (int i = 0; i < static_cast<int>(request.goals.size()); ++i) {
+    const Pose& goal = request.goals[i];
+    const double dx = goal.x - at.x, dy = goal.y - at.y;
+    if (std::sqrt(dx * dx + dy * dy) <= request.goal_tolerance &&
+        std::fabs(half_turned(goal.yaw - at.yaw)) <= request.heading_tolerance + 1e-9)
+      return i;
+  }
+  return -1;
+}
+
 /// Of goals as they are given, those that are free; with a tolerance of the heading other yaws,
 /// too.
 std::vector<Goal> goals_of(const Space& space, const Lattice& lattice, const Request& request) {
@@ -154,6 +167,13 @@ Result Planner::plan(const Request& request) const {
   Result result;
   if (!space.free(request.start)) {
     refuse(result, space, request.start, true);
+    return result;
+  }
+  if (const int there = reached(request); there >= 0) {
+    result.status = Status::solved;
+    result.goal = there;
+    result.segments = {{.begin = request.start, .length = 0, .gear = 1}};
+    if (request.bound) result.lower_bound = 0;
     return result;
   }
   const std::vector<Goal> goals = goals_of(space, impl_->lattice, request);

@@ -119,6 +119,7 @@ class Search {
     if (far <= 0) return;
     const Pose& at = options_.wanted[goal];
     for (int y = std::max(0, floor_of(at.y - far)); y <= at.y + far && y < space_.height(); ++y) {
+      if (poller_.stop_after(static_cast<std::int64_t>(64 * far))) return;
       for (int x = std::max(0, floor_of(at.x - far)); x <= at.x + far && x < space_.width(); ++x) {
         const double dx = x + 0.5 - at.x;
         const double dy = y + 0.5 - at.y;
@@ -325,7 +326,7 @@ class Search {
       least = dx * dx + dy * dy;
       nearest = &goal;
     }
-    if (std::sqrt(least) + cost >= best_.cost && best_.goal >= 0) return;
+    if (nearest == nullptr || (std::sqrt(least) + cost >= best_.cost && best_.goal >= 0)) return;
     shoot(pose, *nearest, cost, layers_ > 1 ? (layer == 1 ? -1 : 1) : 0, options_.wide ? 6 : 3,
           [&](std::vector<Segment>& to) { append_reached(index, to); });
   }

@@ -60,6 +60,9 @@ void Outline::lay_covers(const Vehicle& vehicle) {
   }
 }
 
+/// Cells that a motion of the lattice is long at most, and some.
+constexpr double kMostDriven = 260;
+
 BitColumns::BitColumns(const Grid& grid, int margin)
     : width_(grid.width()),
       height_(grid.height()),
@@ -79,7 +82,9 @@ Space::Impl::Impl(const Vehicle& vehicle, const Grid& grid, ClearanceField field
     : vehicle_(vehicle),
       outline_(vehicle),
       // A motion's mask reaches beyond the circle by what the motion drives.
-      bits_(grid, static_cast<int>(outline_.around() + 4 * vehicle.turning_radius) + 64),
+      bits_(grid, static_cast<int>(outline_.around() +
+                                   std::min(4 * vehicle.turning_radius, kMostDriven)) +
+                      64),
       field_(std::move(field)) {}
 
 double Space::Impl::clearance(double x, double y) const noexcept {

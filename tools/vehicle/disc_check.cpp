@@ -207,7 +207,7 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
 
 std::optional<PathFault> disc_fault(const Grid& grid, double radius, const lasius::Curve& curve) {
   constexpr double kPart = 8;  // cells: of longer pieces too many squares would be looked at
-  const double limit = radius - kSlack;
+  const double limit = radius - std::min(kSlack, radius / 2);
   double along = 0;
   for (const CurvePiece& piece : curve) {
     const double length = length_of(piece), parts = std::max(1., std::ceil(length / kPart));

@@ -65,7 +65,7 @@ std::vector<vehicle::Segment> recorded_segments(const Json& result) {
                                        recorded_real(one, "yaw", -kMostTurned, kMostTurned)},
                              .curvature = real(one, "curvature"),
                              .gear = static_cast<int>(recorded_integer(one, "gear", -1, 1))};
-    segment.curvature_rate = real(one, "curvature_rate");
+    segment.curvature_rate = recorded_real(one, "curvature_rate", 0, 0);
     if (segment.gear == 0)
       segment.angle = recorded_real(one, "angle", -kMostTurned, kMostTurned);
     else

@@ -34,6 +34,7 @@ void surround(Shape& shape, std::span<const Vec3> points) {
   const Ball ball = ball_around(points);
   shape.centre = ball.centre;
   shape.radius = ball.radius + shape.round;
+  shape.far = std::max(shape.far, length(shape.centre));  // bounds take both
   for (const Vec3 p : points) shape.far = std::max(shape.far, length(p) + shape.round);
 }
 

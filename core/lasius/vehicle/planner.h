@@ -24,11 +24,14 @@ struct Request {
   std::vector<Pose> goals;       ///< at least one; the cheapest to reach of those found is met
   double goal_tolerance = 0;     ///< cells: a path may end so far from a goal's point
   double heading_tolerance = 0;  ///< radians: and turned so far from its yaw; pi or more: any yaw
-  double weight = 1.5;  ///< at least 1: of the estimate of what is left; the cost is searched to
-                        ///< that factor of the lattice's best
-  bool smooth = true;   ///< shorten what the search finds
-  bool bound = true;    ///< tell lower_bound
-  std::int64_t max_states = 20'000'000;  ///< of the lattice that are entered at most, 32 bytes each
+  /// At least 1: of the estimate of what is left. A larger one is sooner done; the estimate is not
+  /// always below what is left, and the cost may be more than that factor above the lattice's best.
+  double weight = 1.5;
+  bool smooth = true;  ///< shorten what the search finds
+  bool bound = true;   ///< tell lower_bound
+  /// At most so many states of the lattice, 32 bytes each: 16 for each cell that is entered, twice
+  /// that with a price for cusps.
+  std::int64_t max_states = 20'000'000;
   /// Ends the search with the best path so far.
   StopCondition stop = {};
 };
@@ -36,8 +39,8 @@ struct Request {
 /// What is answered.
 struct Result {
   /// solved; limit and interrupted, perhaps with a path; unreachable: proven, the disc inside the
-  /// footprint cannot get there; no_path: none in the lattice that was searched, which proves
-  /// nothing; invalid: the vehicle touches something at the start, or at every goal.
+  /// footprint cannot get there; no_path: none in the part of the lattice that was searched, which
+  /// proves nothing; invalid: the vehicle touches something at the start, or at every goal.
   Status status = Status::no_path;
   Fault fault = Fault::none;      ///< of invalid and unreachable
   std::optional<Cell> touched;    ///< of invalid: what is met at that end
