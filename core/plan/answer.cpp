@@ -184,7 +184,9 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     const auto plan = [&](const Request& leg) {
       return answer(map, leg, given, workspace, observer, own);
     };
-    return plan_legs(asked, plan);
+    Result whole = plan_legs(asked, plan);
+    if (map.disc == nullptr) refuse_squeezes(map.grid, asked, corners_of_paths(given, {}), whole);
+    return whole;
   }
   validate(given, own);
   const Algorithm& algorithm = find_algorithm(given.algorithm());

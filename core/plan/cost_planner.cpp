@@ -256,6 +256,8 @@ CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& op
   };
   whole.length = 0;
   static_cast<Result&>(whole) = plan_legs(asked, plan_leg);
+  if (impl_->space == nullptr)
+    refuse_squeezes(planner().grid(), asked, corners_of_paths(options.params, {}), whole);
   if (whole.path.empty()) return whole;
   whole.cost = cost;
   for (double& best : whole.best) best += dearer;

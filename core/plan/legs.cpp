@@ -1,10 +1,14 @@
 #include "core/plan/legs.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/base/special_values.h"
+#include "core/loop/run_status.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -96,6 +100,25 @@ Result plan_legs(const Request& asked, const std::function<Result(const Request&
     join(whole, std::move(found), last);
   }
   return whole;
+}
+
+void refuse_squeezes(const Grid& grid, const Request& asked, Corners corners, Result& result) {
+  if (corners == Corners::allow) return;
+  auto at = result.path.begin();
+  for (std::size_t i = 0; i < asked.via.size(); ++i) {
+    const Point via = asked.via[i];
+    at = std::find(at, result.path.end(), via);
+    if (at == result.path.end()) return;
+    const bool inside = at != result.path.begin() && at + 1 != result.path.end();
+    if (!inside || via.x != std::floor(via.x) || via.y != std::floor(via.y)) continue;
+    if (!path_fault(grid, std::span<const Point>(at - 1, at + 2), corners)) continue;
+    result = failed<Result>(Status::unreachable, Fault::disconnected,
+                            via_name(i) +
+                                " lies between two blocked cells that meet there, and "
+                                "the path would have to pass between them");
+    result.bad_via = static_cast<int>(i);
+    return;
+  }
 }
 
 }  // namespace lasius

@@ -3,6 +3,8 @@
 
 #include <functional>
 
+#include "lasius/grid.h"
+#include "lasius/moves.h"
 #include "lasius/request.h"
 #include "lasius/result.h"
 
@@ -11,5 +13,9 @@ namespace lasius {
 /// Answers a request that has Request::via: plans from each of its points to the next by
 /// `plan(leg)`, and joins the answers as Result says.
 Result plan_legs(const Request& asked, const std::function<Result(const Request&)>& plan);
+
+/// Makes such an answer unreachable where one leg comes to a point, and the next goes on from it,
+/// on different sides of two blocked cells that meet there.
+void refuse_squeezes(const Grid& grid, const Request& asked, Corners corners, Result& result);
 
 }  // namespace lasius

@@ -164,7 +164,7 @@ class Arm(ProgramTest):
         self.assertEqual(results[0], results[2])
 
     def test_files(self):
-        run = self.quiet(self.arm("-q", "--iterations", "5", "-o", "m.json", "-o", "m.csv", "-o",
+        run = self.quiet(self.arm("-q", "--iterations", "5", "--set", "trees=0", "-o", "m.json", "-o", "m.csv", "-o",
                                   "m.svg", "-o", "m.png"))
         self.assertEqual(json.loads(self.read("m.json"))["status"], "solved")
         rows = list(csv.reader(io.StringIO(self.read("m.csv").decode())))
@@ -267,8 +267,9 @@ class Arm(ProgramTest):
                               goal="0,0.5,0"), 2, "choose another")
 
     def test_without_shortcuts_every_lattice_point_is_passed(self):
-        plain = self.arm("--json", "--no-shortcut", "--iterations", "20").json
-        short = self.arm("--json", "--iterations", "20").json
+        lattice = ("--json", "--iterations", "20", "--set", "trees=0")
+        plain = self.arm(*lattice, "--no-shortcut").json
+        short = self.arm(*lattice).json
         self.assertEqual(plain["trajectory"]["waypoints"], len(plain["joints"]))
         self.assertLess(short["trajectory"]["waypoints"], len(short["joints"]))
         self.assertLess(short["trajectory"]["duration"], plain["trajectory"]["duration"])

@@ -120,6 +120,12 @@ class Points(ProgramTest):
             old["parameters"] = {key: value for key, value in old["parameters"].items() if key != "ends"}
             self.ended(self.replay_of(old), 0)
 
+    def test_via_where_blocked_cells_meet(self):
+        self.write("meet.map", "type octile\nheight 4\nwidth 4\nmap\n..@@\n..@@\n@@..\n@@..\n")
+        for more in ((), ("--inflation", "2,1")):
+            self.ended(self.plan("--via", "2.0,2.0", *more, goal="3,3", map_file="meet.map"), 5, "via point 1 lies between")
+            self.ended(self.plan("--via", "2.0,2.0", *more, goal="0,1", map_file="meet.map"), 0)
+
     def test_via(self):
         whole = self.quiet(self.plan("--json", "--via", "9,0", "--via", "9.25,5")).json
         legs = [self.quiet(self.plan("--json", start=a, goal=b)).json

@@ -65,6 +65,15 @@ TEST(Tours, TellWhyNoOrderKeepsWhatIsGiven) {
     const TourResult tour = plan_tour(planner, request);
     EXPECT_TRUE(tour.order.empty());
     EXPECT_EQ(tour.status, Status::unreachable);
+    if (!tour.error.starts_with("no order keeps")) {  // so that ants find none either
+      TourRequest by_ants = request;
+      by_ants.ants = tour::AntParams("mmas");
+      by_ants.ants.iterations = 2;
+      const TourResult none = plan_tour(planner, by_ants);
+      EXPECT_TRUE(none.order.empty());
+      EXPECT_EQ(none.status, Status::unreachable);
+      EXPECT_EQ(none.error, tour.error);
+    }
     return tour.error;
   };
   EXPECT_EQ(why({{2}, {}, {}, {}}, {}), "stop 0 is the start, but stop 2 comes before it");

@@ -173,5 +173,45 @@ TEST(VehiclePlanner, TolerancesAndSeveralGoals) {
   EXPECT_EQ(two.goal, 1);
 }
 
+TEST(Planner, IsThereAlready) {
+  const Vehicle car{.footprint = {{-1, -0.8}, {3, -0.8}, {3, 0.8}, {-1, 0.8}}, .turning_radius = 4};
+  const Planner planner(Grid(40, 30), car);
+  for (const double yaw : {0.0, 2 * kPi}) {
+    const Result there = planner.plan({.start = {10, 10, 0}, .goals = {{10, 10, yaw}}});
+    EXPECT_EQ(there.status, Status::solved);
+    EXPECT_EQ(there.length, 0);
+    EXPECT_EQ(there.gap(), 0);
+    ASSERT_EQ(there.segments.size(), 1u);
+  }
+  const Result near = planner.plan({.start = {10, 10, 0},
+                                    .goals = {{10.5, 10, 0.1}},
+                                    .goal_tolerance = 1,
+                                    .heading_tolerance = 1});
+  EXPECT_EQ(near.length, 0);
+}
+
+TEST(Planner, ToleratesGoalsThatAreBlockedOrBehindAWall) {
+  const Vehicle car{.footprint = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}}, .turning_radius = 4};
+  Grid post(400, 60);
+  post.set_blocked({370, 30});
+  const Result blocked = Planner(post, car).plan(
+      {.start = {10.5, 30.5, 0}, .goals = {{370.5, 30.5, 0}}, .goal_tolerance = 3});
+  EXPECT_NE(blocked.status, Status::limit);
+  Grid wall(120, 80);
+  wall.fill({60, 0, 1, 70}, true);
+  const Result before = Planner(wall, car).plan(
+      {.start = {30.5, 10.5, 0}, .goals = {{64.5, 10.5, 0}}, .goal_tolerance = 9});
+  ASSERT_EQ(before.status, Status::solved);
+  EXPECT_LE(*before.lower_bound, before.length);
+}
+
+TEST(Planner, TakesVehiclesThatHardlyTurn) {
+  const Vehicle train{.footprint = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}}, .turning_radius = 1e5};
+  const Planner planner(Grid(60, 30), train);
+  const Result ahead = planner.plan({.start = {10, 15, 0}, .goals = {{50, 15, 0}}});
+  EXPECT_EQ(ahead.status, Status::solved);
+  EXPECT_NEAR(ahead.length, 40, 1e-6);
+}
+
 }  // namespace
 }  // namespace lasius::vehicle
