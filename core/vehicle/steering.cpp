@@ -43,7 +43,7 @@ void append_turns(const Pose& from, const Pose& to, int gear, std::vector<Segmen
 void Steering::add(const Found& found, int most) {
   const auto at = std::find_if(found_.begin(), found_.begin() + size_,
                                [&](const Found& other) { return found.cost < other.cost; });
-  if (at == found_.begin() + most) return;
+  if (at - found_.begin() == most) return;
   found_.insert(at, found);
   size_ = std::min(size_ + 1, most);
   found_.resize(size_);
