@@ -193,11 +193,6 @@ Result Planner::plan(const Request& request) const {
     found = search(prepared, request.start, goals, options, *memory, result, poller);
   }
   impl_->give_back(std::move(memory));
-  const bool cut_short = poller.stopped();
-  if (cut_short) {
-    result.status =
-        poller.cause() == StopCondition::Cause::token ? Status::interrupted : Status::limit;
-  }
   if (found.goal >= 0) {
     result.segments = joined(found.segments);
     // The masks' proof is of motions told another way: all is certified once more.
@@ -209,13 +204,20 @@ Result Planner::plan(const Request& request) const {
     }
     if (found.goal < 0) result.segments.clear();
   }
+  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.length(request);
+  // What shortens the path, and its bound, may be cut short, too.
+  StopCondition::Cause cause = poller.cause();
+  if (cause == StopCondition::Cause::none && found.goal >= 0) cause = request.stop.poll();
+  const bool cut_short = cause != StopCondition::Cause::none;
+  if (cut_short) {
+    result.status = cause == StopCondition::Cause::token ? Status::interrupted : Status::limit;
+  }
   if (found.goal >= 0) {
     if (!cut_short) result.status = Status::solved;
     result.goal = found.goal;
     result.length = driven_length(result.segments);
     result.cost = cost(space.vehicle(), result.segments);
     result.cusps = cusps(result.segments);
-    if (request.bound) result.lower_bound = impl_->bound.length(request);
     return result;
   }
   if (poller.stopped()) {

@@ -11,6 +11,7 @@
 
 #include "core/vehicle/angle.h"
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/dense_check.h"
 
 namespace lasius::vehicle {
@@ -211,6 +212,31 @@ TEST(Planner, TakesVehiclesThatHardlyTurn) {
   const Result ahead = planner.plan({.start = {10, 15, 0}, .goals = {{50, 15, 0}}});
   EXPECT_EQ(ahead.status, Status::solved);
   EXPECT_NEAR(ahead.length, 40, 1e-6);
+}
+
+TEST(Planner, TellsOfEveryCut) {
+  const Vehicle car{.footprint = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}}, .turning_radius = 4};
+  Grid grid(300, 200);
+  for (int x = 20; x < 290; x += 30) grid.fill({x, x % 60 == 20 ? 0 : 20, 2, 180}, true);
+  const Planner planner(grid, car);
+  Request request{.start = {10, 100, 0}, .goals = {{295, 100, 0}}};
+  const CountingTime counted(1 << 30);
+  request.stop = counted.is_up();
+  const Result whole = planner.plan(request);
+  ASSERT_EQ(whole.status, Status::solved);
+  ASSERT_GT(counted.polls(), 3);
+  int cut = 0;
+  for (int polls = 0; polls < counted.polls(); ++polls) {
+    const CountingTime time(polls);
+    request.stop = time.is_up();
+    const Result result = planner.plan(request);
+    cut += result.status == Status::limit;
+    if (result.status == Status::solved) {
+      EXPECT_EQ(result.length, whole.length) << polls;
+      EXPECT_EQ(result.lower_bound, whole.lower_bound) << polls;
+    }
+  }
+  EXPECT_GT(cut, 2);
 }
 
 }  // namespace
