@@ -8,8 +8,8 @@
 
 namespace lasius::cost {
 
-GoalField::GoalField(const Terrain& terrain, Cell goal, double least)
-    : terrain_(terrain), goal_(goal), robot_(goal), least_(least) {
+GoalField::GoalField(const Terrain& terrain, Cell goal, double least, bool squeezes)
+    : terrain_(terrain), goal_(goal), robot_(goal), least_(least), squeezes_(squeezes) {
   const std::size_t cells = static_cast<std::size_t>(terrain.stride()) * (terrain.height() + 2);
   for (GrowingArray<double>* values : {&cost_, &ahead_}) {
     values->grow(cells);
@@ -20,10 +20,10 @@ GoalField::GoalField(const Terrain& terrain, Cell goal, double least)
   queue(index(goal));
 }
 
-/// Between free cells, past none that is blocked.
+/// Between free cells, and past blocked ones only where that is allowed.
 bool GoalField::open(std::size_t at, int move) const noexcept {
   const auto free = [&](int i) { return terrain_.at(at + step_[i]) < kInfinity; };
-  return free(move) && (move < 4 || (free(move - 4) && free((move - 3) & 3)));
+  return free(move) && (move < 4 || squeezes_ || (free(move - 4) && free((move - 3) & 3)));
 }
 double GoalField::step_cost(std::size_t at, int move) const noexcept {
   return (move < 4 ? 0.5 : 0.5 * kDiagonal) * (terrain_.at(at) + terrain_.at(at + step_[move]));

@@ -13,13 +13,13 @@ namespace lasius::cost {
 
 /// What the cheapest walk to a goal costs from the cells that a robot's walk may go over; a change
 /// takes the work of what it changes of these: D* Lite in its optimised form (Koenig & Likhachev
-/// 2002, figure 4). A move costs its length times the mean of both weights, and passes between
-/// blocked cells nowhere.
+/// 2002, figure 4). A move costs its length times the mean of both weights.
 class GoalField {
  public:
   /// @param terrain  outlives the field; whoever changes it says so: changed()
   /// @param least    above 0; no weight is ever less
-  GoalField(const Terrain& terrain, Cell goal, double least);
+  /// @param squeezes  moves pass blocked corners, and between two of them; else neither
+  GoalField(const Terrain& terrain, Cell goal, double least, bool squeezes);
 
   Cell goal() const noexcept { return goal_; }
   double least() const noexcept { return least_; }
@@ -27,10 +27,8 @@ class GoalField {
   void changed(std::span<const Cell> cells);
   /// Brings costs up to date for a robot in a free cell. False if stopped: the next call goes on.
   bool update(Cell robot, Poller& poller);
-  /// Of the robot's cheapest walk, as update() left it; infinite where there is none.
-  double cost() const noexcept { return ahead_.data()[index(robot_)]; }
-  /// Its cells, the robot's first; empty where there is none, and where costs so far apart meet
-  /// that rounding hides the lower ones.
+  /// The cells of its cheapest walk, the robot's first; empty where there is none, and where costs
+  /// so far apart meet that rounding hides the lower ones.
   std::vector<Cell> walk() const;
 
   std::int64_t bytes() const noexcept;  ///< memory held
@@ -62,6 +60,7 @@ class GoalField {
   const Terrain& terrain_;
   Cell goal_, robot_;
   double least_;
+  bool squeezes_;
   double moved_ = 0;  // what the robot's moves have taken off the estimates: the paper's k_m
   std::ptrdiff_t step_[8];
   GrowingArray<double> cost_, ahead_;  // the paper's g and rhs

@@ -72,6 +72,10 @@ class Terrain {
     if (!(weight < kInfinity)) return;
     range_ = {std::min(range_.least, weight), std::max(range_.most, weight)};
   }
+  /// What a straight move between the centres of neighbours costs.
+  double move_cost(Cell from, Cell to) const noexcept {
+    return distance(centre(from), centre(to)) / 2 * (weight(from.x, from.y) + weight(to.x, to.y));
+  }
   /// Do two blocked cells meet diagonally at a lattice point, the other two being free?
   bool squeeze(int x, int y) const noexcept {
     const bool nw = free(x - 1, y - 1), ne = free(x, y - 1);

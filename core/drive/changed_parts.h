@@ -30,6 +30,7 @@ class ChangedParts {
     parts_.assign(1, all);
   }
   const std::vector<Rectangle>& parts() const noexcept { return parts_; }
+  void drop_last() noexcept { parts_.pop_back(); }
   void clear() noexcept { parts_.clear(); }
   std::int64_t bytes() const noexcept { return held_bytes(parts_); }
 

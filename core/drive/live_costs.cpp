@@ -12,7 +12,6 @@
 #include "core/cost/path_cost.h"
 #include "core/cost/polish.h"
 #include "core/cost/straightened.h"
-#include "core/grid/cell_distance.h"
 #include "core/grid/clearance.h"
 #include "core/loop/run_status.h"
 #include "core/plan/cost_paths.h"
@@ -41,20 +40,27 @@ Grid cut_out(const Grid& map, const Rectangle& part) {
   return cut;
 }
 
+/// Does a move pass a blocked cell?
+bool beside_blocked(const cost::Terrain& terrain, Cell a, Cell b) noexcept {
+  return !(terrain.free(a.x, b.y) && terrain.free(b.x, a.y));
+}
+
 }  // namespace
 
 LiveCosts::LiveCosts(const EditedMap& map, const CostField& costs,
-                     const std::optional<Inflation>& inflation)
+                     const std::optional<Inflation>& inflation, Corners corners)
     : map_(map),
       given_(costs.weights().begin(), costs.weights().end()),
       least_(*std::ranges::min_element(given_)),
       inflation_(inflation),
-      terrain_(map.passable(), costs) {
+      terrain_(map.passable(), costs),
+      squeezes_(corners == Corners::allow) {
   if (!inflation_) return;
   cost::check_inflation(*inflation_);
   check_sum(given_);
-  edited_.add({0, 0, map.map().width(), map.map().height()});
-  bring_up_to_date();
+  const StopCondition never;
+  Poller poller(never);
+  update({0, 0, map.map().width(), map.map().height()}, poller);
 }
 
 /// @throws Error(invalid_parameter) where given costs and the inflation pass what is allowed.
@@ -94,68 +100,102 @@ double LiveCosts::weight_of(Cell c, std::int32_t squared_half_cells) const noexc
              : given;
 }
 
-void LiveCosts::bring_up_to_date() {
-  const StopCondition never;
-  Poller poller(never);
+/// False when stopped: then the field is told of what was done, and the rest waits.
+bool LiveCosts::bring_up_to_date(Poller& poller) {
+  changed_.clear();
+  while (!edited_.parts().empty() && update(edited_.parts().back(), poller)) edited_.drop_last();
+  if (field_) field_->changed(changed_);
+  return edited_.parts().empty();
+}
+
+bool LiveCosts::update(const Rectangle& edit, Poller& poller) {
   const Grid& map = map_.map();
   const int inflated = inflation_ ? static_cast<int>(inflation_->radius) : 0;
-  changed_.clear();
-  for (const Rectangle& edit : edited_.parts()) {
-    const Rectangle part = grown(edit, std::max(inflated, map_.growth().reach()), map);
-    const Rectangle seen = grown(part, inflated, map);
-    std::optional<ClearanceField> nearest;
-    if (inflation_) nearest = clearance(cut_out(map, seen), ClearanceOf::blocked_centres, poller);
-    for (int y = part.y; y < part.y + part.height; ++y) {
-      for (int x = part.x; x < part.x + part.width; ++x) {
-        const auto at = static_cast<std::size_t>(y - seen.y) * seen.width + (x - seen.x);
-        const double weight = weight_of({x, y}, nearest ? nearest->squared_half_cells[at] : 0);
-        if (weight == terrain_.weight(x, y)) continue;
-        terrain_.set({x, y}, weight);
-        changed_.push_back({x, y});
-      }
+  const Rectangle part = grown(edit, std::max(inflated, map_.growth().reach()), map);
+  const Rectangle seen = grown(part, inflated, map);
+  std::optional<ClearanceField> nearest;
+  if (inflation_) {
+    nearest = clearance(cut_out(map, seen), ClearanceOf::blocked_centres, poller);
+    if (!nearest) return false;
+  }
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    if (poller.stop_after(part.width)) return false;
+    for (int x = part.x; x < part.x + part.width; ++x) {
+      const auto at = static_cast<std::size_t>(y - seen.y) * seen.width + (x - seen.x);
+      const double weight = weight_of({x, y}, nearest ? nearest->squared_half_cells[at] : 0);
+      if (weight == terrain_.weight(x, y)) continue;
+      terrain_.set({x, y}, weight);
+      if (field_) changed_.push_back({x, y});
     }
   }
-  edited_.clear();
-  if (field_) field_->changed(changed_);
+  return true;
+}
+
+/// A walk that squeezes nowhere as a path of any angle, the first `most` pieces polished.
+std::vector<Point> LiveCosts::polished(std::span<const Cell> walk, std::size_t most,
+                                       Poller& poller) const {
+  const std::vector<cost::Leg> legs = cost::straightened(terrain_, walk);
+  const std::span<const cost::Leg> near(legs.data(), std::min(most, legs.size()));
+  std::vector<Point> path{centre(walk[0])};
+  if (!near.empty()) path = cost::Polish(terrain_).polish(path[0], near, poller);
+  for (std::size_t i = near.size(); i < legs.size(); ++i) path.push_back(legs[i].to);
+  return cost::merged(terrain_, path);
+}
+
+void LiveCosts::find_path(const disc::DiscSpace* space, const StopCondition& stop, Poller& poller,
+                          Result& result) {
+  // What is farther on is polished when the robot has come nearer.
+  constexpr std::size_t kNear = 200;  // pieces, one in each cell
+  const std::span<const Cell> walk(walk_);
+  cost_ = walk_cost_ = 0;
+  for (std::size_t i = 1; i < walk.size(); ++i)
+    walk_cost_ += terrain_.move_cost(walk[i - 1], walk[i]);
+  for (std::size_t first = 0; first < walk.size();) {
+    std::size_t end = first + 1;  // of what squeezes nowhere
+    while (end < walk.size() && !beside_blocked(terrain_, walk[end - 1], walk[end])) ++end;
+    const std::size_t most = kNear - std::min(kNear, first);
+    const auto part = polished(walk.subspan(first, end - first), most, poller);
+    cost_ += cost::cost_of(terrain_, part);
+    if (end < walk.size()) cost_ += terrain_.move_cost(walk[end - 1], walk[end]);
+    result.path.insert(result.path.end(), part.begin(), part.end());
+    first = end;
+  }
+  if (!can_go(space, result.path)) {
+    result.path = repaired(*space, result.path, stop);
+    cost_ = cost::cost_of(terrain_, result.path);
+  }
+  if (!result.path.empty() && cost_ < kInfinity) return;
+  result.path.clear();
+  for (const Cell c : walk) result.path.push_back(centre(c));
+  cost_ = walk_cost_;
 }
 
 Result LiveCosts::run(const Request& request, const disc::DiscSpace* space) {
-  bring_up_to_date();
-  walk_.clear();
-  if (!field_ || field_->goal() != request.goal || field_->least() > least_)
-    field_.emplace(terrain_, request.goal, least_);
   Poller poller(request.stop);
   Result result;
-  if (!field_->update(request.start, poller)) {
+  walk_.clear();
+  const bool ready = bring_up_to_date(poller);
+  if (ready && (!field_ || field_->goal() != request.goal || field_->least() > least_))
+    field_.emplace(terrain_, request.goal, least_, squeezes_);
+  if (!ready || !field_->update(request.start, poller)) {
     end_run(result, poller.cause(), Status::limit);
     return result;
   }
   walk_ = field_->walk();
   if (walk_.empty())
-    walk_ = cost::EightMoves().search(terrain_, request.start, request.goal, Corners::forbid,
-                                      poller, false);
-  if (walk_.empty()) {
-    end_run(result, poller.cause(), Status::no_path);
-    return result;
-  }
-  // What is farther on is polished when the robot has come nearer.
-  constexpr std::size_t kNear = 200;  // pieces, one in each cell
-  const std::vector<cost::Leg> legs = cost::straightened(terrain_, walk_);
-  const std::span<const cost::Leg> near(legs.data(), std::min(kNear, legs.size()));
-  result.path = cost::Polish(terrain_).polish(centre(walk_[0]), near, poller);
-  for (std::size_t i = near.size(); i < legs.size(); ++i) result.path.push_back(legs[i].to);
-  result.path = cost::merged(terrain_, result.path);
-  if (!can_go(space, result.path)) result.path = repaired(*space, result.path, request.stop);
-  if (result.path.empty())
-    for (const Cell c : walk_) result.path.push_back(centre(c));
-  end_run(result, poller.cause(), Status::solved);
-  result.length = path_length(result.path);
+    walk_ = cost::EightMoves().search(terrain_, request.start, request.goal,
+                                      squeezes_ ? Corners::allow : Corners::forbid, poller, false);
+  if (!walk_.empty()) find_path(space, request.stop, poller, result);
+  end_run(result, poller.cause(), walk_.empty() ? Status::no_path : Status::solved);
+  if (!walk_.empty()) result.length = path_length(result.path);
   return result;
 }
 
 double LiveCosts::move_cost(Cell from, Cell to) {
-  bring_up_to_date();
-  return distance(from, to) * 0.5 * (terrain_.weight(from.x, from.y) + terrain_.weight(to.x, to.y));
+  const StopCondition never;
+  Poller poller(never);
+  bring_up_to_date(poller);
+  return terrain_.move_cost(from, to);
 }
 
 std::int64_t LiveCosts::bytes() const noexcept {

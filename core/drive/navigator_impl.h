@@ -8,7 +8,6 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/special_values.h"
-#include "core/cost/path_cost.h"
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_graph.h"
 #include "core/disc/disc_space.h"
@@ -54,8 +53,8 @@ class Navigator::Impl {
                       "it must be 0 (never) or more steps");
     if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
     if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
-    if (options.costs || options.inflation) take_costs(algorithm);
     corners = corners_of_paths(options.params, {given.radius});
+    if (options.costs || options.inflation) take_costs(algorithm);
     if (disc::has_space(given.radius))
       robot_disc.emplace(DiscMap{given.radius, disc::DiscSpace::make(map.map(), given.radius)});
     if (algorithm.kind == Algorithm::Kind::colony) send_colony(goal);
@@ -73,7 +72,8 @@ class Navigator::Impl {
     if (options.target_gap > 0) refuse("target_gap");
     const Grid& grid = map.map();
     const CostField plain(grid.width(), grid.height());
-    costs.emplace(map, options.costs ? *options.costs : plain, options.inflation);
+    costs.emplace(map, options.costs ? *options.costs : plain, options.inflation,
+                  rule_of_walks(corners));
     options.costs.reset();
   }
   /// A trail leads to one goal.
@@ -205,16 +205,11 @@ class Navigator::Impl {
         return colony->run(request, observer);
       };
     }
-    DiscMap walked{options.radius};
     if (costs) {
       known.terrain = &costs->terrain();
       known.search = [&](const Request& request, const Observer&) {
         return costs->run(request, space());
       };
-      if (robot_disc) {
-        walked.alone.emplace(map.map());
-        known.disc = &walked;  // which goes over the cells that it may walk on
-      }
     }
     const Request request{.start = robot,
                           .goal = goal,
@@ -228,7 +223,7 @@ class Navigator::Impl {
     static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
     way.walk.clear();
-    way.cost = kNaN;
+    way.cost = way.walk_cost = kNaN;
     if (costs) return take_walk();
     walker.begin(way.path, robot_disc.has_value());
     if (robot_disc && way.path.size() > 1) walk_over_cells(stop);
@@ -250,7 +245,9 @@ class Navigator::Impl {
     walk = std::move(cells);
     constexpr std::size_t kMoves = 64;
     way.walk.assign(walk.begin(), walk.begin() + std::min(walk.size(), kMoves));
-    if (!way.path.empty()) way.cost = cost::cost_of(costs->terrain(), way.path);
+    if (way.path.empty()) return;
+    way.cost = way.path.size() > 1 ? costs->cost() : 0;
+    way.walk_cost = way.path.size() > 1 ? costs->walk_cost() : 0;
   }
   bool blocked() const noexcept { return way.status == Status::invalid; }
 

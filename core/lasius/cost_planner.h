@@ -39,7 +39,7 @@ struct CostOptions {
   /// Only walks by eight moves from centre to centre, for comparison with other planners;
   /// `lower_bound` and `optimal` are about these. Not of a disc.
   bool eight_moves = false;
-  Corners corners = Corners::forbid;  ///< of eight moves
+  Corners corners = Corners::forbid;  ///< of eight moves; Corners::allow is refused
   /// Ask for CostResult::proof; not of eight moves or a disc. It is of centres of cells, and of
   /// equal weights its bound is a little less than the answer's.
   bool proof = false;

@@ -64,6 +64,8 @@ struct Way : Result {
   /// is the cheapest by eight moves over the cells that the robot may walk on, and goes on with
   /// every step; the path is made of it, cheaper by going at any angle; nothing is certified.
   double cost = std::numeric_limits<double>::quiet_NaN();
+  /// Likewise of the cheapest walk, all of it.
+  double walk_cost = std::numeric_limits<double>::quiet_NaN();
   /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
   std::int64_t doubted = 0;
 };

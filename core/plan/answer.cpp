@@ -201,7 +201,7 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Corners corners = corners_of_paths(params, robot);
   const disc::DiscSpace* const space =
       map.disc != nullptr && map.disc->space ? &*map.disc->space : nullptr;
-  const bool curved = space != nullptr && algorithm.kind == Algorithm::Kind::exact;
+  const bool curved = space != nullptr && algorithm.kind == Algorithm::Kind::exact && !map.search;
   // Whose grown obstacles hold cells that legs to points may cross.
   const bool legs_alone = map.disc != nullptr && space == nullptr;
   const Ends ends(map, curved ? space : nullptr, corners);

@@ -277,6 +277,9 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
     throw Error(ErrorCode::invalid_parameter, "a proof is asked for of eight moves",
                 "ask for one of any angle");
   }
+  if (options.eight_moves && options.corners == Corners::allow)
+    throw Error(ErrorCode::invalid_parameter, "corners of eight moves are allow",
+                "use forbid or one_side: walks over costs squeeze nowhere");
   if (disc && (options.proof || options.eight_moves)) {
     throw Error(
         ErrorCode::invalid_parameter,

@@ -294,25 +294,18 @@ class DriveProblem : public Problem {
   }
   /// By the corners that the robot's moves may pass, whatever its paths are made of.
   void look_for_optimum(const Grid& world, const StopCondition& stop) {
-    const Navigator robot(Grid(world), answer_.goal.cell, {.radius = answer_.map.radius});
+    const Cell goal = answer_.result.goal_reached.value_or(answer_.goal.cell);
+    NavigatorOptions how{.radius = answer_.map.radius, .costs = answer_.layers};
+    if (answer_.layers) how.inflation = answer_.map.costs->inflation;
+    Navigator robot(Grid(world), goal, how);
+    if (answer_.layers) {
+      const Way& way = robot.step(answer_.start.cell, stop);
+      if (!way.path.empty() && !way.way_out) answer_.optimum = way.walk_cost;
+      return;
+    }
     const bool all = squeezes(command_.run.params) || robot.corners() == Corners::allow;
-    if (answer_.layers) return look_for_cheapest(world, robot.passable(), stop);
-    answer_.optimum =
-        shortest_walk(robot.passable(), answer_.start.cell,
-                      answer_.result.goal_reached.value_or(answer_.goal.cell), Neighbours::eight,
-                      all ? Corners::allow : Corners::forbid, stop);
-  }
-
-  void look_for_cheapest(const Grid& world, const Grid& passable, const StopCondition& stop) {
-    CostField costs = *answer_.layers;
-    if (const auto& inflation = answer_.map.costs->inflation) costs.add(world, *inflation);
-    const CostPlanner planner(Planner(Grid(passable)), costs);
-    const CostResult walk =
-        planner.plan({.start = answer_.start.cell,
-                      .goal = answer_.result.goal_reached.value_or(answer_.goal.cell),
-                      .stop = stop},
-                     {.eight_moves = true});
-    if (!walk.path.empty()) answer_.optimum = walk.cost;
+    answer_.optimum = shortest_walk(robot.passable(), answer_.start.cell, goal, Neighbours::eight,
+                                    all ? Corners::allow : Corners::forbid, stop);
   }
 
   DriveCommand command_;
