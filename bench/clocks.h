@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/statistics.h"
+#include "lasius/stop.h"
 
 namespace lasius::bench {
 
@@ -38,6 +39,19 @@ class ProcessorClock {
 };
 using ProcessorStopwatch = ProcessorClock<CLOCK_PROCESS_CPUTIME_ID>;  ///< of all threads
 using ThreadStopwatch = ProcessorClock<CLOCK_THREAD_CPUTIME_ID>;      ///< of this one
+
+/// This thread's processor time as what a deadline is told by, from its construction.
+class ThreadTime : public TimeSource {
+ public:
+  Clock::time_point now() const noexcept override {
+    return Clock::time_point{} +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(used()));
+  }
+  double used() const noexcept { return watch_.seconds(); }  ///< seconds
+
+ private:
+  ThreadStopwatch watch_;
+};
 
 /// Microseconds of processor time that a call takes: the median of so many.
 template <class Call>

@@ -39,15 +39,9 @@ struct TourInstance {
 // The costs that a run had at the marks; 0: none yet.
 using Marks = std::array<std::int64_t, kShares.size()>;
 
-// Processor time of this thread, as what a search's deadline is told by.
-class TourTime final : public TimeSource {
+class TourTime final : public ThreadTime {
  public:
   explicit TourTime(double seconds) : seconds_(seconds) {}
-  Clock::time_point now() const noexcept override {
-    return Clock::time_point{} +
-           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(used()));
-  }
-  double used() const noexcept { return watch_.seconds(); }
   StopCondition stop() const {
     return {.deadline = deadline_in(std::chrono::duration<double>(seconds_), {}), .time = this};
   }
@@ -58,7 +52,6 @@ class TourTime final : public TimeSource {
 
  private:
   double seconds_;
-  ThreadStopwatch watch_;
 };
 
 Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint64_t seed,

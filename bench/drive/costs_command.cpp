@@ -1,6 +1,5 @@
 // lasius_bench drive-costs: replanning over costs that change, against a search from anew.
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,9 @@
 namespace lasius::bench {
 namespace {
 
-struct CostDriveOptions : QueryOptions {
-  CostDriveOptions() : QueryOptions{.count = 3, .rounds = 1} {}
+struct CostDriveOptions {
+  MapOptions maps = {};
+  std::size_t count = 3;
   double sense = 40;
   int people = 8;
   int every = 25;
@@ -42,18 +42,6 @@ Changes people_on(const Grid& grid, const std::vector<Cell>& way, int count) {
   }
   return changes;
 }
-
-/// Counts the processor time of the thread that asks.
-class ProcessorTime final : public TimeSource {
- public:
-  Clock::time_point now() const noexcept override {
-    return Clock::time_point() + std::chrono::duration_cast<Clock::duration>(
-                                     std::chrono::duration<double>(watch_.seconds()));
-  }
-
- private:
-  ThreadStopwatch watch_;
-};
 
 /// Of one drive, milliseconds and ratios.
 struct Figures {
@@ -84,7 +72,7 @@ void drive_one(const QuerySet& set, const Query& query, const CostDriveOptions& 
     figures.anew.push_back(1000 * again.seconds());
     if (walk.cost > 0) figures.dearer.push_back(tick.way->cost / walk.cost);
   };
-  const ProcessorTime time;
+  const ThreadTime time;
   const DriveResult driven =
       drive(navigator, set.grid, query.start, changes,
             {.sense = options.sense, .max_ticks = 20'000}, {.time = &time}, compare);
@@ -98,9 +86,8 @@ void run_drive_costs(const CostDriveOptions& options) {
                   std::to_string(static_cast<int>(options.sense)) + " cells, " +
                   std::to_string(options.count) +
                   " queries a map. Milliseconds of processor time: of a tick that plans, of the "
-                  "first plan, and of "
-                  "the cheapest walk sought from anew (its costs ready made); the way's cost to "
-                  "that walk's.",
+                  "first plan, and of the cheapest walk sought from anew (its costs ready made); "
+                  "the way's cost to that walk's.",
               {"map", "ticks", "p50", "p99", "max", "first", "anew", "cost"});
   for (const QuerySource& source : sources_of(options.maps)) {
     const QuerySet set = load(source, options.count);
@@ -119,7 +106,8 @@ void run_drive_costs(const CostDriveOptions& options) {
 void add_drive_costs_command(CLI::App& app) {
   auto [command, options] = add_command<CostDriveOptions>(
       app, "drive-costs", "replanning over costs that change", run_drive_costs);
-  add_query_options(command, options);
+  add_map_options(command, options.maps);
+  add_number(command, "--queries", options.count, "queries a map", 1);
   add_number(command, "--sense", options.sense, "cells that the robot sees", 1);
   add_number(command, "--people", options.people, "who cross the way", 0, 100);
   add_number(command, "--every", options.every, "ticks between two searches from anew", 1);

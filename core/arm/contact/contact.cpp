@@ -26,6 +26,14 @@ void Contact::add(const ShapePair& pair) {
   if (known == relations_.end()) relations_.push_back({pair.body, pair.from});
 }
 
+std::array<Contact::Pair, 2> Contact::opened(const Pair& pair) {
+  const auto& [a, b, relation] = pair;
+  const bool first = first_is_opened(*a, *b);
+  const Shape::Parts& parts = parts_of(first ? *a : *b);
+  if (first) return {{{parts[0], b, relation}, {parts[1], b, relation}}};
+  return {{{a, parts[0], relation}, {a, parts[1], relation}}};
+}
+
 NearPair Contact::told(const Pair& pair, double distance) const {
   NearPair found{.distance = std::max(0.0, distance), .link = robot_->link_of(pair.a->solid)};
   if (pair.b->solid < 0)
@@ -58,9 +66,8 @@ bool Contact::posture_free(std::span<const double> q, double clearance) const {
         if (apart >= 2 * clearance) continue;
         if (a->exact && b->exact) return false;
       }
-      const bool first = first_is_opened(*a, *b);
-      for (const Shape* const part : parts_of(first ? *a : *b))
-        left.push_back(first ? Pair{part, b, relation} : Pair{a, part, relation});
+      const auto parts = opened(pair);
+      left.insert(left.end(), parts.begin(), parts.end());
     }
   }
   return true;
@@ -94,12 +101,7 @@ NearPair Contact::nearest(std::span<const double> q) const {
           continue;
         }
       }
-      const bool first = first_is_opened(*a, *b);
-      std::array<Pair, 2> parts;
-      for (int i = 0; i < 2; ++i) {
-        const Shape* const part = parts_of(first ? *a : *b)[i];
-        parts[i] = first ? Pair{part, b, relation} : Pair{a, part, relation};
-      }
+      auto parts = opened(pair);
       if (gap(parts[0]) < gap(parts[1])) std::swap(parts[0], parts[1]);
       left.insert(left.end(), parts.begin(), parts.end());  // the nearer one is looked at first
     }

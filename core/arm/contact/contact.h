@@ -53,6 +53,8 @@ class Contact {
   };
   class Search;
 
+  /// The pairs of the larger one's parts with the other.
+  static std::array<Pair, 2> opened(const Pair& pair);
   void add(const ShapePair& pair);
   /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
   /// look, which need not find what there is.

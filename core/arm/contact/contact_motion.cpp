@@ -154,10 +154,8 @@ class Contact::Search {
         if (verdict == Verdict::touched) return false;
         if (verdict == Verdict::apart) next.push_back(pair);
         if (verdict != Verdict::opened) continue;
-        const auto& [a, b, relation] = pair;
-        const bool first = first_is_opened(*a, *b);
-        for (const Shape* const part : parts_of(first ? *a : *b))
-          stack_.push_back(first ? Pair{part, b, relation} : Pair{a, part, relation});
+        const auto parts = opened(pair);
+        stack_.insert(stack_.end(), parts.begin(), parts.end());
       }
     }
     return true;
