@@ -67,7 +67,8 @@ TreesWay grow_two_trees(const Robot& robot, const Sensor& sensor, const Request&
   SpreadValues values(robot, request.start, seed);
   bool stopped = false;
   JointVector wanted(robot.size()), next(robot.size());
-  // Goes from a node towards `to`, a step at most; 1: there, 0: on the way, -1: not at all.
+  enum class Step { there, on_the_way, blocked };
+  // Goes from a node towards `to`, a step at most.
   const auto step = [&](MotionTree& tree, int from, const JointVector& to) {
     const auto here = tree.at(from);
     const double far = joint_travel(here, to);
@@ -76,25 +77,26 @@ TreesWay grow_two_trees(const Robot& robot, const Sensor& sensor, const Request&
     if (!whole) next = here + (kStep / far) * (to - here);
     if (!may_ask()) {
       stopped = true;
-      return -1;
+      return Step::blocked;
     }
     const std::optional<bool> free = sensor.try_motion(here, next, request.stop);
-    if (!free.value_or(false)) return -1;
+    if (!free.value_or(false)) return Step::blocked;
     tree.add(next, from);
-    return whole ? 1 : 0;
+    return whole ? Step::there : Step::on_the_way;
   };
   for (int i = 0; i < most && !stopped; ++i) {
     const int grown = trees[0].size() <= trees[1].size() ? 0 : 1;
     MotionTree &tree = trees[grown], &other = trees[1 - grown];
     values.next(wanted);
-    if (step(tree, tree.nearest(wanted), wanted) < 0) continue;
+    if (step(tree, tree.nearest(wanted), wanted) == Step::blocked) continue;
     const JointVector met = next;
-    int at = other.nearest(met), gone = other.at(at) == met ? 1 : 0;
-    while (gone == 0) {
+    int at = other.nearest(met);
+    Step gone = other.at(at) == met ? Step::there : Step::on_the_way;
+    while (gone == Step::on_the_way) {
       gone = step(other, at, met);
-      if (gone >= 0) at = other.size() - 1;
+      if (gone != Step::blocked) at = other.size() - 1;
     }
-    if (gone < 0) continue;
+    if (gone == Step::blocked) continue;
     // `met` is in both: the way from the start to it, and on to the goal.
     const int mine = tree.size() - 1;
     TreesWay way;

@@ -160,11 +160,10 @@ void LiveCosts::find_path(const disc::DiscSpace* space, const StopCondition& sto
     result.path.insert(result.path.end(), part.begin(), part.end());
     first = end;
   }
-  if (!can_go(space, result.path)) {
-    result.path = repaired(*space, result.path, stop);
-    cost_ = cost::cost_of(terrain_, result.path);
-  }
-  if (!result.path.empty() && cost_ < kInfinity) return;
+  if (can_go(space, result.path)) return;
+  result.path = repaired(*space, result.path, stop);
+  cost_ = cost::cost_of(terrain_, result.path);
+  if (!result.path.empty() && cost_ <= walk_cost_) return;
   result.path.clear();
   for (const Cell c : walk) result.path.push_back(centre(c));
   cost_ = walk_cost_;
