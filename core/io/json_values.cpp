@@ -5,6 +5,7 @@
 
 #include "core/base/json_place.h"
 #include "core/base/number_text.h"
+#include "lasius/error.h"
 
 namespace lasius::json {
 
@@ -72,6 +73,20 @@ void add_proof(Json& json, const SearchResult& result) {
 
 Json read(std::string_view text, const std::string& file, std::size_t from) {
   return JsonPlace::parse<Json>(text, file, from);
+}
+
+Json read_cbor(std::string_view bytes, const std::string& file) {
+  Json value =
+      Json::from_cbor(bytes.begin(), bytes.end(), true, false, Json::cbor_tag_handler_t::store);
+  if (value.is_object()) return value;
+  throw Error(ErrorCode::file_broken, {.file = file}, "it is no CBOR object, or not whole",
+              "write it anew");
+}
+
+std::string cbor(const Json& value) {
+  std::string bytes;
+  Json::to_cbor(value, bytes);
+  return bytes;
 }
 
 std::string dumped(const Json& value) {

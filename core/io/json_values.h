@@ -45,6 +45,10 @@ LASIUS_IO_EXPORT void add_proof(Json& json, const SearchResult& result);
 /// The document that begins at byte `from` of a file's text. @throws Error(file_broken) naming line
 /// and byte of `file`, by the rule of all our files (core/base/json_place.h).
 LASIUS_IO_EXPORT Json read(std::string_view text, const std::string& file, std::size_t from = 0);
+/// Likewise of CBOR (RFC 8949), one object in all of `bytes`; typed arrays are binary values with
+/// their tag.
+LASIUS_IO_EXPORT Json read_cbor(std::string_view bytes, const std::string& file);
+LASIUS_IO_EXPORT std::string cbor(const Json& value);
 /// A value as text, in which bytes that are no UTF-8 are replaced: names of files hold what they
 /// like. The writer is compiled here alone, since that takes long; the parser, too.
 LASIUS_IO_EXPORT std::string dumped(const Json& value);

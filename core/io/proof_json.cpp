@@ -1,7 +1,11 @@
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,13 +21,29 @@ using json::Json;
 
 constexpr std::string_view kFormat = "lasius-proof/1";
 
-std::string hash_text(std::uint64_t hash) {
+// Typed arrays, the low byte first, as they lie in memory (RFC 8746).
+static_assert(std::endian::native == std::endian::little && sizeof(int) == 4);
+template <class Number>
+constexpr std::uint64_t kTag = std::is_same_v<Number, double> ? 86 : 78;
+
+std::string hash_digits(std::uint64_t hash) {
   std::string digits(16, '0');
   char text[16];
   const auto end = std::to_chars(text, text + 16, hash, 16).ptr;
   std::copy(text, end, digits.end() - (end - text));
-  return "\"" + digits + "\"";
+  return digits;
 }
+
+std::string hash_text(std::uint64_t hash) { return '"' + hash_digits(hash) + '"'; }
+
+template <class Number>
+Json typed_array(const std::vector<Number>& list) {
+  std::vector<std::uint8_t> bytes(list.size() * sizeof(Number));
+  if (!list.empty()) std::memcpy(bytes.data(), list.data(), bytes.size());
+  return Json::binary(std::move(bytes), kTag<Number>);
+}
+
+Json cell_pair(Cell c) { return Json::array({c.x, c.y}); }
 
 template <class Number>
 void append_list(std::string& text, const std::vector<Number>& list) {
@@ -46,7 +66,7 @@ class Reader {
     return {ErrorCode::file_broken,
             {.file = file_},
             problem,
-            "give a file that `lasius plan -o NAME.proof.json` or proof_to_json wrote"};
+            "give a file that `lasius plan -o NAME.proof.json` (or .proof.cbor) wrote"};
   }
   const Json& member(const Json& object, const char* key) const {
     if (!object.is_object() || !object.contains(key))
@@ -87,6 +107,30 @@ class Reader {
       throw fault("hash", digits);
     return hash;
   }
+  /// A list of numbers, or a typed array.
+  template <class Number>
+  std::vector<Number> numbers(const Json& object, const char* key) const {
+    const Json& value = member(object, key);
+    std::vector<Number> numbers;
+    if (value.is_binary()) {
+      const Json::binary_t& bytes = value.get_binary();
+      if (!bytes.has_subtype() || bytes.subtype() != kTag<Number> ||
+          bytes.size() % sizeof(Number) != 0)
+        throw broken("\"" + std::string(key) + "\" is no typed array of its kind");
+      numbers.resize(bytes.size() / sizeof(Number));
+      if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+      for (const Number number : numbers)
+        if (!std::isfinite(static_cast<double>(number))) throw fault(key, Json(number));
+      return numbers;
+    }
+    for (const Json& one : list(object, key)) {
+      if constexpr (std::is_same_v<Number, double>)
+        numbers.push_back(number(one, key));
+      else
+        numbers.push_back(whole(one, key));
+    }
+    return numbers;
+  }
   Error fault(const char* key, const Json& value) const {
     return broken("it holds \"" + std::string(key) + "\": " + json::dumped(value).substr(0, 100));
   }
@@ -121,8 +165,27 @@ std::string proof_to_json(const CostProof& proof, std::string_view weights) {
   return text;
 }
 
-CostProof proof_from_json(std::string_view text, const std::string& file) {
-  const Json object = json::read(text, file);
+std::string proof_to_cbor(const CostProof& proof, std::string_view weights) {
+  Json object = {{"format", kFormat},
+                 {"map", {{"hash", hash_digits(proof.map_hash)}}},
+                 {"costs", {{"hash", hash_digits(proof.costs_hash)}}},
+                 {"start", cell_pair(proof.start)},
+                 {"goal", cell_pair(proof.goal)},
+                 {"lower_bound", proof.lower_bound}};
+  if (!weights.empty()) object["weights"] = json::read(weights, "weights");
+  Json& levels = object["levels"] = Json::array();
+  for (const CostProof::Level& level : proof.levels)
+    levels.push_back({{"from", level.from_start ? "start" : "goal"},
+                      {"block", level.block},
+                      {"intervals", level.intervals},
+                      {"runs", typed_array(level.runs)},
+                      {"values", typed_array(level.values)}});
+  return json::cbor(object);
+}
+
+namespace {
+
+CostProof proof_of(const Json& object, const std::string& file) {
   const Reader read(file);
   if (const auto format = read.text(object, "format"); format != kFormat)
     throw read.fault("format", format);
@@ -138,12 +201,20 @@ CostProof proof_from_json(std::string_view text, const std::string& file) {
     to.from_start = from == "start";
     to.block = read.whole(read.member(level, "block"), "block");
     to.intervals = read.whole(read.member(level, "intervals"), "intervals");
-    for (const Json& number : read.list(level, "runs"))
-      to.runs.push_back(read.whole(number, "runs"));
-    for (const Json& number : read.list(level, "values"))
-      to.values.push_back(read.number(number, "values"));
+    to.runs = read.numbers<int>(level, "runs");
+    to.values = read.numbers<double>(level, "values");
   }
   return proof;
+}
+
+}  // namespace
+
+CostProof proof_from_json(std::string_view text, const std::string& file) {
+  return proof_of(json::read(text, file), file);
+}
+
+CostProof proof_from_cbor(std::string_view bytes, const std::string& file) {
+  return proof_of(json::read_cbor(bytes, file), file);
 }
 
 }  // namespace lasius

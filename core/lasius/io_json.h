@@ -41,10 +41,16 @@ LASIUS_IO_EXPORT Result result_from_json(std::string_view text);
 /// @param weights  where it is not empty: JSON that says what made the weights, kept as "weights"
 LASIUS_IO_EXPORT std::string proof_to_json(const CostProof& proof, std::string_view weights = {});
 
+/// The same members as CBOR (RFC 8949), half as long: "runs" and "values" are typed arrays (RFC
+/// 8746) of 4-byte integers and of doubles, the low byte first.
+LASIUS_IO_EXPORT std::string proof_to_cbor(const CostProof& proof, std::string_view weights = {});
+
 /// The proof in such a text; numbers are the same, bit for bit. Whether it holds check_proof says.
 /// @param file  its name, for what is refused
 /// @throws Error(file_broken), naming the member.
 LASIUS_IO_EXPORT CostProof proof_from_json(std::string_view text,
+                                           const std::string& file = "the proof");
+LASIUS_IO_EXPORT CostProof proof_from_cbor(std::string_view bytes,
                                            const std::string& file = "the proof");
 
 }  // namespace lasius

@@ -401,8 +401,8 @@ class Costs(ProgramTest):
                 (("--cost", "a.pgm", "--via", "3,3", "-o", "p.proof.json"), ("--via",)),
                 (("--cost", "*2"), ("names no file",)),
                 (("--moves", "8", "--radius", "1"), ("--moves is for a point",)),
-                (("-o", "x.proof.json"), (".proof.json",)),
-                (("--moves", "8", "-o", "x.proof.json"), (".proof.json",))):
+                (("-o", "x.proof.json"), ("of a proof",)),
+                (("--moves", "8", "-o", "x.proof.json"), ("of a proof",))):
             self.refused(self.plan(*options), 2, *words)
         self.refused(self.plan("--cost", "a.pgm", "-o", "a.pgm"), 2, "a.pgm")
         self.ended(self.plan("--cost", "a.pgm", "-o", "none.proof.json", goal="4,2"), 5, "nothing is proven")

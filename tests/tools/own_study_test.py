@@ -209,6 +209,33 @@ questions:
         self.write("bad.yaml", self.read("s.yaml").decode().replace("[3, 0.7, 4]", "[3]"))
         self.refused(self.run_program("study", "bad.yaml", "-o", "b"), 3, "line 7", "[RADIUS, SCALING]")
 
+    def test_costs_of_layers(self):
+        self.write("a.pgm", "P2 10 6 4 " + " ".join(str((3 * x + 5 * y) % 5) for y in range(6) for x in range(10)))
+        self.write("s.yaml", """
+seeds: 2..2
+contenders:
+  - {name: mmas, algorithm: mmas, set: {iterations: 5}}
+  - {name: exact, algorithm: exact}
+questions:
+  - {name: a, map: small.map, start: [0, 0], goal: [9, 5], cost: a.pgm*3}
+  - {name: b, map: small.map, start: [0, 0], goal: [9, 5], cost: [a.pgm*3, a.pgm], inflation: [3, 0.7, 4]}
+""")
+        self.ended(self.run_program("study", "s.yaml", "-o", "s"), 0)
+        for name, options in (("a", ("--cost", "a.pgm*3")), ("b", ("--cost", "a.pgm*4", "--inflation", "3,0.7,4"))):
+            mmas, exact = [run for run in self.runs_of("s") if run["question"] == name]
+            plan = self.plan(*options, "--algorithm", "mmas", "--iterations", 5, "--seed", 2, "--gap", "--json").json
+            self.assertAlmostEqual(float(mmas["length"]), plan["cost"], places=8)
+            self.assertAlmostEqual(float(mmas["optimum"]), plan["optimum"], places=8)
+            self.assertAlmostEqual(float(exact["length"]), self.plan(*options, "--algorithm", "exact", "--json").json["cost"], places=8)
+        self.ended(self.run_program("study", "run", "small.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "exact",
+                                    "--cost", "a.pgm*3", "--seeds", "1", "-o", "run"), 0)
+        alone, = self.runs_of("run")
+        self.assertAlmostEqual(float(alone["length"]),
+                               self.plan("--cost", "a.pgm*3", "--algorithm", "exact", "--json").json["cost"], places=8)
+        for bad, says in (("a.pgm*-1", "no layer of costs"), ("none.pgm", "none.pgm")):
+            self.write("bad.yaml", self.read("s.yaml").decode().replace("cost: a.pgm*3", f"cost: {bad}"))
+            self.refused(self.run_program("study", "bad.yaml", "-o", "b"), 3, says)
+
     def test_what_no_contender_reads_is_told_once(self):
         run = (*self.SHORT, "--algorithm", "as", "--set", "elite_weight=2,3", "--set", "iterations=2", "--seeds", "1")
         told = "elite_weight of as has no effect: it is read only with update=elitist"

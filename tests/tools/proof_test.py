@@ -29,7 +29,7 @@ class Proofs(ProgramTest):
                 self.write(f"{i}.pfm", pfm([[rng.randrange(40) / 8 for _ in range(width)] for _ in range(height)]))
                 if self.run_program("plan", f"{i}.map", "--algorithm", "exact", "--start", "0,0", "--goal",
                                     f"{width - 1},{height - 1}", "--cost", f"{i}.pfm", *INFLATION,
-                                    "-o", f"{i}.proof.json").code == 0:
+                                    "-o", f"{i}.proof.json", "-o", f"{i}.proof.cbor").code == 0:
                     break
 
     def check(self, i, proof=None, *options):
@@ -45,6 +45,7 @@ class Proofs(ProgramTest):
             run = self.quiet(self.check(i))
             bound = json.loads(self.read(f"{i}.proof.json"))["lower_bound"]
             self.assertEqual(run.out, f"holds: no path costs less than {bound}\n")
+            self.assertEqual(self.check(i, f"{i}.proof.cbor").out, run.out)
 
     def changed(self):
         """Proofs of which one number is another."""
@@ -69,7 +70,9 @@ class Proofs(ProgramTest):
     @unittest.skipUnless(has_numpy(), f"{sys.executable} has no numpy, which tools/check_proof needs")
     def test_the_script_says_the_same(self):
         for i in range(12):
-            self.assertEqual(self.script(i).returncode, 0, self.script(i).stderr)
+            for proof in (None, f"{i}.proof.cbor") if i < 3 else (None,):
+                run = self.script(i, proof)
+                self.assertEqual(run.returncode, 0, run.stderr)
         for i in self.changed():
             run = self.script(i, "changed.json")
             self.assertEqual(run.returncode, 1)

@@ -271,8 +271,9 @@ void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
 
 Forms BitmapProblem::show(const Record& run) const {
   const bool proven = answer_.over_costs && answer_.over_costs->proof;
-  const auto write_proof = [&](std::ostream& out) {
-    out << proof_to_json(*answer_.over_costs->proof, dumped(weights_json(run)));
+  const auto write_proof = [&](std::ostream& out, bool binary) {
+    out << (binary ? proof_to_cbor : proof_to_json)(*answer_.over_costs->proof,
+                                                    dumped(weights_json(run)));
   };
   const auto poses = [this](bool metres) { return poses_of(*map_, command_.run, answer_, metres); };
   Forms::Write table;  // empty: as of all kinds
@@ -294,7 +295,7 @@ Forms BitmapProblem::show(const Record& run) const {
                                     {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
                                     frames_ ? &*frames_ : nullptr);
               },
-          .proof = proven ? Forms::Write(write_proof) : Forms::Write()};
+          .proof = proven ? decltype(Forms::proof)(write_proof) : decltype(Forms::proof)()};
 }
 
 }  // namespace lasius::tool

@@ -26,8 +26,7 @@ Subcommand add_check_proof(CLI::App& app) {
       .file("MAP", asked->map.file, "The map: .map, PBM, PGM, PNG, BMP or ROS YAML",
             map_endings(false))
       ->required();
-  table
-      .file("PROOF", asked->proof, "The proof, as CostPlanner's proof_to_json wrote it", {".json"})
+  table.file("PROOF", asked->proof, "The proof, as plan -o writes it", {".json", ".cbor"})
       ->required();
   add_cost_options(table, asked->costs);
   table.choice("--frame", asked->frame, kFrames, "The unit of --inflation, as of plan",
@@ -47,9 +46,10 @@ Subcommand add_check_proof(CLI::App& app) {
         const double unit = map.cells_of(asked->frame == Frame::world, 1);
         const CostField costs =
             load_costs(*map.grid_alone, map.frame, asked->costs, unit, map.radius).field;
-        const CostProof proof = proof_from_json(
-            read_text(asked->proof, std::int64_t{1000} * map.width * map.height + (1 << 20)),
-            asked->proof);
+        const auto read = has_ending(asked->proof, ".cbor") ? proof_from_cbor : proof_from_json;
+        const CostProof proof =
+            read(read_text(asked->proof, std::int64_t{1000} * map.width * map.height + (1 << 20)),
+                 asked->proof);
         if (const auto fault = check_proof(map.as_read(), costs, proof)) {
           print("does not hold: " + *fault + "\n");
           return static_cast<int>(kInternal);

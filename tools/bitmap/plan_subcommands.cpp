@@ -73,7 +73,7 @@ void finish_costs(RunOptions& run, bool batch) {
                              : costs.eight_moves   ? "--moves"
                                                    : "";
   if (option.empty()) {
-    if (proof) throw UsageError("-o of a .proof.json is for plans over --cost or --inflation");
+    if (proof) throw UsageError("-o of a proof is for plans over --cost or --inflation");
     return;
   }
   const Algorithm::Kind kind = find_algorithm(run.params.algorithm()).kind;
@@ -81,19 +81,19 @@ void finish_costs(RunOptions& run, bool batch) {
     throw UsageError(option + " is for exact and colonies; " + std::string(run.params.algorithm()) +
                      " plans by length alone");
   if (kind == Algorithm::Kind::colony && (proof || costs.eight_moves))
-    throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
+    throw UsageError(std::string(proof ? "-o of a proof" : "--moves") +
                      " is for exact; leave --algorithm out");
   if (kind == Algorithm::Kind::colony && run.params.corners == Corners::allow)
     throw UsageError("--corners allow: paths over costs squeeze nowhere; use forbid or one-side");
   if (run.map.radius > 0 && (proof || costs.eight_moves))
-    throw UsageError(std::string(proof ? "-o of a .proof.json" : "--moves") +
+    throw UsageError(std::string(proof ? "-o of a proof" : "--moves") +
                      " is for a point; leave --radius out");
   if (proof && !run.via.empty())
-    throw UsageError("-o of a .proof.json is for one plan: leave --via out, or prove each part");
+    throw UsageError("-o of a proof is for one plan: leave --via out, or prove each part");
   if (kind == Algorithm::Kind::exact && std::exchange(run.with_optimum, false))
     run.notes.push_back("--gap has no effect over costs: `gap` is certified");
   if (proof && (costs.eight_moves || batch))
-    throw UsageError("-o of a .proof.json is for one plan of any angle");
+    throw UsageError("-o of a proof is for one plan of any angle");
   if (run.map.prepare) {
     run.map.prepare = run.map.labels = false;
     run.map.prepared.clear();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <tuple>
 
+#include "tools/bitmap/cost_layers.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
@@ -87,8 +88,9 @@ void finish_run(ShortStudy& run, const ShortText& text) {
 }
 
 void refuse_short_options(const OptionTable& table, const std::string& name) {
-  for (const char* option : {"MAP", "--start", "--goal", "--frame", "--radius", "--algorithm",
-                             "--preset", "--steps", "--time-limit", "--set"})
+  for (const char* option :
+       {"MAP", "--start", "--goal", "--frame", "--radius", "--cost", "--inflation", "--algorithm",
+        "--preset", "--steps", "--time-limit", "--set"})
     if (table.given(option))
       throw UsageError((*option == 'M' ? "a second argument" : option) +
                        std::string(" is for `lasius study run MAP`; what ") + name +
@@ -164,9 +166,11 @@ Subcommand add_study(CLI::App& app) {
   table.text("--start", to->texts.start, "With run: where paths start", "X,Y");
   table.text("--goal", to->texts.goal, "With run: where they end", "X,Y");
   table.choice("--frame", run.frame, kFrames,
-               "With run: of --start, --goal and --radius, as plan has it", "cell|world");
+               "With run: of --start, --goal, --radius and --inflation, as plan has it",
+               "cell|world");
   table.real("--radius", run.radius, 0, kNoLimit,
              "With run: of the robot, a disc, as plan --radius has it", "R");
+  add_cost_options(table, run.costs);
   table.shell(
       table.text("--algorithm", to->texts.algorithms, "With run: the algorithms", "NAME,NAME"),
       {.names = algorithms, .list = true});

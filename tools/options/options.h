@@ -177,7 +177,8 @@ struct ShortStudy {
   std::string map;
   Point start, goal;  ///< as PlanCommand has them
   Frame frame = Frame::cell;
-  double radius = 0;  ///< in the same unit
+  double radius = 0;      ///< in the same unit
+  CostLayers costs = {};  ///< likewise
   std::vector<std::string> algorithms;
   std::string preset;  ///< usual, book or a file; empty: usual
   /// Parameters, each with the values that are swept.

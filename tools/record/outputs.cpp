@@ -23,17 +23,20 @@ bool is_film(std::string_view file) { return has_ending(file, ".gif"); }
 
 bool is_page(std::string_view file) { return has_ending(file, ".html"); }
 
-bool is_proof(std::string_view file) { return has_ending(file, ".proof.json"); }
+bool is_proof(std::string_view file) {
+  return has_ending(file, ".proof.json") || has_ending(file, ".proof.cbor");
+}
 
 void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture(file);
   if (is_proof(file) && !forms.proof)
     return message(file + " is not written: there is no path, and nothing is proven");
+  const auto proof = [&](std::ostream& out) { forms.proof(out, has_ending(file, ".cbor")); };
   write_file(file, is_table(file)                ? forms.csv
                    : is_yaml(file) && forms.yaml ? forms.yaml
                    : is_film(file) && forms.film ? forms.film
                    : is_page(file) && forms.page ? forms.page
-                   : is_proof(file)              ? forms.proof
+                   : is_proof(file)              ? proof
                                                  : forms.json);
 }
 

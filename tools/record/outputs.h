@@ -16,15 +16,15 @@ bool is_table(std::string_view file);  ///< .csv
 bool is_yaml(std::string_view file);   ///< .yaml, .yml
 bool is_film(std::string_view file);   ///< .gif
 bool is_page(std::string_view file);   ///< .html
-bool is_proof(std::string_view file);  ///< .proof.json
+bool is_proof(std::string_view file);  ///< .proof.json, .proof.cbor
 
 /// The forms of a file, each made when it is asked for.
 struct Forms {
   using Write = std::function<void(std::ostream&)>;
   Write json = {}, csv = {};
   std::function<void(const std::string& file)> picture = {};
-  Write yaml = {}, film = {}, page = {};  ///< of those that have it
-  Write proof = {};                       ///< likewise: .proof.json
+  Write yaml = {}, film = {}, page = {};                       ///< of those that have it
+  std::function<void(std::ostream&, bool binary)> proof = {};  ///< likewise
 };
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws

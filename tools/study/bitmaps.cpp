@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view kExact = "exact";
 constexpr double kPilotShare = 0.125;  ///< as pilot_part()
 
+/// What costs are made of, beside layers.
 std::string inflation_key(const Question& question) {
   if (!question.inflation) return {};
   const auto [radius, scaling, weight, inscribed] = *question.inflation;
@@ -21,24 +22,21 @@ std::string inflation_key(const Question& question) {
          tool::to_text(weight);
 }
 
-std::string question_key(const Grid& grid, const Question& question, const std::string& algorithm) {
+std::string question_key(const Grid& grid, std::uint64_t costs, const Question& question,
+                         const std::string& algorithm) {
   std::string key = "map " + std::to_string(grid.hash());
   for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
     key += ' ' + std::to_string(v);
   // What `exact` may do depends on more than the grown map.
   if (question.radius > 0) key += " radius " + tool::to_text(question.radius);
-  return key + inflation_key(question) + ' ' + algorithm;
+  key += inflation_key(question);
+  if (!question.layers.empty()) key += " costs " + std::to_string(costs);
+  return key + ' ' + algorithm;
 }
 
 std::string costs_key(const Question& question) {
-  return question.map + " radius " + tool::to_text(question.radius) + inflation_key(question);
-}
-
-/// The costs of a question's map.
-CostPlanner over_costs(const Planner& planner, const Question& question) {
-  CostField costs(planner.grid().width(), planner.grid().height());
-  costs.add(planner.grid(), *question.inflation);
-  return {planner, costs};
+  const auto [ground, radius] = question.ground();
+  return ground + " radius " + tool::to_text(radius) + inflation_key(question);
 }
 
 /// What a walk by eight moves costs at least, if there is one.
@@ -108,25 +106,28 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
 Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions) {
-      auto at = planners_.find(question.ground());
-      if (at == planners_.end())
-        at = planners_
-                 .emplace(question.ground(),
-                          Planner(load_map(question.map, maps), Disc{question.radius}))
-                 .first;
-      if (question.inflation && !over_costs_.contains(costs_key(question)))
-        over_costs_.emplace(costs_key(question), over_costs(at->second, question));
+      const bool known = planners_.contains(question.ground());
+      if (known && (!question.has_costs() || over_costs_.contains(costs_key(question)))) continue;
+      auto [map, costs] = load_weighted_map(question, maps);
+      if (question.inflation) costs.add(map.grid, *question.inflation);
+      if (!known)
+        planners_.emplace(question.ground(), Planner(std::move(map.grid), Disc{question.radius}));
+      if (question.has_costs())
+        over_costs_.emplace(costs_key(question),
+                            OverCosts{{planners_.at(question.ground()), costs}, costs.hash()});
     }
 }
 
 PreparedRun Bitmaps::prepare(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.ground());
-  const CostPlanner* const costs =
-      question.inflation ? &over_costs_.at(costs_key(question)) : nullptr;
+  const OverCosts* const over =
+      question.has_costs() ? &over_costs_.at(costs_key(question)) : nullptr;
+  const CostPlanner* const costs = over != nullptr ? &over->planner : nullptr;
   const Grid& grid = planner.passable();
   PreparedRun prepared =
-      run_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
+      run_of(question_key(grid, over != nullptr ? over->hash : 0, question, params.algorithm()) +
+                 budget_key(contender.budget),
              params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());
   if (std::isfinite(contender.budget.steps))
     prepared.work = std::min(prepared.work, static_cast<std::int64_t>(contender.budget.steps));
@@ -172,9 +173,9 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
 
 /// The shortest walk of the contender's own moves; over costs the cheapest, of a point's eight.
 double Bitmaps::shortest(const Question& question, const Params& params) const {
-  if (question.inflation) {
+  if (question.has_costs()) {
     if (params.neighbours != Neighbours::eight || question.radius > 0) return kUnknown;
-    return cheapest_walk(over_costs_.at(costs_key(question)), question, params.corners, {})
+    return cheapest_walk(over_costs_.at(costs_key(question)).planner, question, params.corners, {})
         .value_or(kUnknown);
   }
   return shortest_walk(planners_.at(question.ground()).grid(), question.start, question.goal,
@@ -184,9 +185,9 @@ double Bitmaps::shortest(const Question& question, const Params& params) const {
 
 std::optional<double> Bitmaps::optimum(const Question& question, const Optimum& optimum,
                                        const StopCondition& stop) const {
-  if (!question.inflation)
+  if (!question.has_costs())
     return true_optimum(planners_.at(question.ground()), question, optimum, stop);
-  const CostPlanner& costs = over_costs_.at(costs_key(question));
+  const CostPlanner& costs = over_costs_.at(costs_key(question)).planner;
   if (optimum.kind == Optimum::Kind::any_angle) {
     const CostResult least = costs.plan({question.start, question.goal, stop});
     return least.status == Status::solved ? std::optional(least.cost) : std::nullopt;

@@ -1,6 +1,7 @@
 // Studies on maps of free and blocked cells.
 #pragma once
 
+#include <cstdint>
 #include <map>
 
 #include "lasius/cost_planner.h"
@@ -27,10 +28,15 @@ class Bitmaps final : public Domain {
                                 const StopCondition& stop) const override;
 
  private:
+  struct OverCosts {
+    CostPlanner planner;
+    std::uint64_t hash;  ///< of its weights
+  };
+
   double shortest(const Question& question, const Params& params) const;
 
   std::map<std::pair<std::string, double>, Planner> planners_;  ///< by Question::ground()
-  std::map<std::string, CostPlanner> over_costs_;               ///< by costs_key()
+  std::map<std::string, OverCosts> over_costs_;                 ///< by costs_key()
 };
 
 }  // namespace lasius::study

@@ -4,12 +4,14 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "lasius/planner.h"
+#include "tools/bitmap/cost_layers.h"
 #include "tools/console/values.h"
 
 namespace lasius::study {
@@ -58,8 +60,24 @@ Grid load_map(const std::string& source, const std::filesystem::path& folder) {
   return load_framed_map(source, folder).grid;
 }
 
+WeightedMap load_weighted_map(const Question& question, const std::filesystem::path& folder) {
+  Map map = load_framed_map(question.map, folder);
+  tool::CostLayers asked;
+  for (const auto& [file, factor] : question.layers)
+    asked.layers.push_back({(folder / file).string(), factor});
+  CostField costs = tool::load_costs(map.grid, map.frame, asked, 1, 0).field;
+  return {std::move(map), std::move(costs)};
+}
+
 Grid load_map(const Question& question, const std::filesystem::path& folder) {
-  return Planner(load_map(question.map, folder), Disc{question.radius}).passable();
+  Grid grid = load_weighted_map(question, folder).map.grid;
+  return Planner(std::move(grid), Disc{question.radius}).passable();
+}
+
+std::pair<std::string, double> Question::ground() const {
+  std::string name = map;
+  for (const auto& [file, factor] : layers) name += " cost " + file + '*' + tool::to_text(factor);
+  return {name, radius};
 }
 
 }  // namespace lasius::study

@@ -16,6 +16,13 @@ namespace lasius::study {
 Grid load_map(const std::string& source, const std::filesystem::path& folder);
 /// load_map() with the frame that a ROS map has.
 Map load_framed_map(const std::string& source, const std::filesystem::path& folder);
+/// The map of a question, with what its layers block, and what cells weigh by them.
+struct WeightedMap {
+  Map map;
+  CostField costs;
+};
+/// @throws Error for what load_framed_map() or load_costs() refuse.
+WeightedMap load_weighted_map(const Question& question, const std::filesystem::path& folder);
 /// The map of a question, its obstacles grown by the radius, in cells.
 Grid load_map(const Question& question, const std::filesystem::path& folder);
 

@@ -28,6 +28,8 @@ Figure draw_run(const Place& place) {
   tool::RunOptions run;
   run.map.file = (place.maps / place.question.map).string();
   run.map.radius = place.question.radius;
+  for (const auto& [file, factor] : place.question.layers)
+    run.map.costs.layers.push_back({(place.maps / file).string(), factor});
   if (const auto& inflation = place.question.inflation)
     run.map.costs.inflation = {inflation->radius, inflation->scaling, inflation->weight};
   run.params = place.params;

@@ -12,6 +12,7 @@
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
+#include "tools/options/options.h"
 
 namespace lasius::study {
 
@@ -66,14 +67,17 @@ struct Question {
   std::optional<Draw> draw = {};  ///< in place of start and goal: see draw_questions()
   int line = 0;                   ///< of the study's file, for messages
   double radius = 0;              ///< by which obstacles grow: cells once draw_questions() is done
-  /// Costs around what is blocked, see Inflation, from 1 on; its lengths as the radius. What
-  /// contenders find is then told by its cost, wherever a length is.
+  /// Costs from 1 on: layers, files of maps/, and around what is blocked, see Inflation, whose
+  /// lengths are as the radius. What contenders find is then told by its cost, wherever a length
+  /// is.
+  std::vector<tool::CostLayers::Layer> layers = {};
   std::optional<Inflation> inflation = {};
   /// Until then radius, start and goal may be in metres of the map's frame.
   bool in_metres = false;
   Point start_m{}, goal_m{};
 
-  std::pair<std::string, double> ground() const { return {map, radius}; }  ///< what it is asked on
+  bool has_costs() const { return inflation || !layers.empty(); }
+  std::pair<std::string, double> ground() const;  ///< names what it is asked on
 };
 
 /// What a question's optimum is: the shortest of all paths, or of all walks by these moves.

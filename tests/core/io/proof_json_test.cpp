@@ -31,6 +31,11 @@ TEST(ProofJson, ReadsBackTheSame) {
     const CostProof read = proof_from_json(text);
     EXPECT_EQ(read, *result.proof);
     EXPECT_EQ(check_proof(world.grid, world.costs, read), std::nullopt);
+    const std::string binary = proof_to_cbor(*result.proof, R"([{"file":"a.pfm","factor":2}])");
+    EXPECT_EQ(proof_from_cbor(binary), read);
+    if (read.levels.size() > 1) {
+      EXPECT_LT(binary.size(), text.size() * 2 / 3);
+    }
     levels += static_cast<int>(read.levels.size());
   }
   EXPECT_GT(levels, 40);
@@ -80,6 +85,30 @@ TEST(ProofJson, WhatIsBrokenIsNamed) {
     EXPECT_EQ(error.place().file, "a.json");
     expect_says(error, says);
   }
+}
+
+TEST(ProofCbor, WhatIsBrokenIsNamed) {
+  CostProof proof{.start = {1, 2}, .goal = {3, 4}, .lower_bound = 2.5, .map_hash = 7};
+  proof.levels.push_back({.runs = {0, 0, 1}, .values = {1, 2}});
+  const std::string good = proof_to_cbor(proof);
+  EXPECT_EQ(proof_from_cbor(good), proof);
+  for (std::size_t size = 0; size < good.size(); ++size)
+    EXPECT_EQ(error_of([&] { return proof_from_cbor(good.substr(0, size), "a.cbor"); }).code(),
+              ErrorCode::file_broken);
+  EXPECT_EQ(error_of([&] { return proof_from_cbor(good + 'x', "a.cbor"); }).place().file, "a.cbor");
+  // No byte that is another crashes the reader; a tag that is another is named.
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::string other = good;
+    other[at] = static_cast<char>(other[at] ^ 0x15);
+    try {
+      EXPECT_NE(proof_from_cbor(other), proof) << at;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::file_broken) << at;
+    }
+  }
+  std::string other = good;
+  other[good.rfind("\xd8\x56") + 1] = 0x52;  // big-endian doubles
+  expect_says(error_of([&] { return proof_from_cbor(other); }), "\"values\" is no typed array");
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ constexpr std::uint32_t kMostAttempts = 1 << 20;
               "question \"" + question.name + "\" on " + question.map + ": " + problem, remedy);
 }
 
-/// The map as it is in its file.
+/// The map as it is in its file, with what layers block.
 Map map_of(const Study& study, const Question& question, const std::filesystem::path& maps) {
   try {
-    return load_framed_map(question.map, maps);
+    return load_weighted_map(question, maps).map;
   } catch (const Error& fault) {
-    if (fault.code() != ErrorCode::file_missing) throw;
+    if (fault.code() != ErrorCode::file_missing || !question.layers.empty()) throw;
     fail(study, question, fault.problem(), fault.remedy(), fault.code());
   }
 }
@@ -100,8 +100,9 @@ void draw_questions(Study& study, const std::filesystem::path& maps) {
   for (Experiment& experiment : study.experiments) {
     std::vector<Question> questions;
     for (Question& question : experiment.questions) {
-      auto map = read.find(question.map);
-      if (map == read.end()) map = read.emplace(question.map, map_of(study, question, maps)).first;
+      const std::string source = question.ground().first;
+      auto map = read.find(source);
+      if (map == read.end()) map = read.emplace(source, map_of(study, question, maps)).first;
       take_cells(study, map->second, question);
       if (question.inflation) question.inflation->inscribed = std::max(1.0, question.radius);
       auto at = planners.find(question.ground());

@@ -84,12 +84,29 @@ Point end_of(const Node& question, const char* name, bool needed, bool in_metres
   return {number(0), number(1)};
 }
 
+/// FILE or FILE*FACTOR.
+tool::CostLayers::Layer layer_of(const Node& node, const MapNames& maps) {
+  const std::string& text = node.text();
+  const auto star = text.rfind('*');
+  const std::string file = text.substr(0, star);
+  const auto factor =
+      star == text.npos ? std::optional(1.0) : tool::parse_real(text.substr(star + 1));
+  if (file.empty() || !factor || !(*factor >= 0 && *factor <= CostField::kMost))
+    node.fail("is \"" + text + "\", no layer of costs", "say FILE or FILE*FACTOR");
+  return {maps.file(file), *factor};
+}
+
 /// What a question says of a place: cells, or metres.
-void take_ends(const Node& node, bool needed, Question& question) {
+void take_ends(const Node& node, const MapNames* maps, bool needed, Question& question) {
   constexpr std::string_view kFrames[] = {"cell", "world"};
   const Node* const frame = node.find("frame");
   question.in_metres = frame != nullptr && frame->choice(kFrames) == 1;
   question.radius = node.number_or("radius", 0, 0, tool::kNoLimit);
+  if (const Node* const cost = node.find("cost")) {
+    if (!cost->is_list()) question.layers.push_back(layer_of(*cost, *maps));
+    for (std::size_t i = 0; cost->is_list() && i < cost->items().size(); ++i)
+      question.layers.push_back(layer_of(cost->items()[i], *maps));
+  }
   if (const Node* const inflation = node.find("inflation")) {
     const auto& numbers = inflation->items();
     if (numbers.size() < 2 || numbers.size() > 3)
@@ -186,9 +203,13 @@ std::string MapNames::source_of(const Node& map) const {
     check_made(text, map);
     return text;
   }
-  const fs::path beside = (folder_ / text).lexically_normal();
+  return file(text);
+}
+
+std::string MapNames::file(const std::string& name) const {
+  const fs::path beside = (folder_ / name).lexically_normal();
   std::error_code ignored;
-  if (!fs::is_regular_file(beside, ignored)) return text;
+  if (!fs::is_regular_file(beside, ignored)) return name;
   return fs::absolute(beside).string();
 }
 
@@ -210,8 +231,8 @@ std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
   for (const Node& node : list.items()) {
     const bool bitmap = maps != nullptr;
     if (bitmap)
-      node.allow(
-          {"name", "map", "start", "goal", "published", "draw", "radius", "frame", "inflation"});
+      node.allow({"name", "map", "start", "goal", "published", "draw", "radius", "frame", "cost",
+                  "inflation"});
     else
       node.allow({"name", "map", "start", "goal", "published"});
     const auto draw = bitmap ? draw_of(node) : std::nullopt;
@@ -226,7 +247,7 @@ std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
                            .published = published_of(node),
                            .draw = draw,
                            .line = static_cast<int>(node.line())});
-      take_ends(node, needed, questions.back());
+      take_ends(node, maps, needed, questions.back());
     }
   }
   if (questions.empty()) list.fail("has no question", "add {map, start, goal} or {map, draw}");

@@ -5,6 +5,7 @@
 
 #include "core/io/json_values.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/values.h"
 #include "tools/study/map_source.h"
 #include "tools/yaml/document.h"
 
@@ -64,6 +65,9 @@ std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
                    {"goal", end(run.goal)}};
   if (!cells) question["frame"] = tool::kFrames[1];
   if (run.radius > 0) question["radius"] = run.radius;
+  for (const auto& [layer, factor] : run.costs.layers)
+    question["cost"].push_back(absolute(layer) + '*' + tool::to_text(factor));
+  if (run.costs.inflation) question["inflation"] = *run.costs.inflation;
   return text + "questions:\n  - " + text_of(question) + "\n";
 }
 

@@ -35,9 +35,10 @@ Study make_study(std::string_view name);
 ///   questions    list of {name, map, start, goal, published: {contender: {length, iterations,
 ///                seconds}}}, or of {name, map, draw: N or {count, seed, apart}}: start and goal
 ///                are drawn, see draw_questions(). On bitmaps also radius, by which obstacles grow
-///                (cells), inflation: [RADIUS, SCALING, WEIGHT], whose costs take the place of
-///                lengths, and frame: world, where lengths are in metres of a ROS map; a name of
-///                `maps` stands for all maps of that name, no map for all maps
+///                (cells), cost: FILE*FACTOR or a list of them, and inflation: [RADIUS, SCALING,
+///                WEIGHT], whose costs take the place of lengths, and frame: world, where lengths
+///                are in metres of a ROS map; a name of `maps` stands for all maps of that name, no
+///                map for all maps
 ///   experiments  list of {name, title, text, optimum, where, compare, questions, target or
 ///                targets, charts, portrait, by_ant}, see Experiment; optimum is "any-angle"
 ///                (default), "4 moves" or "8 moves"; compare, questions, optimum and targets
