@@ -33,7 +33,8 @@ int compare_with_new_costs(double radius, int worlds) {
   int ways = 0;
   for (int seed = 0; seed < worlds; ++seed) {
     Draw draw(static_cast<std::uint64_t>(seed));
-    const Grid map = draw_map(draw, 20 + draw.below(50), 20 + draw.below(50));
+    const int width = 20 + draw.below(50), height = 20 + draw.below(50);
+    const Grid map = draw_map(draw, width, height);
     CostField given = draw_costs(draw, map);
     const Cell goal = draw_free(draw, map);
     Navigator navigator(
