@@ -170,6 +170,22 @@ test("grown obstacles are paler than those of the map", async () => {
   await close();
 });
 
+test("over costs the weights lie under the path, and path and bound meet", async () => {
+  run("plan", map("grid20a.map"), "--start", "0,0", "--goal", "19,19", "--inflation", "4,0.5,3", "-q", "-o", file("costs"));
+  const { tab, close } = await open(file("costs"));
+  await pixels(tab);
+  const pale = await tab.evaluate(() => {
+    const canvas = document.querySelector(".map canvas"), { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const colours = new Set();
+    for (let i = 0; i < data.length; i += 4) if (data[i] > data[i + 1] && data[i + 1] > data[i + 2] + 20) colours.add(data.slice(i, i + 3).join());
+    return colours.size;
+  });
+  assert.ok(pale > 5, `${pale} tones of weights`);
+  await tab.getByText(/^weight of a cell, from 1/).waitFor();
+  await tab.getByText("no path is below").first().waitFor({ state: "attached" });
+  await close();
+});
+
 test("drive: charts go to the last tick, and tell no length where no way was found", async () => {
   writeFileSync(path.join(folder, "lane.map"), `type octile\nheight 3\nwidth 20\nmap\n${"@".repeat(20)}\n${".".repeat(20)}\n${"@".repeat(20)}\n`);
   writeFileSync(path.join(folder, "lane.txt"), "3 10 1 blocked\n14 10 1 free\n");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/path_clearance.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/report/packed.h"
@@ -61,6 +62,9 @@ void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMa
                          const std::vector<Point>& path, const RunFrames* frames) {
   Json content = run_json(record, "bitmap", map_title(map, run));
   content["map"] = map_view_json(map, shown_of(map, ends));
+  if (map.costs)
+    content["map"]["weights"] =
+        weights_view_json(map.costs->field, map.as_read(), shown_of(map, ends));
   content["clearance"] = clearance_json(map.as_read(), path, record.result.length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);

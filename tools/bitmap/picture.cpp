@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 
+#include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/parameters.h"
 #include "tools/draw/canvas.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
 constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
-constexpr Colour kCosts[] = {{1, 1, 1}, {1, 0.94, 0.74}, {0.99, 0.77, 0.5}, {0.85, 0.5, 0.42}};
 constexpr Colour kFar[] = {
     {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
 
@@ -53,41 +53,30 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
   return {{{low, high}, high > 10 * low, kHeat}, low};
 }
 
-/// Of the weights of free cells.
-ColourScale cost_scale(const LoadedMap& map) {
-  const auto [least, most] = map.costs->field.range(map.as_read());
-  return {{least, most}, most > 10 * least, kCosts};
-}
-
-/// The mean weight of the free cells under a pixel, as a colour.
-Colour cost_ground(const LoadedMap& map, const ColourScale& scale, Span columns, Span rows) {
-  double sum = 0;
-  int free = 0;
-  for (int y = rows.from; y < rows.to; ++y) {
-    for (int x = columns.from; x < columns.to; ++x) {
-      if (map.as_read().blocked({x, y})) continue;
-      sum += map.costs->field.weight({x, y});
-      ++free;
-    }
-  }
-  return free == 0 ? kFree : scale.at(sum / free);
-}
-
 Panel path_panel(const Sheet& sheet, const Answer& answer, std::string caption) {
   if (!sheet.map.costs)
     return {std::move(caption), [&](Canvas& canvas, const Box& box) {
               paint_map(canvas, box, sheet, free_ground);
               draw_plan(canvas, box, sheet, answer);
             }};
-  const ColourScale scale = cost_scale(sheet.map);
-  const auto draw = [&, scale](Canvas& canvas, const Box& box) {
+  const CostField& costs = sheet.map.costs->field;
+  const ColourScale scale = cost_scale(costs, sheet.map.as_read());
+  const CostProof* const proof = answer.over_costs ? answer.over_costs->proof.get() : nullptr;
+  const auto draw = [&, scale, proof](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
-      return cost_ground(sheet.map, scale, columns, rows);
+      return cost_ground(costs, sheet.map.as_read(), scale, columns, rows);
     });
+    if (proof != nullptr) {
+      canvas.clip(box);
+      draw_level_lines(canvas, sheet.axes(box), *proof);
+      canvas.unclip();
+    }
     draw_bar(canvas, box, scale);
     draw_plan(canvas, box, sheet, answer);
   };
-  return {.caption = caption + "; colours: weight of cells", .draw = draw, .below = kBarHeight};
+  caption += "; colours: weight of cells";
+  if (proof != nullptr) caption += "; lines: cost to the goal by the proof, at equal distances";
+  return {.caption = std::move(caption), .draw = draw, .below = kBarHeight};
 }
 
 std::string path_caption(const Sheet& sheet, const Answer& answer) {

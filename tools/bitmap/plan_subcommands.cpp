@@ -15,8 +15,8 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 7> kPlanEndings{".json", ".csv",  ".svg", ".png",
-                                                       ".html", ".yaml", ".yml"};
+constexpr std::array<std::string_view, 8> kPlanEndings{".json", ".csv",  ".svg", ".png",
+                                                       ".html", ".yaml", ".yml", ".proof.cbor"};
 constexpr std::span<const std::string_view> kBatchEndings = std::span(kPlanEndings).first(4);
 
 constexpr const char* kOutputs =

@@ -14,16 +14,16 @@ namespace lasius::tool {
 double spacing_of(const LoadedMap& map, const RunOptions& run);
 
 /// Poses along an answer, in cells, or in metres of the map's frame where `metres`.
-std::vector<Pose> poses_of(const LoadedMap& map, const RunOptions& run, const Answer& answer,
-                           bool metres);
+std::vector<lasius::Pose> poses_of(const LoadedMap& map, const RunOptions& run,
+                                   const Answer& answer, bool metres);
 
 /// [[x, y, yaw], ...]; null without a path.
-Json poses_json(const std::vector<Pose>& poses);
+Json poses_json(const std::vector<lasius::Pose>& poses);
 
 /// As nav_msgs/Path, in the frame "map": metres, or cells, y down, of a map without a frame.
-void write_ros_path(std::ostream& out, const std::vector<Pose>& poses);
+void write_ros_path(std::ostream& out, const std::vector<lasius::Pose>& poses);
 
 /// x,y,yaw, or x_m,y_m,yaw of metres; a line a pose.
-void write_pose_table(std::ostream& out, const std::vector<Pose>& poses, bool metres);
+void write_pose_table(std::ostream& out, const std::vector<lasius::Pose>& poses, bool metres);
 
 }  // namespace lasius::tool

@@ -80,6 +80,13 @@ RunFrames::RunFrames(const Grid& grid, const Params& params)
 void RunFrames::observe(const GridProgress& progress) {
   rasters_.observe(progress);
   newest_.observe(progress);
+  if (progress.lower_bound) {
+    const std::chrono::duration<double, std::milli> since =
+        std::chrono::steady_clock::now() - begin_;
+    told_ms_.push_back(since.count());
+    told_best_.push_back(progress.best_length);
+    told_bound_.push_back(*progress.lower_bound);
+  }
   if (!frames_.wants(progress.iteration)) return;
   if (colony_) rasters_.capture(progress);
   frames_.add(frame());
@@ -122,6 +129,7 @@ Json RunFrames::json() const {
   set_paths(json, kept.all());
   json["trail"] =
       colony_ ? trail_scale.json(index_ ? "terminal index" : "pheromone", trail) : Json(nullptr);
+  json["proof"] = {{"ms", told_ms_}, {"best", told_best_}, {"bound", told_bound_}};
   const bool ants = rasters_.newest().ants > 0;
   json["tracks"] = ants ? track_scale.json("ants through a cell", tracks) : Json(nullptr);
   return json;

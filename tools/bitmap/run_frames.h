@@ -1,6 +1,7 @@
 // What a report plays of a run on a bitmap, gathered while it goes.
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "tools/bitmap/picture_recorder.h"
@@ -31,6 +32,7 @@ class RunFrames {
   ///   arrived, ants                  of each frame
   ///   trail {name, least, most, logarithmic, frames}, tracks {the same}   see page/heat_map.js;
   ///                                  null: a search without
+  ///   proof {ms, best, bound}        of a search that knows a bound, whenever it told of a path
   /// Frames are left out until they take at most kMostPackedBytes.
   Json json() const;
 
@@ -46,6 +48,8 @@ class RunFrames {
   bool colony_, index_;
   KeyFrames<Frame> frames_;
   PathFrame newest_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::vector<double> told_ms_, told_best_, told_bound_;
 };
 
 }  // namespace lasius::tool

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/values.h"
 #include "tools/draw/colours.h"
@@ -45,16 +46,16 @@ ColourScale time_scale(const DriveAnswer& answer) {
   return {{0, std::max(1.0, static_cast<double>(answer.result.ticks))}, false, kTimes};
 }
 
-/// What lies below the walls that are on the map.
+/// What lies below the walls that are on the map, over `free` ground.
 Colour ground(const Walls& walls, const DriveRecorder& recorder, const ColourScale& times,
-              Span columns, Span rows) {
+              Colour free, Span columns, Span rows) {
   const Window part{columns, rows};
   const auto strength = [&](const Grid& grid) {
     return wall_strength(blocked_share(grid, part, 1, 1).at(0, 0));
   };
   const auto seen = recorder.latest(recorder.seen(), columns, rows);
   const auto learned = recorder.latest(recorder.learned(), columns, rows);
-  Colour colour = seen < 0 ? kFree : blend(kFree, times.at(seen), kPale);
+  Colour colour = seen < 0 ? free : blend(free, times.at(seen), kPale);
   colour = blend(colour, kOnlyOnMap, strength(walls.only_on_map));
   return blend(colour, learned < 0 ? kNotLearned : times.at(learned), strength(walls.learnable));
 }
@@ -134,9 +135,15 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
   const Sheet sheet{answer.map, walls.both, run,
                     shown_of(truth, {answer.start.cell, answer.goal.cell}), nullptr};
   const ColourScale times = time_scale(answer);
+  const LoadedCosts* const costs = answer.map.costs ? &*answer.map.costs : nullptr;
+  const ColourScale weights =
+      costs != nullptr ? cost_scale(costs->field, answer.map.as_read()) : ColourScale{};
   const auto draw = [&](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
-      return ground(walls, recorder, times, columns, rows);
+      const Colour free =
+          costs != nullptr ? cost_ground(costs->field, answer.map.as_read(), weights, columns, rows)
+                           : kFree;
+      return ground(walls, recorder, times, free, columns, rows);
     });
     const Axes axes = sheet.axes(box);
     draw_obstacles(canvas, axes, answer, recorder.obstacles());
@@ -152,6 +159,8 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
   ColourScale seen = times;
   seen.colours = pale;
   page.legend.push_back(scale_key("free, by the tick when it was in sight first", seen));
+  if (costs != nullptr)
+    page.legend.push_back(scale_key("weight of cells at the start, with inflation", weights));
   page.bands = {{{{{caption(sheet, answer), draw}}}}};
   write_page(file, page);
 }

@@ -1,7 +1,7 @@
 // The report of a plan on a bitmap.
 
 import { Curves, indexAt } from "./curves.js";
-import { channels, element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
+import { channels, element, isNumber, numberText, onTheme, shortText, themeColour } from "./dom.js";
 import { pictureButton, saveCsv } from "./files.js";
 import { HeatMap, heatLegend, rampOf, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
@@ -65,6 +65,7 @@ export async function showBitmap(content) {
   content.length_unit = "cells";
   sheet.figures([
     ["length", sheet.length(result.length, 3) ?? "no path"],
+    ["cost", isNumber(result.cost) ? numberText(result.cost, 3) : null],
     ["above the optimum", isNumber(result.optimum_gap) ? percentText(result.optimum_gap) : null],
     ["certified gap", isNumber(result.gap) ? percentText(result.gap) : null],
     ["iterations", result.iterations > 0 ? String(result.iterations) : null],
@@ -77,7 +78,18 @@ export async function showBitmap(content) {
   stage.onFrame = (iteration) => charts.forEach((chart) => chart.cursor(iteration));
   charts.forEach((chart) => (chart.onPick = (x) => stage.toIteration(x)));
   await stage.begin();
+  addProof(sheet);
   sheet.finish([["+ −", "zoom, with the focus on the map"]]);
+}
+
+/** How best path and bound came nearer to each other. */
+function addProof(sheet) {
+  const { frames, result } = sheet.content, best = result.cost ?? result.length;
+  if (!frames?.proof.ms.length || !isNumber(result.lower_bound) || !isNumber(best)) return;
+  const last = frames.proof.ms.at(-1), x = [...frames.proof.ms, Math.max(last, result.elapsed_ms)], steps = true;
+  new Curves(sheet.card("right", "Proof"), { title: "Best path and bound", xLabel: "ms", yLabel: isNumber(result.cost) ? "cost" : "length, cells",
+    series: [{ name: "best path so far", x, y: [...frames.proof.best, best], colour: "var(--best)", steps },
+             { name: "no path is below", x, y: [...frames.proof.bound, result.lower_bound], colour: "var(--tour-mean)", steps }] });
 }
 
 function curvesOf(sheet, curves) {
@@ -138,11 +150,13 @@ class BitmapStage {
                                          onHover: (px, py) => this.pointed(px, py) });
     const { obstacles } = content.map, unknown = content.map.unknown && (await wallImage(content.map.unknown, "--no-data"));
     const walls = await wallImage(content.map.walls, obstacles ? "--grown" : "--wall");
+    const weights = content.map.weights && (await wallImage(content.map.weights, "--cost"));
     const inner = obstacles && (await wallImage(obstacles));
     const heat = this.heat = content.frames ? new HeatMap(content.frames.width, content.frames.height) : null;
     this.view.layers = [
       groundLayer(content.map),
       (context, view) => {
+        if (weights) view.image(context, weights, x, y, width, height, view.scale < 1);
         if (unknown && content.map.unknown_free) view.image(context, unknown, x, y, width, height, view.scale < 1);
         const side = content.frames?.cells_a_pixel;
         if (heat && this.shown !== "none") view.image(context, heat.image, 0, 0, side * heat.image.width, side * heat.image.height);
@@ -177,6 +191,7 @@ class BitmapStage {
     const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
+                               ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
                                ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
