@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/cost/coarse_bound.h"
+#include "core/cost/goal_field.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/weights.h"
@@ -150,6 +151,51 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
       EXPECT_NEAR(answer.length, at(goal), 1e-9 * answer.length);
       EXPECT_TRUE(answer.optimal);
     }
+  }
+}
+
+// Both ends' searches meet far from either: against D* Lite, which has one end and another order.
+TEST(CostSearch, EightMovesFromBothEndsOnLargerMaps) {
+  std::mt19937 random(29);
+  const StopCondition never;
+  Poller poller(never);
+  EightMoves moves;
+  for (int i = 0; i < 60; ++i) {
+    const WeightedWorld world = random_weights(random, 30, 90);
+    const auto& [grid, costs, start, goal] = world;
+    const Terrain terrain(grid, costs);
+    const auto cost_along = [&terrain](const std::vector<Cell>& walk) {
+      double sum = 0;
+      for (std::size_t at = 1; at < walk.size(); ++at)
+        sum += terrain.move_cost(walk[at - 1], walk[at]);
+      return sum;
+    };
+    for (const bool squeezes : {false, true}) {
+      const Corners corners = squeezes ? Corners::allow : Corners::forbid;
+      GoalField field(terrain, goal, terrain.least(), squeezes);
+      ASSERT_TRUE(field.update(start, poller));
+      const auto want = field.walk();
+      const auto walk = moves.search(terrain, start, goal, corners, poller, false);
+      ASSERT_EQ(walk.empty(), want.empty()) << i;
+      EXPECT_NEAR(cost_along(walk), cost_along(want), 1e-11 * cost_along(want)) << i;
+      if (walk.empty()) continue;
+      EXPECT_EQ(walk.front(), start);
+      EXPECT_EQ(walk.back(), goal);
+    }
+  }
+}
+
+TEST(CostSearch, WalksThatAreNoneOrHaveOneCell) {
+  Grid grid(9, 9);
+  for (int y = 0; y < 9; ++y) grid.set_blocked({4, y});
+  const Terrain terrain(grid, CostField(9, 9));
+  const StopCondition never;
+  Poller poller(never);
+  EightMoves moves;
+  for (const bool knights : {false, true}) {
+    EXPECT_TRUE(moves.search(terrain, {0, 0}, {8, 8}, Corners::allow, poller, knights).empty());
+    EXPECT_EQ(moves.search(terrain, {1, 2}, {1, 2}, Corners::allow, poller, knights),
+              (std::vector<Cell>{{1, 2}}));
   }
 }
 
