@@ -31,11 +31,13 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack, const
   least_gain_.clear();
   value_.clear();
   spread_.clear();
+  by_.clear();
   cells_.clear();
   waiting_.clear();
   marched_.clear();
   queue_.reset(0, terrain_.least() * scale_ / (4 * chords.intervals()));
   reach(source);
+  into_ = static_cast<std::uint32_t>(terrain_.index(source.x, source.y));
   std::uint32_t nodes[kMostPlaces];
   places_of(source, nodes);
   const double weight = terrain_.weight(source.x, source.y) * scale_;
@@ -55,6 +57,7 @@ std::int32_t EdgeField::block(int x, int y) {
     least_gain_.push_back(static_cast<float>(kImprovement * cheapest / chords_->intervals()));
     value_.append(static_cast<std::size_t>(per_block_), kInfinity);
     spread_.append(static_cast<std::size_t>(per_block_), 0);
+    by_.append(static_cast<std::size_t>(per_block_), 0);
   }
   return block;
 }
@@ -195,6 +198,7 @@ void EdgeField::spread(std::uint32_t node) {
 
 void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   reach(cell);
+  into_ = static_cast<std::uint32_t>(terrain_.index(cell.x, cell.y));
   const int places = chords_->places(), k = chords_->intervals();
   std::uint32_t nodes[kMostPlaces];
   places_of(cell, nodes);
@@ -205,6 +209,8 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   const double step = here + weight / k;
   offer(nodes[before], step);
   offer(nodes[after], step);
+  // What has its value through this cell tells it nothing: ways in a cell are straight.
+  if (by_[node] == into_) return;
   double out[3 * CellChords::kMostIntervals];
   bool from_interval = false;
   for (const int interval : {before, place}) {
@@ -227,10 +233,10 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   }
 }
 
-void EdgeField::offer(std::uint32_t node, double value) {
+void EdgeField::take(std::uint32_t node, double value) {
   const double gain = value_[node] - value;
-  if (!(gain > 0)) return;
   value_[node] = value;
+  by_[node] = into_;
   if (is_spread(node)) {  // what comes back must gain more each time, else little goes round long
     const int doubled = std::max(0, spread_[node] / 2 - kFreeTimes);
     if (spread_[node] > kMost || gain < std::ldexp(least_gain_[node / per_block_], doubled)) return;
@@ -358,7 +364,7 @@ double EdgeField::bound_of_leaving() const {
           least = std::min(least, value_[nodes[place]] + value_before(cell, place));
         }
       } else {
-        least = std::min(least, bound_of_leaving(cell, edge, nodes));
+        least = bound_of_leaving(cell, edge, nodes, least);
       }
     }
   }
@@ -366,26 +372,40 @@ double EdgeField::bound_of_leaving() const {
   return least / std::max(excess_, before_ != nullptr ? before_->excess_ : 1);
 }
 
-// At points of the edge, less what it may be less between them: what is left to the other end falls
-// along an edge by no more than the cell's weight.
-double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes) const {
+// The least of `most` and of what is at points of the edge, less what it may be less between them:
+// what is left to the other end falls along an edge by no more than the cell's weight. Most edges
+// are told by their middle.
+double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes,
+                                   double most) const {
   constexpr int kPoints = kRestPoints;
   const int k = chords_->intervals();
-  double least = kInfinity;
+  const double weight = terrain_.weight(cell.x, cell.y);
+  const double off = weight * 0.5 / (kPoints * k);
+  const auto next = [&](int place) { return place + 1 < chords_->places() ? place + 1 : 0; };
+  const Point begin = chords_->at(edge * k), end = chords_->at(next(edge * k + k - 1));
+  const auto at = [&](double share) {
+    return Point{cell.x + begin.x + share * (end.x - begin.x),
+                 cell.y + begin.y + share * (end.y - begin.y)};
+  };
+  double lowest = kInfinity;
+  for (int place = edge * k, i = 0; i <= k; place = next(place), ++i)
+    lowest = std::min(lowest, value_[nodes[place]]);
+  if (lowest + rest_->at(at(0.5), cell) - weight * (0.5 + 1e-9) - off > most) return most;
+  double least = most + off;
   for (int i = 0; i <= kPoints * k; ++i) {
-    const int low = std::min(i / kPoints, k - 1) + edge * k, high = (low + 1) % chords_->places();
+    const int low = std::min(i / kPoints, k - 1) + edge * k, high = next(low);
     const double share = static_cast<double>(i) / kPoints - (low - edge * k);
     const Point a = chords_->at(low), b = chords_->at(high);
     const Point p{cell.x + a.x + share * (b.x - a.x), cell.y + a.y + share * (b.y - a.y)};
     const double value = value_[nodes[low]] + share * (value_[nodes[high]] - value_[nodes[low]]);
     least = std::min(least, value + rest_->at(p, cell));
   }
-  return least - terrain_.weight(cell.x, cell.y) * 0.5 / (kPoints * k);
+  return std::min(most, least - off);
 }
 
 std::int64_t EdgeField::bytes() const noexcept {
   return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
-         left_.bytes() + marched_.bytes() + spread_.bytes() + queue_.bytes();
+         left_.bytes() + marched_.bytes() + spread_.bytes() + by_.bytes() + queue_.bytes();
 }
 
 }  // namespace lasius::cost
