@@ -99,7 +99,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     centres.back() = end;
     go_on = best.offer(std::move(centres), lower);
     const Tube tube(terrain, walk, kTubeReach);
-    now->begin(two, start, 0, nullptr, from);
+    now->begin(two, start, 0, nullptr, from, best.cost());
     if (go_on && now->march(tube, best.cost(), poller)) {
       auto legs = now->trace(goal, to);
       if (!legs) {
@@ -159,7 +159,8 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     const Point source_at = backward ? to : from, target_at = backward ? from : to;
     const March how = march_of(k, options.target_gap);
     chords = std::make_unique<const CellChords>(k);
-    now->begin(*chords, source, how.slack, chords_before ? before.get() : nullptr, source_at);
+    now->begin(*chords, source, how.slack, chords_before ? before.get() : nullptr, source_at,
+               best.cost());
     Level level{.intervals = k};
     double margin = how.margin;
     traced = false;
@@ -201,7 +202,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   // Levels that prove a target gap need not lead from end to end: what they left out may still be
   // a little cheaper.
   if (go_on && !poller.stopped() && !traced_any && levels_.size() > 1) {
-    now->begin(two, goal, march_of(2, 0).slack, nullptr, to);
+    now->begin(two, goal, march_of(2, 0).slack, nullptr, to, best.cost());
     if (now->march(*rest, best.cost(), poller)) offer_traced(*now, true);
   }
   if (proof != nullptr) {

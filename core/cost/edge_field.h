@@ -37,9 +37,10 @@ class EdgeField {
 
   /// Forgets everything. Marching goes into cells of `before` alone, unless it is null. Weights are
   /// divided by 1 + slack while marching, so that less is left to lower. `at`: where in the cell,
-  /// inside of it, as in [0, 1] x [0, 1].
+  /// inside of it, as in [0, 1] x [0, 1]. `most`: about the greatest value that is marched for, if
+  /// it is known; it decides about time alone.
   void begin(const CellChords& chords, Cell source, double slack, const EdgeField* before,
-             Point at = kMiddle);
+             Point at = kMiddle, double most = 0);
 
   /// Goes on until every value that is left, together with a lower bound of what it costs from
   /// there to the other end, is above `limit`. The bound is that of `before`, or where that is null

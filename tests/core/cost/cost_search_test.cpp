@@ -229,6 +229,44 @@ TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
   EXPECT_LT(dearer / 60, 0.001);
 }
 
+// Levels that end where a target gap is proven leave the path as cheap as it was.
+TEST(CostSearch, TargetGapsAreProvenByLessAndPathsStayCheap) {
+  std::mt19937 random(31);
+  double dearer = 0;
+  for (int i = 0; i < 40; ++i) {
+    const WeightedWorld world = random_weights(random, 30, 60);
+    const Terrain terrain(world.grid, world.costs);
+    CostSearch search;
+    CostAnswer whole, answer;
+    search.search(terrain, world.start, world.goal, {}, {}, whole);
+    for (const double gap : {0.03, 0.01, 0.002}) {
+      search.search(terrain, world.start, world.goal, {.target_gap = gap}, {}, answer);
+      EXPECT_LE(answer.length - answer.lower_bound, gap * answer.lower_bound) << i;
+      EXPECT_LE(answer.lower_bound, whole.length * (1 + 1e-12)) << i;
+      EXPECT_LE(answer.length, whole.length * 1.003) << i;
+      dearer += answer.length / whole.length - 1;
+    }
+  }
+  EXPECT_LT(dearer / 120, 1e-4);
+}
+
+// Weights of six orders of magnitude: keys go a million buckets far.
+TEST(CostSearch, WeightsOfAllOrders) {
+  std::mt19937 random(37);
+  std::vector<double> weights(40 * 40);
+  for (double& w : weights) w = std::exp(13.0 * (random() % 1000) / 1000);
+  const Grid grid(40, 40);
+  const CostField costs(40, 40, weights);
+  const Terrain terrain(grid, costs);
+  CostSearch search;
+  CostAnswer answer, walk;
+  search.search(terrain, {1, 2}, {38, 36}, {}, {}, answer);
+  search.search_eight_moves(terrain, {1, 2}, {38, 36}, Corners::one_side, {}, walk);
+  EXPECT_LE(answer.length, walk.length);
+  EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
+  EXPECT_LE(answer.length, answer.lower_bound * 1.001);
+}
+
 TEST(CostSearch, StopsAtTheTargetGap) {
   std::mt19937 random(11);
   const WeightedWorld world = random_weights(random, 40, 60);
