@@ -77,6 +77,12 @@ class BucketQueue {
     return taken.index;
   }
 
+  /// What pop() takes next of the bucket in hand, unless something is pushed before; or kNone.
+  std::uint32_t next() const noexcept {
+    const std::uint32_t item = heads_[current_];
+    return item != kNone ? items_[item].index : kNone;
+  }
+
   std::int64_t bytes() const noexcept { return items_.bytes(); }  ///< held beside the queue itself
 
  private:

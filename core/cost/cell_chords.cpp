@@ -150,8 +150,8 @@ CellChords::CellChords(int intervals)
 void CellChords::reach(int interval, double low, double high, double weight,
                        double* out) const noexcept {
   const double begin = interval % k_ * share_, slope = (high - low) * k_;
-  reach_all(foot_.data(), off_.data(), 3 * k_ - 1, begin, begin + share_, low, slope,
-            lean(slope, weight), weight, out);
+  reach_all(foot_.data(), off_.data(), static_cast<int>(foot_.size()), begin, begin + share_, low,
+            slope, lean(slope, weight), weight, out);
 }
 
 CellChords::Exit CellChords::cheapest(Point from, const double* values,

@@ -27,7 +27,8 @@ class CellChords {
 
   /// The least of value + weight * distance over interval `interval`, whose values are `low` at its
   /// beginning and `high` at its end, for each place off its edge: of place
-  /// (k * (interval / k) + k + 1 + i) % (4 k) in out[i], 3 k - 1 in all.
+  /// (k * (interval / k) + k + 1 + i) % (4 k) in out[i], 3 k - 1 in all, and up to 3 more are
+  /// written.
   void reach(int interval, double low, double high, double weight, double* out) const noexcept;
 
   /// The cheapest way from a point of the cell to its boundary.

@@ -22,32 +22,22 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 /// is seldom farther from it but on another way around something.
 constexpr int kTubeReach = 8;
 
-/// What marching of a level divides weights by, less 1: what is lost by straight lines between
-/// places falls with the square of their distance.
-double slack_of(int intervals) {
-  switch (intervals) {
-    case 2:
-      return 0.03;
-    case 4:
-      return 0.003;
-    case 8:
-      return 0.0003;
-    default:
-      return 0;
-  }
-}
-/// How far beyond the best path's cost a level marches, as a fraction of it: what lowering takes.
-double margin_of(int intervals) {
-  switch (intervals) {
-    case 2:
-      return 0.004;
-    case 4:
-      return 0.003;
-    case 8:
-      return 0.0012;
-    default:
-      return 0.0005;
-  }
+/// How a level marches.
+struct March {
+  double slack;   ///< weights are divided by 1 more than that, so that less is left to lower
+  double margin;  ///< how far beyond what leaving must cost, as a fraction of it
+};
+/// What is lost by straight lines between places falls with the square of their distance; what a
+/// target gap allows is taken: then next to nothing is left to lower, and the margin leads to the
+/// other end.
+March march_of(int intervals, double target_gap) {
+  March march = intervals == 2   ? March{0.03, 0.004}
+                : intervals == 4 ? March{0.003, 0.003}
+                : intervals == 8 ? March{0.0003, 0.0012}
+                                 : March{0, 0.0005};
+  const double allowed = std::min(0.9 * target_gap, 0.02);
+  if (allowed > march.slack) march = {allowed, std::max(0.2 * target_gap, 0.0005)};
+  return march;
 }
 
 /// The best path so far, and who is told of it.
@@ -109,7 +99,7 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     centres.back() = end;
     go_on = best.offer(std::move(centres), lower);
     const Tube tube(terrain, walk, kTubeReach);
-    now->begin(two, start, 0, nullptr, from);
+    now->begin(two, start, 0, nullptr, from, best.cost());
     if (go_on && now->march(tube, best.cost(), poller)) {
       auto legs = now->trace(goal, to);
       if (!legs) {
@@ -127,6 +117,11 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   const auto reached = [&] {
     return best.cost() - lower <= std::max(options.target_gap, 1e-9) * lower;
   };
+  // What leaving a level must cost, so that the best path is good enough if nothing is cheaper in
+  // it.
+  const auto enough = [&] {
+    return best.cost() * std::min(1 - 1e-4, 1 / (1 + options.target_gap));
+  };
   // A path that leaves the cells of some level costs this at least.
   double leaving = kInfinity;
   // The first level comes back from the goal, towards what the start's bound leaves.
@@ -142,33 +137,38 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   std::size_t base = 0;
   if (proof != nullptr && rest && !poller.stopped())
     done.push_back(proof_level(*coarse, rest->field(), true, Blocks::kSide));
+  // The path that a field leads back along, to where it has come to the other end.
+  const auto offer_traced = [&](const EdgeField& field, bool backward) {
+    const auto legs = field.trace(backward ? start : goal, backward ? from : to);
+    if (!legs) return false;
+    std::vector<Leg> path = *legs;
+    if (backward) {
+      // Traced from the start: the same pieces the other way.
+      for (std::size_t i = 0; i < path.size(); ++i)
+        path[path.size() - 1 - i] = {(*legs)[i].cell, i > 0 ? (*legs)[i - 1].to : end};
+    }
+    go_on = best.offer(begin, path, lower, poller);
+    return true;
+  };
+  bool traced = false, traced_any = false;
   std::unique_ptr<const CellChords> chords_before, chords;
   for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
     if (k > (options.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals)) break;
     const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
     const Cell source = backward ? goal : start, target = backward ? start : goal;
     const Point source_at = backward ? to : from, target_at = backward ? from : to;
+    const March how = march_of(k, options.target_gap);
     chords = std::make_unique<const CellChords>(k);
-    now->begin(*chords, source, slack_of(k), chords_before ? before.get() : nullptr, source_at);
+    now->begin(*chords, source, how.slack, chords_before ? before.get() : nullptr, source_at,
+               best.cost());
     Level level{.intervals = k};
-    double margin = margin_of(k);
+    double margin = how.margin;
+    traced = false;
     for (level.rounds = 1;; ++level.rounds) {
-      const double limit = best.cost() * (1 + margin);
+      const double limit = enough() * (1 + margin);
       if (!now->march(*rest, limit, poller)) break;
-      if (level.rounds == 1) {
-        if (const auto legs = now->trace(target, target_at)) {
-          std::vector<Leg> path = *legs;
-          if (backward) {
-            // Traced from the start: the same pieces the other way.
-            std::vector<Leg> turned;
-            for (std::size_t i = path.size(); i-- > 0;)
-              turned.push_back({path[i].cell, i > 0 ? path[i - 1].to : end});
-            path.assign(turned.begin(), turned.end());
-          }
-          go_on = best.offer(begin, path, lower, poller);
-          if (!go_on) break;
-        }
-      }
+      if (!traced) traced = offer_traced(*now, backward);
+      if (!go_on) break;
       if (!now->certify(poller)) break;
       level.excess = now->excess();
       const double within = now->bound(target, target_at);
@@ -181,13 +181,14 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
           top.assign(1, proof_level(terrain, *now, !backward, 1));
         }
       }
-      const double miss = best.cost() * (1 - 1e-4) - out;
+      const double miss = enough() - out;
       if (!(miss > 0) || reached() || level.rounds == 8) {
         leaving = std::min(leaving, out);
         break;
       }
       margin += std::max(margin, 1.5 * miss / best.cost());
     }
+    traced_any = traced_any || traced;
     level.lower = lower;
     level.upper = best.cost();
     level.seconds = processor_seconds() - began;
@@ -197,6 +198,12 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
     most_bytes_ = std::max(most_bytes_, eight_moves_.bytes() + before->bytes() + now->bytes());
     std::swap(before, now);
     std::swap(chords_before, chords);
+  }
+  // Levels that prove a target gap need not lead from end to end: what they left out may still be
+  // a little cheaper.
+  if (go_on && !poller.stopped() && !traced_any && levels_.size() > 1) {
+    now->begin(two, goal, march_of(2, 0).slack, nullptr, to, best.cost());
+    if (now->march(*rest, best.cost(), poller)) offer_traced(*now, true);
   }
   if (proof != nullptr) {
     done.resize(base);

@@ -15,7 +15,7 @@ constexpr int kFreeTimes = 4, kMost = 240;
 }  // namespace
 
 void EdgeField::begin(const CellChords& chords, Cell source, double slack, const EdgeField* before,
-                      Point at) {
+                      Point at, double most) {
   chords_ = &chords;
   before_ = before;
   source_ = source;
@@ -31,11 +31,15 @@ void EdgeField::begin(const CellChords& chords, Cell source, double slack, const
   least_gain_.clear();
   value_.clear();
   spread_.clear();
+  by_.clear();
   cells_.clear();
   waiting_.clear();
   marched_.clear();
-  queue_.reset(0, terrain_.least() * scale_ / (4 * chords.intervals()));
+  // Where weights differ by much keys go far: then wider buckets, else most items would wait and be
+  // dealt out again and again.
+  queue_.reset(0, std::max(terrain_.least() * scale_ / (4 * chords.intervals()), most / (1 << 19)));
   reach(source);
+  into_ = static_cast<std::uint32_t>(terrain_.index(source.x, source.y));
   std::uint32_t nodes[kMostPlaces];
   places_of(source, nodes);
   const double weight = terrain_.weight(source.x, source.y) * scale_;
@@ -55,6 +59,7 @@ std::int32_t EdgeField::block(int x, int y) {
     least_gain_.push_back(static_cast<float>(kImprovement * cheapest / chords_->intervals()));
     value_.append(static_cast<std::size_t>(per_block_), kInfinity);
     spread_.append(static_cast<std::size_t>(per_block_), 0);
+    by_.append(static_cast<std::size_t>(per_block_), 0);
   }
   return block;
 }
@@ -195,6 +200,7 @@ void EdgeField::spread(std::uint32_t node) {
 
 void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   reach(cell);
+  into_ = static_cast<std::uint32_t>(terrain_.index(cell.x, cell.y));
   const int places = chords_->places(), k = chords_->intervals();
   std::uint32_t nodes[kMostPlaces];
   places_of(cell, nodes);
@@ -205,6 +211,8 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   const double step = here + weight / k;
   offer(nodes[before], step);
   offer(nodes[after], step);
+  // What has its value through this cell tells it nothing: ways in a cell are straight.
+  if (by_[node] == into_) return;
   double out[3 * CellChords::kMostIntervals];
   bool from_interval = false;
   for (const int interval : {before, place}) {
@@ -227,10 +235,10 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   }
 }
 
-void EdgeField::offer(std::uint32_t node, double value) {
+void EdgeField::take(std::uint32_t node, double value) {
   const double gain = value_[node] - value;
-  if (!(gain > 0)) return;
   value_[node] = value;
+  by_[node] = into_;
   if (is_spread(node)) {  // what comes back must gain more each time, else little goes round long
     const int doubled = std::max(0, spread_[node] / 2 - kFreeTimes);
     if (spread_[node] > kMost || gain < std::ldexp(least_gain_[node / per_block_], doubled)) return;
@@ -332,60 +340,9 @@ double EdgeField::measured_excess(Poller& poller) const {
   return most + 1e-12 + 4e-16 * chords_->intervals() * greatest / terrain_.least();
 }
 
-double EdgeField::bound(Cell target, Point at) const {
-  if (!has(terrain_.index(target.x, target.y))) return kInfinity;
-  double values[kMostPlaces];
-  values_of(target, values);
-  return chords_->cheapest(at, values, terrain_.weight(target.x, target.y)).cost / excess_;
-}
-
-double EdgeField::bound_of_leaving() const {
-  const int k = chords_->intervals();
-  double least = kInfinity;
-  for (const std::uint32_t at : cells_) {
-    const Cell cell = terrain_.cell(at);
-    constexpr int kX[4] = {0, 1, 0, -1}, kY[4] = {-1, 0, 1, 0};
-    std::uint32_t nodes[kMostPlaces];
-    bool have = false;
-    for (int edge = 0; edge < 4; ++edge) {
-      const Cell beside{cell.x + kX[edge], cell.y + kY[edge]};
-      if (!open(beside) || has(terrain_.index(beside.x, beside.y))) continue;
-      if (!have) places_of(cell, nodes);
-      have = true;
-      if (before_ != nullptr) {
-        for (int i = 0; i <= k; ++i) {
-          const int place = (edge * k + i) % chords_->places();
-          least = std::min(least, value_[nodes[place]] + value_before(cell, place));
-        }
-      } else {
-        least = std::min(least, bound_of_leaving(cell, edge, nodes));
-      }
-    }
-  }
-  // The values of both levels may be too great by as much as either is off.
-  return least / std::max(excess_, before_ != nullptr ? before_->excess_ : 1);
-}
-
-// At points of the edge, less what it may be less between them: what is left to the other end falls
-// along an edge by no more than the cell's weight.
-double EdgeField::bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes) const {
-  constexpr int kPoints = kRestPoints;
-  const int k = chords_->intervals();
-  double least = kInfinity;
-  for (int i = 0; i <= kPoints * k; ++i) {
-    const int low = std::min(i / kPoints, k - 1) + edge * k, high = (low + 1) % chords_->places();
-    const double share = static_cast<double>(i) / kPoints - (low - edge * k);
-    const Point a = chords_->at(low), b = chords_->at(high);
-    const Point p{cell.x + a.x + share * (b.x - a.x), cell.y + a.y + share * (b.y - a.y)};
-    const double value = value_[nodes[low]] + share * (value_[nodes[high]] - value_[nodes[low]]);
-    least = std::min(least, value + rest_->at(p, cell));
-  }
-  return least - terrain_.weight(cell.x, cell.y) * 0.5 / (kPoints * k);
-}
-
 std::int64_t EdgeField::bytes() const noexcept {
   return held_bytes(blocks_, lattice_, split_, reached_, cells_, waiting_) + value_.bytes() +
-         left_.bytes() + marched_.bytes() + spread_.bytes() + queue_.bytes();
+         left_.bytes() + marched_.bytes() + spread_.bytes() + by_.bytes() + queue_.bytes();
 }
 
 }  // namespace lasius::cost

@@ -37,9 +37,10 @@ class EdgeField {
 
   /// Forgets everything. Marching goes into cells of `before` alone, unless it is null. Weights are
   /// divided by 1 + slack while marching, so that less is left to lower. `at`: where in the cell,
-  /// inside of it, as in [0, 1] x [0, 1].
+  /// inside of it, as in [0, 1] x [0, 1]. `most`: about the greatest value that is marched for, if
+  /// it is known; it decides about time alone.
   void begin(const CellChords& chords, Cell source, double slack, const EdgeField* before,
-             Point at = kMiddle);
+             Point at = kMiddle, double most = 0);
 
   /// Goes on until every value that is left, together with a lower bound of what it costs from
   /// there to the other end, is above `limit`. The bound is that of `before`, or where that is null
@@ -86,10 +87,13 @@ class EdgeField {
   void spread(std::uint32_t node);
   void spread_into(Cell cell, int place, std::uint32_t node);
   bool is_spread(std::uint32_t node) const noexcept { return spread_[node] % 2 != 0; }
-  void offer(std::uint32_t node, double value);
+  void offer(std::uint32_t node, double value) {
+    if (value < value_[node]) take(node, value);
+  }
+  void take(std::uint32_t node, double value);
   void reach(Cell cell);
   void fill(double* values, double weight) const;
-  double bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes) const;
+  double bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes, double most) const;
   double value_before(Cell cell, int place) const noexcept;
 
   const Terrain& terrain_;
@@ -111,6 +115,8 @@ class EdgeField {
   GrowingList<double> value_;
   GrowingList<double> marched_;       // as before certify, from where marching goes on
   GrowingList<std::uint8_t> spread_;  // by node: odd where it has been spread from; half: how often
+  GrowingList<std::uint32_t> by_;     // by node: the cell through which it got its value
+  std::uint32_t into_ = 0;            // the cell that is spread into
   std::vector<std::uint8_t> reached_;  // by cell
   std::vector<std::uint32_t> cells_;
   std::vector<std::uint32_t> waiting_;  // nodes beyond the limit

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/cost/coarse_bound.h"
+#include "core/cost/goal_field.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/weights.h"
@@ -153,6 +154,51 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
   }
 }
 
+// Both ends' searches meet far from either: against D* Lite, which has one end and another order.
+TEST(CostSearch, EightMovesFromBothEndsOnLargerMaps) {
+  std::mt19937 random(29);
+  const StopCondition never;
+  Poller poller(never);
+  EightMoves moves;
+  for (int i = 0; i < 60; ++i) {
+    const WeightedWorld world = random_weights(random, 30, 90);
+    const auto& [grid, costs, start, goal] = world;
+    const Terrain terrain(grid, costs);
+    const auto cost_along = [&terrain](const std::vector<Cell>& walk) {
+      double sum = 0;
+      for (std::size_t at = 1; at < walk.size(); ++at)
+        sum += terrain.move_cost(walk[at - 1], walk[at]);
+      return sum;
+    };
+    for (const bool squeezes : {false, true}) {
+      const Corners corners = squeezes ? Corners::allow : Corners::forbid;
+      GoalField field(terrain, goal, terrain.least(), squeezes);
+      ASSERT_TRUE(field.update(start, poller));
+      const auto want = field.walk();
+      const auto walk = moves.search(terrain, start, goal, corners, poller, false);
+      ASSERT_EQ(walk.empty(), want.empty()) << i;
+      EXPECT_NEAR(cost_along(walk), cost_along(want), 1e-11 * cost_along(want)) << i;
+      if (walk.empty()) continue;
+      EXPECT_EQ(walk.front(), start);
+      EXPECT_EQ(walk.back(), goal);
+    }
+  }
+}
+
+TEST(CostSearch, WalksThatAreNoneOrHaveOneCell) {
+  Grid grid(9, 9);
+  for (int y = 0; y < 9; ++y) grid.set_blocked({4, y});
+  const Terrain terrain(grid, CostField(9, 9));
+  const StopCondition never;
+  Poller poller(never);
+  EightMoves moves;
+  for (const bool knights : {false, true}) {
+    EXPECT_TRUE(moves.search(terrain, {0, 0}, {8, 8}, Corners::allow, poller, knights).empty());
+    EXPECT_EQ(moves.search(terrain, {1, 2}, {1, 2}, Corners::allow, poller, knights),
+              (std::vector<Cell>{{1, 2}}));
+  }
+}
+
 TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
   std::mt19937 random(17);
   int cheaper = 0;
@@ -181,6 +227,44 @@ TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
   }
   EXPECT_GT(cheaper, 30);
   EXPECT_LT(dearer / 60, 0.001);
+}
+
+// Levels that end where a target gap is proven leave the path as cheap as it was.
+TEST(CostSearch, TargetGapsAreProvenByLessAndPathsStayCheap) {
+  std::mt19937 random(31);
+  double dearer = 0;
+  for (int i = 0; i < 40; ++i) {
+    const WeightedWorld world = random_weights(random, 30, 60);
+    const Terrain terrain(world.grid, world.costs);
+    CostSearch search;
+    CostAnswer whole, answer;
+    search.search(terrain, world.start, world.goal, {}, {}, whole);
+    for (const double gap : {0.03, 0.01, 0.002}) {
+      search.search(terrain, world.start, world.goal, {.target_gap = gap}, {}, answer);
+      EXPECT_LE(answer.length - answer.lower_bound, gap * answer.lower_bound) << i;
+      EXPECT_LE(answer.lower_bound, whole.length * (1 + 1e-12)) << i;
+      EXPECT_LE(answer.length, whole.length * 1.003) << i;
+      dearer += answer.length / whole.length - 1;
+    }
+  }
+  EXPECT_LT(dearer / 120, 1e-4);
+}
+
+// Weights of six orders of magnitude: keys go a million buckets far.
+TEST(CostSearch, WeightsOfAllOrders) {
+  std::mt19937 random(37);
+  std::vector<double> weights(40 * 40);
+  for (double& w : weights) w = std::exp(13.0 * (random() % 1000) / 1000);
+  const Grid grid(40, 40);
+  const CostField costs(40, 40, weights);
+  const Terrain terrain(grid, costs);
+  CostSearch search;
+  CostAnswer answer, walk;
+  search.search(terrain, {1, 2}, {38, 36}, {}, {}, answer);
+  search.search_eight_moves(terrain, {1, 2}, {38, 36}, Corners::one_side, {}, walk);
+  EXPECT_LE(answer.length, walk.length);
+  EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
+  EXPECT_LE(answer.length, answer.lower_bound * 1.001);
 }
 
 TEST(CostSearch, StopsAtTheTargetGap) {
