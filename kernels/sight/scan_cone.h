@@ -48,12 +48,14 @@ constexpr Fixed kSlack = kOne >> 19;
 template <int S, class Visitor>
 class ConeScan {
  public:
-  ConeScan(const ConeFrame& frame, std::vector<Interval>& stack, Visitor& visitor) noexcept
+  /// @param near_lines  from the root, to where limits are asked for; and some more columns
+  ConeScan(const ConeFrame& frame, std::vector<Interval>& stack, Visitor& visitor,
+           int near_lines = kNearLines) noexcept
       : frame_(frame),
         row0_(bytes_of(frame.map.row(frame.down > 0 ? frame.line0 : frame.line0 - 1))),
         step_(frame.down * frame.map.stride * std::ptrdiff_t{sizeof(std::uint64_t)}),
-        last_line_(std::min(kNearLines, frame.lines())),
-        limit_(fixed(floor_column(frame.root) + kNearColumns)),
+        last_line_(std::min(near_lines, frame.lines())),
+        limit_(fixed(floor_column(frame.root) + near_lines + kMoreColumns)),
         stack_(stack),
         visitor_(visitor) {}
 
@@ -183,7 +185,11 @@ class ConeScan {
         if ((turns | blocks) == 0) {
           v.left += v.left_slope;
           v.right += widening(v);
-          if (v.wall || ++quiet >= kQuietRows) next += pass_alike(next, v) * step_;
+          if (v.wall) {
+            next += follow_wall(next, v);
+          } else if (++quiet >= kQuietRows) {
+            next += stride(next, n, base, v);
+          }
           if (!clip(v, v.line + 1)) return true;
           continue;
         }
@@ -199,32 +205,50 @@ class ConeScan {
     return true;
   }
 
-  // Goes on along rows that are alike, free up to the interval's end or to the wall there: such
-  // rows hold no corner and cut nothing. From the line after v.line, whose row behind is `row`, to
-  // where the interval ends at the latest. Returns how many rows.
-  [[gnu::noinline]] int pass_alike(const char* row, Interval& v) noexcept {
-    const int most = std::min(v.wall ? kRowsAlongWall : kFreeRows, last_line_ - v.line);
+  // Rows without blocked cells go by several at a time. From a line whose row behind is n.
+  [[gnu::noinline]] std::ptrdiff_t stride(const char* next, std::uint64_t n, int base,
+                                          Interval& v) noexcept {
+    std::ptrdiff_t moved = 0;
+    for (;;) {
+      const Fixed right = v.right + kStride * v.right_slope;
+      const int hull = floor_column(right + kSlack) - base;
+      if (hull >= B::kValid || v.line + kStride > last_line_) return moved;
+      n |= B::window(next + step_, base) | B::window(next + 2 * step_, base) |
+           B::window(next + 3 * step_, base);
+      if ((n & B::to(hull)) != 0) return moved;
+      n = 0;
+      v.left += kStride * v.left_slope;
+      v.right = right;
+      v.line += kStride;
+      next += kStride * step_;
+      moved += kStride * step_;
+      words_ += kStride;
+    }
+  }
+
+  // Goes on along rows that are free up to the wall at the interval's right and blocked there: they
+  // hold no corner and cut nothing. From the line after v.line, whose row behind is `row`, to where
+  // the interval ends at the latest. Returns the bytes that it went on by.
+  [[gnu::noinline]] std::ptrdiff_t follow_wall(const char* row, Interval& v) noexcept {
     const int base = floor_column(v.left - kSlack);
-    const Fixed reach = v.wall ? v.right : v.right + kFreeRows * v.right_slope;
-    const int hull = floor_column(reach + kSlack) - base;
-    if (hull < 0 || hull >= B::kValid) return 0;
-    std::uint64_t like = v.wall ? B::only(hull) : 0;
+    const int wall = floor_column(v.right + kSlack) - base;
+    if (wall < 0 || wall >= B::kValid) return 0;
+    std::uint64_t like = B::only(wall);
     if (on_axis(v)) like |= B::window(row, base) & B::only(0);
     like = B::to_uncut(like, base);
-    const std::uint64_t seen = B::to_uncut(B::to(hull), base);
+    const std::uint64_t seen = B::to_uncut(B::to(wall), base);
     const auto alike = [&] { return ((B::uncut(row, base) ^ like) & seen) == 0; };
+    const Fixed wide = v.right - v.left - kSlack;
+    if (wide <= 0 || !alike()) return 0;
+    const int most = std::min(kRowsAlongWall, last_line_ - v.line);
     int rows = 0;
-    if (alike())
-      for (row += step_; rows < most && alike(); row += step_) ++rows;
-    if (rows == 0) return 0;
-    const Fixed wide = v.right - v.left - kSlack, narrowing = v.left_slope - widening(v);
-    if (rows * narrowing >= wide)
-      rows = std::max(0, static_cast<int>((wide + narrowing - 1) / narrowing));
+    for (row += step_; rows < most && alike(); row += step_) ++rows;
+    if (v.left_slope > wide / kRowsAlongWall)
+      rows = std::min(rows, static_cast<int>((wide - 1) / v.left_slope) + 1);
     v.left += rows * v.left_slope;
-    v.right += rows * widening(v);
     v.line += rows;
     words_ += rows;
-    return rows;
+    return rows * step_;
   }
 
   // Is the left boundary the line straight onward from a lattice root?
@@ -340,9 +364,9 @@ class ConeScan {
   static constexpr std::int64_t kWordsAtOnce = 4096;
   static constexpr int kRivals = 64;
   static constexpr int kNearLines = 12;
-  static constexpr int kNearColumns = 40;
+  static constexpr int kMoreColumns = 28;
   static constexpr int kQuietRows = 4;
-  static constexpr int kFreeRows = 4;
+  static constexpr int kStride = 3;
   static constexpr int kRowsAlongWall = 32;
 
   const ConeFrame& frame_;
