@@ -130,15 +130,15 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   frontier_.reset(lower_, kBucketWidth);
   const double gap = std::min(options.target_gap, kWidestGap);
   bounding_ = gap > 0;
-  const bool long_way = straight_ > kLongWay;
-  weighted_on_ = bounding_ || long_way;
+  weighted_on_ = true;
   weight_ = bounding_ ? 1 + kShareOfGap * gap : kDefaultWeight;
   weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
   const auto first = [&](double a_cell) {
     search_weighted(std::llround(a_cell * straight_), poller);
   };
-  if (weighted_on_) first(long_way ? kLongFirstRun : kFirstRun);
+  const bool long_way = straight_ > kLongWay;
+  if (bounding_ || long_way) first(long_way ? kLongFirstRun : kFirstRun);
   if (bounding_ && weighted_on_) {
     restore_default_weight();
     first(kSecondRun);
