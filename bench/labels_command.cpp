@@ -49,6 +49,7 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
                    (found && path_fault(set.grid, answer.path));
   }
   const auto least = [&](double& time, const auto& call) {
+    for (const Query& query : set.queries) call(query);  // what the others left in the caches goes
     const ThreadStopwatch watch;
     for (const Query& query : set.queries) call(query);
     time = std::min(time, 1e6 * watch.seconds() / static_cast<double>(set.queries.size()));

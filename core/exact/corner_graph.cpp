@@ -50,7 +50,26 @@ class CornerGraph::Builder {
     return std::move(graph_);
   }
 
+  // See CornerGraph::expected_bytes().
+  std::int64_t expected() {
+    count_corners();
+    if (fixed_bytes() > options_.max_bytes) return fixed_bytes();
+    mark_corners();
+    list_corners();
+    CornerSight sight(options_.stop);
+    const std::size_t chunks = graph_->chunks_.size();
+    const std::size_t few = std::min((chunks + kPerSample - 1) / kPerSample, kMostSamples);
+    for (std::size_t i = 0; i < few && !stopped_; ++i)
+      scan_chunk((2 * i + 1) * chunks / (2 * few), sight);
+    if (few == 0) return fixed_bytes();
+    const auto all = edges_ * static_cast<std::int64_t>(chunks) / static_cast<std::int64_t>(few);
+    return fixed_bytes() + all * static_cast<std::int64_t>(sizeof(GraphEdge));
+  }
+
  private:
+  // Of chunks: one that is looked at among so many, and how many at most.
+  static constexpr std::size_t kPerSample = 8, kMostSamples = 16;
+
   std::uint64_t corners_at(int y, int word) const noexcept;
   void count_corners();
   void mark_corners();
@@ -215,6 +234,10 @@ void CornerGraph::Builder::list_one_ways() {
 std::shared_ptr<CornerGraph> CornerGraph::make(const Grid& grid, const PrepareOptions& options,
                                                Preparation& report) {
   return Builder(grid, options).run(grid, report);
+}
+
+std::int64_t CornerGraph::expected_bytes(const Grid& grid, const PrepareOptions& options) {
+  return Builder(grid, options).expected();
 }
 
 std::int64_t CornerGraph::bytes() const noexcept {

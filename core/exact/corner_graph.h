@@ -100,6 +100,9 @@ class CornerGraph {
   /// would take more than the bytes allowed, or was stopped: `report` tells.
   static std::shared_ptr<CornerGraph> make(const Grid& grid, const PrepareOptions& options,
                                            Preparation& report);
+  /// About what it would hold, in bytes: told by an eighth of the corners
+  /// at most, evenly spread. Where that is more than the bytes allowed it may be less than all.
+  static std::int64_t expected_bytes(const Grid& grid, const PrepareOptions& options);
 
   /// Brings the graph up to date with `grid`, the map that it was made of, but for cells of this
   /// rectangle, which may have changed. It then has the edges that a graph made anew has, while

@@ -17,8 +17,6 @@ namespace {
 
 // Expansions before a search scans the goal's view: many short searches end earlier.
 constexpr std::int64_t kFirstFew = 4;
-// How much longer than straight a path may be for a search to keep near the straight line at first.
-constexpr double kMostDetour = 1.01;
 constexpr double kNearby = 2;  // cells; short queries leave the line by more
 constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 3;
 
@@ -45,6 +43,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Point sta
   start_ = QueryEnd(start);
   mode_ = Mode::first_few;
   told_to_stop_ = false;
+  margin_ = 0;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, CornerGraph::room_for_edits(graph.size()));
     nodes_ = ZeroArray<Node>(nodes_size_);
@@ -74,7 +73,7 @@ void PreparedSearch::scan_goal_view() {
     const double to_goal = distance(goal_, x, y);
     if (distance(start_, x, y) + to_goal > horizon_) return;
     const std::uint32_t index = graph_->index(x, y);
-    nodes_[index] = {kInfinity, to_goal, kStart, stamp_, kColumn, true, false};
+    nodes_[index] = {kInfinity, to_goal, kStart, stamp_, kColumn, true, false, false};
     goal_corners_.push_back(index);
   };
   scan_view(goal_, start_, found);
@@ -142,19 +141,22 @@ void PreparedSearch::reach(std::uint32_t parent, double length, std::uint32_t in
                            Side side) {
   Node& node = nodes_[index];
   if (node.stamp == stamp_) {
+    if (margin_ > 0 && alike(length, node.length))
+      note_way(index, length < node.length ? node.parent : parent);
     if (length >= node.length) return;
   } else {
     node.stamp = stamp_;
     node.to_goal = estimate(index, x, y);
-    node.sees_goal = false;
+    node.sees_goal = node.listed = false;
   }
   node.length = length;
   node.parent = parent;
   node.side = side;
   node.expanded = false;
   const double bound = length + node.to_goal;
-  if (bound >= upper_) return;
+  if (bound >= longest()) return;
   if (node.sees_goal) {
+    if (bound >= upper_) return;
     upper_ = bound;
     last_ = index;
   } else {
@@ -216,10 +218,10 @@ std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
 bool PreparedSearch::next_corner(std::uint32_t& index) {
   while (frontier_.advance(*poller_)) {
     lower_ = std::max(lower_, std::min(frontier_.floor(), upper_));
-    if (lower_ >= upper_) return false;
+    if (frontier_.floor() >= longest()) return false;
     index = frontier_.pop();
     const Node& node = nodes_[index];
-    if (!node.expanded && node.length + node.to_goal < upper_) return true;
+    if (!node.expanded && node.length + node.to_goal < longest()) return true;
     if (poller_->stop_after(1)) return false;
   }
   lower_ = std::max(lower_, std::min(upper_, horizon_));
@@ -231,7 +233,8 @@ bool PreparedSearch::run(double target_gap, std::int64_t budget) {
   for (; !poller_->stopped(); --budget) {
     if (budget == 0) return false;
     std::uint32_t index = 0;
-    if (!next_corner(index) || upper_ - lower_ <= target_gap * lower_) break;
+    if (!next_corner(index)) break;
+    if (margin_ == 0 && upper_ - lower_ <= target_gap * lower_) break;
     if (mode_ == Mode::first_few && reach_goal_from(index)) continue;
     poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
     if (!tell_improvement()) return told_to_stop_ = true;
@@ -315,8 +318,8 @@ bool PreparedSearch::tell_improvement() {
 }
 
 std::int64_t PreparedSearch::bytes() const noexcept {
-  return nodes_.bytes() + frontier_.bytes() + improvements_.bytes() +
-         held_bytes(start_corners_, goal_corners_, stack_);
+  return nodes_.bytes() + frontier_.bytes() + improvements_.bytes() + last_way_.bytes() +
+         held_bytes(start_corners_, goal_corners_, stack_, ways_, way_, steps_);
 }
 
 kernels::FinePoint PreparedSearch::place(std::uint32_t index) const noexcept {

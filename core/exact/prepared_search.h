@@ -49,6 +49,14 @@ class PreparedSearch {
     search(grid, graph, centre(start), centre(goal), options, stop, answer);
   }
 
+  /// The same where the shortest path is the only one, up to kAlike of its length: then it is that
+  /// of any other exact search, bit for bit. False where another one may be as short, where there
+  /// is none, and when stopped.
+  bool search_only(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
+                   const StopCondition& stop, ExactAnswer& answer);
+  /// Ways that differ by less of their length count as equal there: far more than rounding does.
+  static constexpr double kAlike = 1e-11;
+
   /// The lengths of the shortest ways over edges of the graph, taut or not, from the centre of a
   /// free cell to all corners, each edge rounded down to grains; infinite where there is none.
   /// Returns true if stopped.
@@ -81,9 +89,13 @@ class PreparedSearch {
     Side side;  // on which to go on
     bool sees_goal;
     bool expanded;
+    bool listed;  // among what may be part of a path as short as the best
   };
   static_assert(sizeof(Node) == 32);
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
+  // How much longer than straight a path may be for a search to keep near the straight line at
+  // first.
+  static constexpr double kMostDetour = 1.01;
   static constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
   // Work of an expansion beside its edges, in words as scans count them.
   static constexpr std::int64_t kWordsPerNode = 4;
@@ -126,6 +138,14 @@ class PreparedSearch {
   kernels::FinePoint place(std::uint32_t index) const noexcept;
   void trace(std::vector<Point>& path) const;
   bool tell_improvement();
+  // What is this long or longer does not matter.
+  double longest() const noexcept { return upper_ * (1 + margin_); }
+  bool alike(double length, double other) const noexcept;
+  void note_way(std::uint32_t to, std::uint32_t from);
+  bool is_only();
+  void list_ways_to(std::size_t step);
+  void list_step(std::uint32_t corner, std::size_t leg);
+  bool on_leg(std::size_t leg, std::uint32_t corner) const noexcept;
 
   kernels::BitmapView map_{};
   const CornerGraph* graph_ = nullptr;
@@ -148,6 +168,22 @@ class PreparedSearch {
   std::vector<std::uint32_t> start_corners_, goal_corners_;  // in their sight
   BucketQueue frontier_;
   std::vector<kernels::Interval> stack_;
+
+  // Another way to a corner, about as short as the one kept when it was found.
+  struct Way {
+    std::uint32_t to, from;
+    std::uint32_t next;  // of the same corner
+  };
+  double margin_ = 0;  // of the best length: what is that much longer is looked at as well
+  std::vector<Way> ways_;
+  ZeroArray<std::uint32_t> last_way_;  // by corner; means something where that way leads there
+  std::uint32_t last_ways_ = 0;        // how many
+  std::vector<std::uint32_t> way_;     // the best path's corners, from the goal; kStart the last
+  struct Step {
+    std::uint32_t corner;
+    std::size_t leg;  // of the best path: leg k ends at way_[k]
+  };
+  std::vector<Step> steps_;
 };
 
 }  // namespace lasius::exact

@@ -242,6 +242,7 @@ class LASIUS_EXPORT Planner {
 
  private:
   friend class CostPlanner;
+  friend struct PlannerParts;  // internal
   explicit Planner(std::shared_ptr<const Impl> impl);
   static std::optional<Planner> if_made(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;

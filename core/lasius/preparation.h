@@ -23,7 +23,8 @@ struct PrepareOptions {
   bool labels = false;
   /// Labels with more entries a vertex than this, on average, are abandoned.
   int max_label_entries = 128;
-  /// And those whose entries would take more than this, 20 bytes each.
+  /// And those whose entries would take more than this, 20 bytes each, or the lists of what 8 x 8
+  /// cells see, 16 bytes for each vertex that they do.
   std::int64_t max_label_bytes = std::int64_t{64} << 20;
 };
 

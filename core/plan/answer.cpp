@@ -69,6 +69,14 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
   if (map.labels != nullptr && memory.labels.search(map.grid, *map.graph, *map.labels, places.from,
                                                     places.to, options, request.stop, answer))
     return result_of(answer);
+  if (map.sure.graph != nullptr && request.target_gap == 0) {
+    ++*map.sure.asked;
+    if (memory.prepared.search_only(map.grid, *map.sure.graph, places.from, places.to, request.stop,
+                                    answer)) {
+      ++*map.sure.told;
+      return result_of(answer);
+    }
+  }
   exact::Anytime anytime(memory.bounding, map.grid, places.from, places.to, options, request.stop);
   if (map.graph != nullptr) {
     memory.prepared.search(map.grid, *map.graph, places.from, places.to, anytime.options(),
@@ -263,8 +271,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
       on_grid = on_grid.first(on_grid.size() - 1);
     // What an edge was stored for needs no second look.
     const bool stored = algorithm.kind == Algorithm::Kind::exact && map.disc == nullptr &&
-                        map.graph != nullptr && !map.from_file && memory.exact_answer.stored_legs &&
-                        on_grid.size() > 2;
+                        (map.graph != nullptr || map.sure.graph != nullptr) && !map.from_file &&
+                        memory.exact_answer.stored_legs && on_grid.size() > 2;
     auto fault = fault_of(map, result, stored ? on_grid.first(2) : on_grid, corners);
     if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);

@@ -41,6 +41,14 @@ struct PlanningMap {
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
   const cost::Terrain* terrain = nullptr;       ///< of a search over costs; of a colony's, too
   bool from_file = false;                       ///< the graph: its edges are not proven here
+  /// Asked by `exact` first, in a map that is not prepared: it answers where the shortest path is
+  /// the only one, as the search would.
+  struct Sure {
+    const exact::CornerGraph* graph = nullptr;  ///< of `grid`
+    std::int64_t* asked = nullptr;              ///< how often it was, and answered
+    std::int64_t* told = nullptr;
+  };
+  Sure sure = {};
   /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
   /// goal's tolerance leads to the centre of a cell.
   bool walked = false;

@@ -1,12 +1,15 @@
 #include "lasius/batch.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "core/colony/own_update.h"
 #include "core/loop/batch_run.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
+#include "core/plan/batch_graph.h"
 
 namespace lasius {
 
@@ -21,12 +24,23 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
     check_certifies(algorithm, request.target_gap);
     check_goal_tolerance(request.goal_tolerance);
   }
+  const auto plans = static_cast<std::int64_t>(requests.size()) * options.seeds;
+  const bool unprepared = algorithm.kind == Algorithm::Kind::exact && planner.robot().radius == 0 &&
+                          planner.preparation().state == Preparation::State::none &&
+                          plans >= BatchGraph::kFewest && own.none();
+  // A query's own deadline leaves no time for others.
+  const bool timed = options.time_limit || std::ranges::any_of(requests, [](const Request& one) {
+                       return one.stop.deadline != Clock::time_point::max();
+                     });
+  std::optional<BatchGraph> graph;
+  if (unprepared && !timed) graph.emplace(planner, plans, options.token);
   const auto make_plan = [&] {
     Params mine = params;
     mine.threads = 1;
-    return [&planner, &own, mine, workspace = std::make_shared<Workspace>()](
+    return [&planner, &own, &graph, mine, workspace = std::make_shared<Workspace>()](
                const Request& request, std::uint64_t seed) mutable {
       mine.seed = seed;
+      if (graph) return graph->plan(request, mine, *workspace);
       return planner.plan(request, mine, own, workspace.get());
     };
   };

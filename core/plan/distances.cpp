@@ -65,7 +65,8 @@ std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<co
     return stopped.load();
   };
   parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
-    if (!over()) seen[to] = searches[thread].view(map.grid, *map.graph, *map.labels, targets[to]);
+    if (!over())
+      seen[to] = searches[thread].view(map.grid, *map.graph, *map.labels, targets[to], stop);
   });
   const std::size_t columns = targets.size();
   std::vector<double> lengths(sources.size() * columns, 0);
@@ -73,7 +74,8 @@ std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<co
     const std::size_t first = same ? row + 1 : 0;
     if (first >= columns || over()) return;
     LabelSearch& search = searches[thread];
-    const auto from = search.view(map.grid, *map.graph, *map.labels, sources[row]);
+    const auto from = search.view(map.grid, *map.graph, *map.labels, sources[row], stop);
+    if (over()) return;
     search.lengths_to(map.grid, *map.graph, *map.labels, from, std::span(seen).subspan(first),
                       std::span(lengths).subspan(row * columns + first, columns - first));
   });

@@ -34,15 +34,18 @@ struct Bits {
 
   /// From the first byte of a row's word 0. c from -1 to the border, mirrored alike.
   static std::uint64_t window(const char* row, int column) noexcept {
+    const std::uint64_t w = uncut(row, column);
+    return S > 0 ? w >> (column & 7) : w << (7 - ((-column - 1) & 7));
+  }
+  /// The 8 bytes that window(row, column) is cut from.
+  static std::uint64_t uncut(const char* row, int column) noexcept {
     std::uint64_t w;
-    if constexpr (S > 0) {
-      std::memcpy(&w, row + (column >> 3), sizeof w);
-      return w >> (column & 7);
-    } else {
-      const int x = -column - 1;
-      std::memcpy(&w, row + (x >> 3) - 7, sizeof w);
-      return w << (7 - (x & 7));
-    }
+    std::memcpy(&w, row + (S > 0 ? column >> 3 : ((-column - 1) >> 3) - 7), sizeof w);
+    return w;
+  }
+  /// Where bits of such a window lie in them.
+  static std::uint64_t to_uncut(std::uint64_t bits, int column) noexcept {
+    return S > 0 ? bits << (column & 7) : bits >> (7 - ((-column - 1) & 7));
   }
   /// Indices i and up.
   static std::uint64_t from(int i) noexcept {
@@ -60,6 +63,10 @@ struct Bits {
   /// The smallest index that is set; w != 0.
   static int first(std::uint64_t w) noexcept {
     return S > 0 ? std::countr_zero(w) : std::countl_zero(w);
+  }
+  /// The largest.
+  static int last(std::uint64_t w) noexcept {
+    return 63 - (S > 0 ? std::countl_zero(w) : std::countr_zero(w));
   }
 };
 

@@ -48,12 +48,14 @@ constexpr Fixed kSlack = kOne >> 19;
 template <int S, class Visitor>
 class ConeScan {
  public:
-  ConeScan(const ConeFrame& frame, std::vector<Interval>& stack, Visitor& visitor) noexcept
+  /// @param near_lines  from the root, to where limits are asked for; and some more columns
+  ConeScan(const ConeFrame& frame, std::vector<Interval>& stack, Visitor& visitor,
+           int near_lines = kNearLines) noexcept
       : frame_(frame),
         row0_(bytes_of(frame.map.row(frame.down > 0 ? frame.line0 : frame.line0 - 1))),
         step_(frame.down * frame.map.stride * std::ptrdiff_t{sizeof(std::uint64_t)}),
-        last_line_(std::min(kNearLines, frame.lines())),
-        limit_(fixed(floor_column(frame.root) + kNearColumns)),
+        last_line_(std::min(near_lines, frame.lines())),
+        limit_(fixed(floor_column(frame.root) + near_lines + kMoreColumns)),
         stack_(stack),
         visitor_(visitor) {}
 
@@ -183,7 +185,11 @@ class ConeScan {
         if ((turns | blocks) == 0) {
           v.left += v.left_slope;
           v.right += widening(v);
-          if (++quiet >= kQuietRows && !v.wall) next += stride(next, n, base, v);
+          if (v.wall) {
+            next += follow_wall(next, v);
+          } else if (++quiet >= kQuietRows) {
+            next += stride(next, n, base, v);
+          }
           if (!clip(v, v.line + 1)) return true;
           continue;
         }
@@ -218,6 +224,31 @@ class ConeScan {
       moved += kStride * step_;
       words_ += kStride;
     }
+  }
+
+  // Goes on along rows that are free up to the wall at the interval's right and blocked there: they
+  // hold no corner and cut nothing. From the line after v.line, whose row behind is `row`, to where
+  // the interval ends at the latest. Returns the bytes that it went on by.
+  [[gnu::noinline]] std::ptrdiff_t follow_wall(const char* row, Interval& v) noexcept {
+    const int base = floor_column(v.left - kSlack);
+    const int wall = floor_column(v.right + kSlack) - base;
+    if (wall < 0 || wall >= B::kValid) return 0;
+    std::uint64_t like = B::only(wall);
+    if (on_axis(v)) like |= B::window(row, base) & B::only(0);
+    like = B::to_uncut(like, base);
+    const std::uint64_t seen = B::to_uncut(B::to(wall), base);
+    const auto alike = [&] { return ((B::uncut(row, base) ^ like) & seen) == 0; };
+    const Fixed wide = v.right - v.left - kSlack;
+    if (wide <= 0 || !alike()) return 0;
+    const int most = std::min(kRowsAlongWall, last_line_ - v.line);
+    int rows = 0;
+    for (row += step_; rows < most && alike(); row += step_) ++rows;
+    if (v.left_slope > wide / kRowsAlongWall)
+      rows = std::min(rows, static_cast<int>((wide - 1) / v.left_slope) + 1);
+    v.left += rows * v.left_slope;
+    v.line += rows;
+    words_ += rows;
+    return rows * step_;
   }
 
   // Is the left boundary the line straight onward from a lattice root?
@@ -333,9 +364,10 @@ class ConeScan {
   static constexpr std::int64_t kWordsAtOnce = 4096;
   static constexpr int kRivals = 64;
   static constexpr int kNearLines = 12;
-  static constexpr int kNearColumns = 40;
-  static constexpr int kStride = 3;
+  static constexpr int kMoreColumns = 28;
   static constexpr int kQuietRows = 4;
+  static constexpr int kStride = 3;
+  static constexpr int kRowsAlongWall = 32;
 
   const ConeFrame& frame_;
   const char* row0_;

@@ -86,6 +86,18 @@ class Prepare(ProgramTest):
         self.quiet(self.run_program("batch", FAN, "q.tsv", "--prepare", "labels", "-o", "l.json"))
         self.assertEqual(self.run_program("verify", "l.json").code, 0)
 
+    def test_a_slip_of_the_pen_is_named(self):
+        self.ended(self.fan("--prepare", "lables"), 2, 'did you mean "labels"?')
+        self.ended(self.fan("--prepare", "grap"), 2, 'did you mean "graph"?')
+
+    def test_a_batch_that_prepares_for_itself_answers_as_single_plans(self):
+        self.write("q.tsv", QUERIES.splitlines()[0] + "\n" + 100 * "14\t14\t380\t179\n"
+                   + 250 * "380\t179\t20\t15\n")
+        run = self.quiet(self.run_program("batch", FAN, "q.tsv", "--threads", "2"))
+        self.assertEqual(run.lines[0]["path"], self.fan("--json").json["path"])
+        self.assertEqual(len({str(line["path"]) for line in run.lines}), 2)
+        self.assertNotIn("prepare", run.lines[300]["parameters"])
+
     def test_labels_where_there_are_none(self):
         for more, note in ((("--radius", "0.5"), "labels are for a point"),
                            (("--algorithm", "fan2004", "--iterations", "3"), "has no effect")):
@@ -109,6 +121,11 @@ class Prepare(ProgramTest):
         other = os.path.join(MAPS, "grid30a.map")
         self.ended(self.plan("--prepared", "fan.prepared", start="0,0", goal="29,29",
                              map_file=other), 3, "was prepared for another map")
+        for goal in ("0,0", "0,1"):  # no search, or a start that is blocked
+            self.ended(self.plan("--prepared", "fan.prepared", start="0,0", goal=goal,
+                                 map_file=other), 3, "was prepared for another map")
+        self.ended(self.fan("--prepared", "fan.prepared", "--algorithm", "fan2004",
+                            "--iterations", "3"), 0, "--prepared has no effect")
         self.ended(self.fan("--prepared", "no/folder"), 7, "no/folder")
         self.ended(self.fan("--prepared", "new", "--radius", "1"), 2, "--prepared is for a point")
 

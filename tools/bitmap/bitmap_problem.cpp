@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "lasius/io_json.h"
 #include "tools/bitmap/bitmap_report.h"
@@ -168,15 +169,19 @@ std::string unlike_radius(const Json& result) {
 
 void note_map(const LoadedMap& map, RunOptions& run) {
   const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
+  const std::string option = map.prepared.empty() ? "--prepare" : "--prepared";
   if (prepared.state == Preparation::State::too_large)
-    run.notes.push_back("--prepare has no effect: it would take more than " +
+    run.notes.push_back(option + " has no effect: it would take more than " +
                         std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
   if (map.costs)
     run.notes.insert(run.notes.end(), map.costs->notes.begin(), map.costs->notes.end());
   if (prepared.labels.state == Preparation::State::too_large)
-    run.notes.push_back(
-        "--prepare labels has no effect beyond that of graph: there would be more than " +
-        std::to_string(PrepareOptions{}.max_label_entries) + " entries a vertex");
+    run.notes.push_back(option + (map.prepared.empty() ? " labels" : "") +
+                        " has no effect beyond that of graph: there would be more than " +
+                        std::to_string(PrepareOptions{}.max_label_entries) +
+                        " entries a vertex, or " +
+                        std::to_string(PrepareOptions{}.max_label_bytes >> 20) + " MB of them" +
+                        (map.prepared.empty() ? "" : "; the file is not written"));
   if (!run.messages.verbose) return;
   run.notes.push_back(map.file +
                       printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
@@ -240,8 +245,10 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   answer_.start = end_place(*map_, command_.start, run.frame);
   answer_.goal = end_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
-  if (!given && map_->prepare &&
-      is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token))
+  // A file is looked at even where the answer needs no search: it may be of another map.
+  const bool kept = !map_->prepared.empty() && std::filesystem::exists(map_->prepared);
+  if (!given && map_->prepare && map_->planner &&
+      (kept || is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token)))
     prepare(*map_, run.threads, token);
   note_map(*map_, run);
   return most_iterations(find_algorithm(run.params.algorithm()), run.params.iterations);

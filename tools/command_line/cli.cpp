@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -166,13 +167,20 @@ std::string line_of(std::span<const std::string_view> words) {
   return text;
 }
 
-/// The words, with the value of an option that may do without it.
+/// The words, with the value of an option that may do without it. What is like one, and no file, is
+/// meant for it, and refused with the name that is.
 std::vector<std::string> with_values(std::span<const std::string_view> words) {
+  constexpr std::array<std::string_view, 2> kPreparations{"graph", "labels"};
+  const auto is_value = [&](std::string_view word) {
+    if (std::ranges::find(kPreparations, word) != kPreparations.end()) return true;
+    return !word.starts_with('-') && nearest_name(word, kPreparations).has_value() &&
+           !std::filesystem::exists(word);
+  };
   std::vector<std::string> whole(words.begin(), words.end());
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i] == "--") break;
     const std::string_view next = i + 1 < words.size() ? words[i + 1] : "";
-    if (words[i] == "--prepare" && next != "graph" && next != "labels") whole[i] += "=graph";
+    if (words[i] == "--prepare" && !is_value(next)) whole[i] += "=graph";
   }
   return whole;
 }

@@ -84,9 +84,10 @@ void finish_run(RunOptions& run) {
     run.inputs.push_back(map.prepared);
   }
   if (map.prepare && !run.with_optimum && !certifies) {
+    const char* const name = map.prepared.empty() ? "--prepare" : "--prepared";
     map.prepare = map.labels = false;
     map.prepared.clear();
-    note("--prepare has no effect: it is for exact, and for --gap");
+    note(std::string(name) + " has no effect: it is for exact, and for --gap");
   }
   if (map.labels && map.radius > 0) {
     map.labels = false;

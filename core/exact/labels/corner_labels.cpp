@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "core/base/held_bytes.h"
 #include "core/base/parallel.h"
@@ -10,6 +11,8 @@
 namespace lasius::exact {
 namespace {
 
+// Places in the arrays are 32 bits wide.
+constexpr std::int64_t kMostPlaces = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int64_t kEntryBytes = sizeof(std::uint32_t) + sizeof(double) + sizeof(LabelStep);
 
 // A corner's entries in the order in which queries read them: by side, by turn, by rank.
@@ -119,21 +122,28 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  const auto give_up = [&](HubsEnd how) {
+    end(how == HubsEnd::stopped ? State::stopped : State::too_large);
+  };
   const TautGraph taut(graph);
   {
     Hubs hubs;
-    const std::int64_t most =
-        std::min<std::int64_t>(std::int64_t{options.max_label_entries} * graph.size(),
-                               options.max_label_bytes / kEntryBytes);
+    const std::int64_t most = std::min({std::int64_t{options.max_label_entries} * graph.size(),
+                                        options.max_label_bytes / kEntryBytes, kMostPlaces});
     const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs);
     if (found != HubsEnd::ready) {
-      end(found == HubsEnd::stopped ? State::stopped : State::too_large);
+      give_up(found);
       return nullptr;
     }
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
   }
   labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
-  list_tiles(grid, taut, threads, options.stop, labels->arrays_);
+  const std::int64_t most_seen = std::min(options.max_label_bytes / kTileCornerBytes, kMostPlaces);
+  const HubsEnd listed = list_tiles(grid, taut, most_seen, threads, options.stop, labels->arrays_);
+  if (listed != HubsEnd::ready) {
+    give_up(listed);
+    return nullptr;
+  }
   if (options.stop.poll() != StopCondition::Cause::none) {
     end(State::stopped);
     return nullptr;

@@ -24,7 +24,7 @@ struct Hubs {
   std::vector<std::vector<HubEntry>> entries;  ///< by corner
 };
 
-/// What became of it where there are none.
+/// What became of it, or of another part of labels.
 enum class HubsEnd { ready, too_many, stopped };
 
 /// Hub labels of taut paths: for any two corners that follow each other, near or far, on a shortest

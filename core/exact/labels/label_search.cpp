@@ -244,11 +244,11 @@ void LabelSearch::write_path(const ExactOptions& options, ExactAnswer& answer) {
 }
 
 LabelSearch::View LabelSearch::view(const Grid& grid, const CornerGraph& graph,
-                                    const CornerLabels& labels, Point place) {
+                                    const CornerLabels& labels, Point place,
+                                    const StopCondition& stop) {
   begin(graph, labels);
   View view{.at = QueryEnd(place), .blocks = {}};
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(stop, kWordsPerPoll);
   gather(view_of(grid), view, poller, [&](std::uint32_t corner) { view.dead.push_back(corner); });
   return view;
 }

@@ -40,7 +40,9 @@ class LabelSearch {
     std::int64_t entries = 0;
     std::vector<std::uint32_t> dead = {};  ///< corners at which a path can only end
   };
-  View view(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point place);
+  /// Incomplete when stopped.
+  View view(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels, Point place,
+            const StopCondition& stop);
   /// The lengths of shortest paths from one place to others, a merge each; infinite where there is
   /// none. All views are of this map.
   void lengths_to(const Grid& grid, const CornerGraph& graph, const CornerLabels& labels,

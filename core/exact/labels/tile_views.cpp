@@ -44,18 +44,19 @@ struct Seen {
 
 class TileLister {
  public:
-  TileLister(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
-             LabelArrays& labels)
+  TileLister(const Grid& grid, const TautGraph& graph, std::int64_t most, int threads,
+             const StopCondition& stop, LabelArrays& labels)
       : map_(view_of(grid)),
         mirrored_(map_),
         graph_(graph),
+        most_(most),
         threads_(threads),
         stop_(stop),
         labels_(labels),
         tiles_across_((map_.width + 7) >> 3),
         tiles_(tiles_across_ * ((map_.height + 7) >> 3)) {}
 
-  void run() {
+  HubsEnd run() {
     const std::uint32_t n = graph_.size();
     const auto blocks = static_cast<int>((n + kBlock - 1) / kBlock);
     std::vector<std::vector<Seen>> seen(static_cast<std::size_t>(blocks));
@@ -64,16 +65,23 @@ class TileLister {
     parallel_for(blocks, threads_, [&](int block, int thread) {
       const auto begin = static_cast<std::uint32_t>(block) * kBlock;
       Worker& worker = *team[static_cast<std::size_t>(thread)];
-      for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v)
-        look(v, worker, seen[static_cast<std::size_t>(block)]);
+      auto& part = seen[static_cast<std::size_t>(block)];
+      for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v) {
+        const std::size_t before = part.size();
+        if (pairs_ <= most_) look(v, worker, part);
+        pairs_ += static_cast<std::int64_t>(part.size() - before);
+      }
       if (worker.poller.stopped()) stopped_ = true;
     });
     team.clear();
+    if (!stopped_ && pairs_ > most_) return HubsEnd::too_many;
     if (!stopped_) deal_out(seen);
+    return stopped_ ? HubsEnd::stopped : HubsEnd::ready;
   }
 
  private:
-  static constexpr std::uint32_t kBlock = 64;  // corners that one thread looks from in turn
+  static constexpr std::uint32_t kBlock = 64;      // corners that one thread looks from in turn
+  static constexpr std::size_t kWordsPerSeen = 4;  // of work, for a corner that a tile sees
   struct alignas(64) Worker {
     Worker(std::int64_t tiles, const StopCondition& stop)
         : poller(stop), cells(static_cast<std::size_t>(tiles)) {}
@@ -161,15 +169,24 @@ class TileLister {
     for (std::size_t t = 0; t + 1 < first.size(); ++t) first[t + 1] += first[t];
     std::vector<Seen> sorted(first.back());
     auto at = first;
+    std::vector<Poller> pollers(static_cast<std::size_t>(threads_), Poller(stop_));
+    const auto go_on = [&](std::size_t work, int thread) {
+      if (pollers[static_cast<std::size_t>(thread)].stop_after(static_cast<std::int64_t>(work)))
+        stopped_ = true;
+      return !stopped_;
+    };
     for (auto& part : seen) {
+      if (!go_on(part.size(), 0)) return;
       for (const Seen& s : part) sorted[at[s.tile]++] = s;
       part = {};
     }
     std::vector<char> live(sorted.size());
-    parallel_for(static_cast<int>(tiles_), threads_, [&](int t, int) {
+    parallel_for(static_cast<int>(tiles_), threads_, [&](int t, int thread) {
+      if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), thread)) return;
       for (std::uint32_t i = first[t]; i < first[t + 1]; ++i) live[i] = is_live(sorted[i]);
     });
     for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(tiles_); ++t) {
+      if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), 0)) return;
       const std::uint64_t all = free_cells(t);
       Tile tile{};
       tile.masks = count(labels_.masks);
@@ -212,18 +229,20 @@ class TileLister {
   const kernels::BitmapView map_;
   const MirroredMap mirrored_;
   const TautGraph& graph_;
+  const std::int64_t most_;
   const int threads_;
   const StopCondition& stop_;
   LabelArrays& labels_;
   const std::int64_t tiles_across_, tiles_;
+  std::atomic<std::int64_t> pairs_ = 0;  // of tiles and corners that they see
   std::atomic<bool> stopped_ = false;
 };
 
 }  // namespace
 
-void list_tiles(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
-                LabelArrays& labels) {
-  TileLister(grid, graph, threads, stop, labels).run();
+HubsEnd list_tiles(const Grid& grid, const TautGraph& graph, std::int64_t most, int threads,
+                   const StopCondition& stop, LabelArrays& labels) {
+  return TileLister(grid, graph, most, threads, stop, labels).run();
 }
 
 }  // namespace lasius::exact

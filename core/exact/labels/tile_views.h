@@ -8,9 +8,12 @@
 
 namespace lasius::exact {
 
-/// Fills tiles, live, dead and masks. The same for any number of
-/// threads; incomplete when stopped.
-void list_tiles(const Grid& grid, const TautGraph& graph, int threads, const StopCondition& stop,
-                LabelArrays& labels);
+/// What a corner that a tile's cells see takes at most, in bytes, once all are listed.
+constexpr std::int64_t kTileCornerBytes = sizeof(TileCorner) + sizeof(std::uint64_t);
+
+/// Fills tiles, live, dead and masks. The same for any number of threads; incomplete when stopped,
+/// and where tiles would see more than `most` corners, all told: then it ends early.
+HubsEnd list_tiles(const Grid& grid, const TautGraph& graph, std::int64_t most, int threads,
+                   const StopCondition& stop, LabelArrays& labels);
 
 }  // namespace lasius::exact

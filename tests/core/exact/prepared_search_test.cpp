@@ -126,5 +126,52 @@ TEST_P(PreparedSearchStop, BoundsHoldWheneverItComes) {
   EXPECT_GT(stops.stopped, 0);
 }
 
+// Told only where it is the one that the ordinary search finds, on maps of many ties, too; and at
+// once where nothing is symmetric.
+TEST(PreparedSearch, TellsTheOnlyPath) {
+  std::mt19937 random(11);
+  PreparedSearch search;
+  ExactSearch plain;
+  int told = 0, asked = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Grid grid = i % 2 == 0 ? random_small_grid(i, random) : random_large_grid(i, random);
+    const Graph graph = graph_of(grid);
+    for (int k = 0; k < 20; ++k) {
+      const auto start = random_free(grid, random);
+      const auto goal = random_free(grid, random);
+      if (!start || !goal) break;
+      ExactAnswer only;
+      const ExactAnswer expected = lasius::solve(plain, grid, *start, *goal);
+      const bool found = search.search_only(grid, *graph, centre(*start), centre(*goal), {}, only);
+      asked += expected.path.empty() ? 0 : 1;
+      if (!found) continue;
+      ++told;
+      ASSERT_EQ(only.path, expected.path);
+      EXPECT_EQ(only.length, expected.length);
+      EXPECT_EQ(only.lower_bound, expected.lower_bound);
+      EXPECT_EQ(only.optimal, expected.optimal);
+    }
+  }
+  EXPECT_GT(told, asked / 2);
+  EXPECT_LE(told, asked);
+}
+
+// Around a block in the middle there are two ways, as short.
+TEST(PreparedSearch, TellsNoPathOfTwo) {
+  Grid grid(9, 9);
+  grid.fill({3, 3, 3, 3}, true);
+  const Graph graph = graph_of(grid);
+  PreparedSearch search;
+  ExactAnswer answer;
+  const auto told = [&](Cell start, Cell goal) {
+    return search.search_only(grid, *graph, centre(start), centre(goal), {}, answer);
+  };
+  EXPECT_FALSE(told({0, 4}, {8, 4}));
+  EXPECT_FALSE(told({1, 1}, {7, 7}));
+  EXPECT_TRUE(told({0, 3}, {8, 3}));
+  EXPECT_TRUE(told({0, 0}, {8, 0}));
+  EXPECT_EQ(answer.path.size(), 2U);
+}
+
 }  // namespace
 }  // namespace lasius

@@ -167,6 +167,23 @@ TEST(PreparedPlanner, AFileKeepsWhatWasPrepared) {
   EXPECT_THROW((void)Planner(map()).load_preparation(file + ".none"), Error);
 }
 
+// A batch makes a graph for itself, which shows in no answer.
+TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
+  const Planner planner(map());
+  const auto queries = some_queries(1500);
+  Workspace workspace;
+  for (const int threads : {1, 2}) {
+    plan_batch(planner, queries, {}, {.threads = threads}, [&](const BatchAnswer& answer) {
+      const Result alone = planner.plan(queries[answer.index], {}, &workspace);
+      EXPECT_EQ(answer.result.status, alone.status);
+      EXPECT_EQ(answer.result.path, alone.path);
+      EXPECT_EQ(answer.result.length, alone.length);
+      EXPECT_EQ(answer.result.lower_bound, alone.lower_bound);
+      EXPECT_EQ(answer.result.optimal, alone.optimal);
+    });
+  }
+}
+
 TEST(PreparedPlanner, ThreadsChangeNothing) {
   const auto queries = some_queries(60);
   std::vector<std::vector<Point>> first;
