@@ -179,6 +179,7 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   last_ = CornerTable::kStart;
   touched_ = nullptr;
   improving_ = false;
+  passes_goal_ = false;
   const kernels::HalfPoint near = start_.near();
   corners_.reset(grid.width(),
                  {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, 0});

@@ -16,6 +16,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/alternatives.h"
 #include "core/plan/disc_path.h"
 #include "core/plan/exact_view.h"
 #include "core/plan/legs.h"
@@ -180,6 +181,8 @@ std::optional<std::string> fault_of(const PlanningMap& map, const Result& result
 
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
+  const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
+  check_alternatives(asked, find_algorithm(given.algorithm()), robot);
   if (!asked.via.empty()) {
     const auto plan = [&](const Request& leg) {
       return answer(map, leg, given, workspace, observer, own);
@@ -192,7 +195,6 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
-  const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
   check_serves(algorithm, robot);
   const Grid& grid = map.grid;
   check_own_rules(own, grid, given);
@@ -269,6 +271,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
   }
+  if (request.alternatives > 0 && result.optimal)
+    add_alternatives(map, request, places, memory, result);
   if (places.way_out) lead_out(result, start.at, *places.way_out, curved);
   return result;
 }
