@@ -70,6 +70,10 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
   if (map.labels != nullptr && memory.labels.search(map.grid, *map.graph, *map.labels, places.from,
                                                     places.to, options, request.stop, answer))
     return result_of(answer);
+  if (map.stale != nullptr &&
+      map.stale->search({memory.labels, memory.prepared}, map.grid, places.from, places.to, options,
+                        request.stop, answer))
+    return result_of(answer);
   exact::Anytime anytime(memory.bounding, map.grid, places.from, places.to, options, request.stop);
   if (map.graph != nullptr) {
     memory.prepared.search(map.grid, *map.graph, places.from, places.to, anytime.options(),
