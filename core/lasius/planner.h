@@ -238,7 +238,7 @@ class LASIUS_EXPORT Planner {
   struct Footprint {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
-    std::int64_t visibility_graph = 0;  ///< with labels; 0 where the map is not prepared
+    std::int64_t visibility_graph = 0;  ///< with labels, not of an older map; 0: none
     std::int64_t disc = 0;              ///< the map before it grew, a disc's free space, and
                                         ///< what widest_disc() keeps
   };
