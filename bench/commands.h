@@ -20,6 +20,7 @@ void add_costs_command(CLI::App& app);
 void add_disc_command(CLI::App& app);
 void add_labels_command(CLI::App& app);
 void add_edits_command(CLI::App& app);
+void add_competition_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
 void add_overshoot_command(CLI::App& app);
 void add_quality_command(CLI::App& app);

@@ -29,6 +29,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_disc_command(app);
   add_labels_command(app);
   add_edits_command(app);
+  add_competition_command(app);
   add_colony_command(app);
   add_overshoot_command(app);
   add_quality_command(app);

@@ -1,7 +1,9 @@
 // lasius_bench edits: a map that changes, a few cells at a time, prepared or not.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,14 +14,18 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/exact/corner_graph.h"
+#include "core/exact/exact.h"
+#include "core/exact/labels/corner_labels.h"
 #include "core/exact/prepared_search.h"
+#include "core/plan/stale_answers.h"
 #include "lasius/navigator.h"
+#include "lasius/planner.h"
 
 namespace lasius::bench {
 namespace {
 
 struct EditsOptions : QueryOptions {
-  EditsOptions() : QueryOptions{.count = 100, .rounds = 5} {}
+  EditsOptions() : QueryOptions{.count = 300, .rounds = 1} {}
   int edits = 1000;
   int cells = 10;
   int side = 5;
@@ -41,62 +47,91 @@ Rectangle edit(Grid& grid, const EditsOptions& options, std::mt19937_64& random)
   return part;
 }
 
-// Microseconds of processor time a query, mean; medians over the rounds, but for one to warm up.
-double prepared_time(const QuerySet& set, const exact::CornerGraph& graph, int rounds,
-                     std::vector<double>& lengths) {
-  exact::PreparedSearch search;
-  ExactAnswer answer;
-  double sum = 0;
-  lengths.clear();
-  for (const Query& query : set.queries) {
-    if (set.grid.blocked(query.start) || set.grid.blocked(query.goal)) continue;
-    const auto plan = [&] {
-      search.search(set.grid, graph, query.start, query.goal, {}, {}, answer);
-    };
-    plan();  // to warm up
-    sum += median_microseconds(rounds, plan);
-    lengths.push_back(answer.length);
+// How answers by what was prepared before some edits fare.
+struct Stale {
+  int asked = 0, unchanged = 0, told = 0, told_of_unchanged = 0, wrong = 0;
+  double stale_us = 0, exact_us = 0;  // sums
+};
+
+Stale ask_all(const QuerySet& set, const std::vector<double>& before, const Grid& now,
+              const StaleAnswers& stale) {
+  exact::LabelSearch labels;
+  exact::PreparedSearch prepared;
+  ExactSearch plain;
+  ExactAnswer answer, right;
+  Stale sum;
+  for (std::size_t i = 0; i < set.queries.size(); ++i) {
+    const auto& [start, goal, optimum] = set.queries[i];
+    if (now.blocked(start) || now.blocked(goal) || std::isnan(before[i])) continue;
+    const Point from = centre(start), to = centre(goal);
+    bool told = false;
+    sum.stale_us += median_microseconds(3, [&] {
+      told = stale.search({labels, prepared}, now, from, to, {}, {}, answer);
+    });
+    sum.exact_us += median_microseconds(3, [&] { plain.search(now, from, to, {}, {}, right); });
+    const double near = 1e-9 * right.length;
+    const bool unchanged = std::abs(right.length - before[i]) <= near;
+    ++sum.asked;
+    sum.unchanged += unchanged;
+    sum.told += told;
+    sum.told_of_unchanged += told && unchanged;
+    sum.wrong += told && !(std::abs(answer.length - right.length) <= near);
   }
-  return sum / static_cast<double>(lengths.size());
+  return sum;
 }
 
-void measure_prepared(QuerySet set, const EditsOptions& options, Table& table) {
+void measure_prepared(const QuerySet& set, const EditsOptions& options, Table& table) {
+  const PrepareOptions how{.threads = 1, .max_bytes = std::int64_t{4} << 30, .labels = true};
+  const Planner planner = Planner(set.grid).prepared(how);
   Preparation report;
-  const PrepareOptions prepare{.max_bytes = std::int64_t{4} << 30};
-  const Stopwatch watch;
-  const auto graph = exact::CornerGraph::make(set.grid, prepare, report);
-  const double prepared = watch.seconds();
-  const auto left_out = [&] {
-    std::cerr << set.name << ": left out, " << to_string(report.state) << '\n';
-  };
-  if (graph == nullptr) return left_out();
-  std::vector<double> lengths, fresh_lengths, times;
-  const double before = prepared_time(set, *graph, options.rounds, lengths);
+  std::shared_ptr<const exact::CornerGraph> graph = exact::CornerGraph::make(set.grid, how, report);
+  const auto labels =
+      graph == nullptr ? nullptr : exact::CornerLabels::make(set.grid, *graph, how, report.labels);
+  if (labels == nullptr) {
+    std::cerr << set.name << ": left out, without labels\n";
+    return;
+  }
+  std::vector<double> before;
+  ExactSearch search;
+  ExactAnswer answer;
+  for (const Query& query : set.queries) {
+    search.search(set.grid, query.start, query.goal, {}, {}, answer);
+    before.push_back(answer.length);
+  }
+  StaleAnswers stale(std::make_shared<const PreparedMap>(PreparedMap{set.grid, graph, labels}),
+                     set.grid, {});
   std::mt19937_64 random(options.maps.seed);
-  for (int i = 0; i < options.edits; ++i) {
-    const Rectangle part = edit(set.grid, options, random);
-    const Stopwatch spent;
-    graph->update(set.grid, part);
-    times.push_back(spent.microseconds());
+  Grid now = set.grid;
+  int done = 0;
+  for (const int edits : {1, 10, 100}) {
+    std::vector<Cell> changed;
+    for (; done < edits; ++done) {
+      const Rectangle part = edit(now, options, random);
+      for (int y = part.y; y < part.y + part.height; ++y)
+        for (int x = part.x; x < part.x + part.width; ++x) changed.push_back({x, y});
+    }
+    stale = StaleAnswers(stale, now, changed);
+    std::vector<Planner::Edit> all;
+    for (int y = 0; y < now.height(); ++y)
+      for (int x = 0; x < now.width(); ++x)
+        if (now.blocked({x, y}) != set.grid.blocked({x, y}))
+          all.push_back({{x, y}, now.blocked({x, y})});
+    const Planner edited = planner.edited(all);
+    ProcessorStopwatch watch;
+    const Preparation again = edited.prepared(how).preparation();
+    const double again_seconds = watch.seconds();
+    watch = {};
+    const Preparation anew = Planner(now).prepared(how).preparation();
+    const double anew_seconds = watch.seconds();
+    const Stale sum = ask_all(set, before, now, stale);
+    table.row(
+        set.name + ", " + std::to_string(edits),
+        {100.0 * sum.unchanged / sum.asked, 100.0 * sum.told / sum.asked,
+         100.0 * sum.told_of_unchanged / std::max(sum.unchanged, 1), 1.0 * sum.wrong,
+         sum.stale_us / sum.asked, sum.exact_us / sum.asked, 1e3 * again_seconds,
+         1e3 * anew_seconds,
+         static_cast<double>(again.labels.entries) / static_cast<double>(anew.labels.entries)});
   }
-  const auto fresh = exact::CornerGraph::make(set.grid, prepare, report);
-  if (fresh == nullptr) return left_out();
-  const double anew = prepared_time(set, *fresh, options.rounds, fresh_lengths);
-  const double after = prepared_time(set, *graph, options.rounds, lengths);
-  int differ = 0, landmarks = 0;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    differ += std::abs(lengths[i] - fresh_lengths[i]) > 1e-9 * fresh_lengths[i];
-  }
-  for (std::size_t i = 0; i < graph->landmarks().cells().size(); ++i) {
-    landmarks += graph->landmarks().bounds(i);
-  }
-  std::vector<std::string> cells{set.name};
-  for (const double figure :
-       {prepared, median(times), quantile(times, 0.99), largest(times), before, anew, after})
-    cells.push_back(short_number(figure));
-  cells.push_back(std::to_string(landmarks));
-  cells.push_back(std::to_string(differ + (graph->edge_count() != fresh->edge_count())));
-  table.row(cells);
 }
 
 /// Of a Navigator's map, not prepared, until it is known again what is joined to what.
@@ -139,10 +174,14 @@ void run_edits(const EditsOptions& options) {
       measure_unprepared(load(source, 1), options, table);
     return;
   }
-  Table table(what + "; " + std::to_string(options.count) +
-                  " queries, median of rounds: " + std::to_string(options.rounds) + ".",
-              {"map", "prepared, s", "edit, us, median", "99%", "most", "query, us, before",
-               "on a fresh graph", "on the edited one", "landmarks left", "differences"});
+  Table table(what + ". Of " + std::to_string(options.count) +
+                  " queries a map at most, after 1, 10 and 100 edits: whose optimum is unchanged; "
+                  "which the labels made before answer, of all and of these; wrong answers; mean "
+                  "microseconds of such a try, and of the ordinary search; all prepared again on "
+                  "one thread, in the kept order and anew, milliseconds of processor time; "
+                  "entries, kept / anew.",
+              {"map, edits", "unchanged, %", "told, %", "of unchanged, %", "wrong", "stale, us",
+               "exact, us", "again, ms", "anew, ms", "entries"});
   for (const QuerySource& source : sources_of(options.maps))
     measure_prepared(load(source, options.count), options, table);
 }
@@ -153,7 +192,7 @@ void add_edits_command(CLI::App& app) {
   const auto [command, options] = add_command(
       app, "edits", "A map that changes: edits, and queries on the prepared one", run_edits);
   add_query_options(command, options);
-  add_number(command, "--edits", options.edits, "Edits of each map", 1);
+  add_number(command, "--edits", options.edits, "Edits of each map that is not prepared", 1);
   add_number(command, "--cells", options.cells, "Cells that an edit changes, at most", 1);
   command.add_flag("--unprepared", options.unprepared, "A Navigator's map that is not prepared");
   add_number(command, "--side", options.side, "Of the square that they are in", 1, 1000);

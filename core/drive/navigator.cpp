@@ -61,19 +61,14 @@ double Navigator::radius() const noexcept { return impl_->options.radius; }
 void Navigator::begin_drive() { impl_->doubts = Doubts(0); }
 double Navigator::goal_tolerance() const noexcept { return impl_->options.goal_tolerance; }
 Corners Navigator::corners() const noexcept { return impl_->corners; }
-Preparation Navigator::preparation() const noexcept {
-  Preparation now = impl_->preparation;
-  if (impl_->graph) {
-    now.edges = impl_->graph->edge_count();
-    now.bytes = impl_->graph->bytes();
-  }
-  return now;
-}
+Preparation Navigator::preparation() const noexcept { return impl_->preparation; }
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
-  return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + preparation().bytes +
+  return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + i.preparation.bytes +
+         i.preparation.labels.bytes + (i.stale ? i.stale->bytes() : 0) +
          (i.space() != nullptr ? i.space()->bytes() : 0) + i.workspace.bytes() + i.doubts.bytes() +
-         i.string.bytes() + held_bytes(i.way.path, i.way.walk, i.way.curve, i.edited, i.walk) +
+         i.string.bytes() +
+         held_bytes(i.way.path, i.way.walk, i.way.curve, i.edited, i.walk, i.unprepared) +
          (i.costs ? i.costs->bytes() : 0);
 }
 

@@ -23,6 +23,7 @@
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
 #include "core/plan/disc_path.h"
+#include "core/plan/stale_answers.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
 #include "lasius/navigator.h"
@@ -130,8 +131,12 @@ class Navigator::Impl {
     const auto begin = Clock::now();
     if (robot_disc) {
       disc_graph = disc::DiscGraph::make(*space(), how, preparation);
-    } else {
-      graph = exact::CornerGraph::make(map.passable(), how, preparation);
+    } else if (auto graph = exact::CornerGraph::make(map.passable(), how, preparation)) {
+      auto labels = how.labels
+                        ? exact::CornerLabels::make(map.passable(), *graph, how, preparation.labels)
+                        : nullptr;
+      prepared = std::make_shared<const PreparedMap>(
+          PreparedMap{map.passable(), std::move(graph), std::move(labels)});
     }
     preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
@@ -139,7 +144,7 @@ class Navigator::Impl {
   const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
     four.changed(map.passable(), part);
     if (eight) eight->changed(map.passable(), part);
-    if (graph) graph->update(map.passable(), part);
+    if (prepared) unprepared.insert(unprepared.end(), cells.begin(), cells.end());
     if (colony) colony->changed(part);
     if (holds && !robot_disc && !costs) {
       holds = std::ranges::none_of(
@@ -191,13 +196,29 @@ class Navigator::Impl {
   /// Of the goal itself, which cannot be reached.
   bool ends_short() const noexcept { return way.goal_reached && *way.goal_reached != goal; }
 
+  /// What was prepared tells of the map as it is now, as far as it does.
+  void note_changes() {
+    if (unprepared.empty()) return;
+    stale = stale ? StaleAnswers(*stale, map.passable(), unprepared)
+                  : StaleAnswers(prepared, map.passable(), unprepared);
+    unprepared.clear();
+    if (stale->tells()) return;
+    stale.reset();
+    prepared.reset();
+    preparation = {.seconds = preparation.seconds};
+  }
+
   Result ask(Cell robot, const StopCondition& stop) {
+    note_changes();
+    const PreparedMap* const whole = stale ? nullptr : prepared.get();
     PlanningMap known{
         .grid = map.passable(),
-        .graph = graph.get(),
+        .graph = whole != nullptr ? whole->graph.get() : nullptr,
+        .labels = whole != nullptr ? whole->labels.get() : nullptr,
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); },
         .disc = robot_disc ? &*robot_disc : nullptr,
         .disc_graph = disc_graph.get(),
+        .stale = stale ? &*stale : nullptr,
         .walked = true};
     if (colony) {
       known.search = [&](const Request& request, const Observer& observer) {
@@ -335,7 +356,9 @@ class Navigator::Impl {
   std::optional<LiveColony> colony;
   LiveComponents four{map.passable(), Connectivity::four};
   std::optional<LiveComponents> eight;  ///< only where paths may squeeze
-  std::shared_ptr<exact::CornerGraph> graph;
+  std::shared_ptr<const PreparedMap> prepared;
+  std::optional<StaleAnswers> stale;  ///< of that, once cells have changed
+  std::vector<Cell> unprepared;       ///< that it does not know of
   Preparation preparation;
   Workspace workspace;
   PathWalker walker;

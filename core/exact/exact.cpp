@@ -181,6 +181,7 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   improving_ = false;
   near_lines_ = exact::kLeastNear;
   barren_tests_ = exact::kFirstBarrenTests;
+  passes_goal_ = false;
   const kernels::HalfPoint near = start_.near();
   corners_.reset(grid.width(),
                  {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, 0});

@@ -8,6 +8,7 @@
 #include "core/base/poller.h"
 #include "core/exact/exact_answer.h"
 #include "core/exact/exact_corner_table.h"
+#include "core/exact/taut_row.h"
 #include "core/grid/cell_set.h"
 #include "kernels/sight/scan_cone.h"
 #include "lasius/grid.h"
@@ -91,6 +92,11 @@ class ExactSearch {
   void shortcut(const Grid& grid, Cell start, Cell goal, double length, const CellSet& cells,
                 std::int64_t work, const StopCondition& stop, std::vector<Point>& path);
 
+  /// The corners around a point over which ways to another may be shorter than `bound`, with their
+  /// shortest ways; of those of one length some one. Returns true if stopped: then there are fewer.
+  bool row(const Grid& grid, Point from, Point to, double bound, const StopCondition& stop,
+           exact::TautRow& row);
+
   /// Begins a search for some path soon and shorter ones after it, for improve(): anytime repairing
   /// A* (ARA*; Likhachev, Gordon & Thrun 2003). Neither end sees the other.
   void begin_improving(const Grid& grid, Point start, Point goal);
@@ -167,8 +173,9 @@ class ExactSearch {
   BucketQueue weighted_frontier_;
   bool weighted_on_ = false;
   bool bounding_ = false;
-  bool improving_ = false;  // the weighted frontier alone is used
-  bool cut_ = false;        // improving was stopped: what was left out might come first
+  bool passes_goal_ = false;  // which ends no way
+  bool improving_ = false;    // the weighted frontier alone is used
+  bool cut_ = false;          // improving was stopped: what was left out might come first
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   int near_lines_ = exact::kLeastNear;  // to where scans ask for limits

@@ -173,7 +173,8 @@ template <int S>
 bool ExactSearch::scan_cone(std::uint32_t index) {
   const Corner& corner = corners_[index];
   const Heading heading = corner.heading;
-  if (goal_in_cone<S>(corner) && goal_.sees(map_, kernels::HalfPoint{corner.x, corner.y})) {
+  if (!passes_goal_ && goal_in_cone<S>(corner) &&
+      goal_.sees(map_, kernels::HalfPoint{corner.x, corner.y})) {
     upper_ = corner.length + corner.to_goal;
     last_ = index;
     return false;  // every other way on from here is longer

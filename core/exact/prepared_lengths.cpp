@@ -35,6 +35,35 @@ void PreparedSearch::reach_all() {
   run(0, kNoBudget);
 }
 
+bool PreparedSearch::row(const Grid& grid, const CornerGraph& graph, Point from, Point to,
+                         double bound, const StopCondition& stop, TautRow& row) {
+  Poller poller(stop);
+  begin(grid, graph, from, poller);
+  goal_ = QueryEnd(to);
+  mode_ = Mode::row;
+  horizon_ = bound;
+  straight_ = lower_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  scan_start_view();
+  restart();
+  upper_ = bound;
+  reach_start_corners();
+  improvements_.begin({});
+  run(0, kNoBudget);
+  row.corners.clear();
+  std::vector<std::uint32_t> places(graph.size(), TautRow::kEnd);
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+    const Node& node = nodes_[i];
+    if (node.stamp != stamp_ || node.length + node.to_goal >= bound) continue;
+    places[i] = static_cast<std::uint32_t>(row.corners.size());
+    const GraphCorner& corner = graph.corner(i);
+    row.corners.push_back({corner.x(), corner.y(), node.length, node.parent});
+  }
+  for (TautRow::Corner& corner : row.corners)
+    if (corner.parent != kStart) corner.parent = places[corner.parent];
+  poller_ = nullptr;
+  return poller.stopped();
+}
+
 bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Point point,
                           const StopCondition& stop, Target& target) {
   Poller poller(stop);

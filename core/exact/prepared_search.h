@@ -12,6 +12,7 @@
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact_answer.h"
 #include "core/exact/query_end.h"
+#include "core/exact/taut_row.h"
 #include "kernels/sight/scan_cone.h"
 #include "kernels/sight/sight.h"
 
@@ -77,6 +78,10 @@ class PreparedSearch {
                   std::span<const Target> targets, const StopCondition& stop,
                   std::span<double> lengths);
 
+  /// As ExactSearch::row.
+  bool row(const Grid& grid, const CornerGraph& graph, Point from, Point to, double bound,
+           const StopCondition& stop, TautRow& row);
+
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
@@ -105,6 +110,7 @@ class PreparedSearch {
     whole_map,  // corners that the goal sees are known; the whole map; estimates by landmarks, too
     flood,      // there is no goal; edges are rounded, taut or not
     all,        // there is no goal; as towards one
+    row,        // the goal ends no way; up to a bound
   };
   // The corner in hand: a lattice point, and the length of the path to it.
   struct Root {

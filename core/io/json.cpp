@@ -77,6 +77,16 @@ std::vector<double> curve(const Json& object, const std::string& key) {
   return values;
 }
 
+/// The path of a result or an alternative; none where it is null.
+std::vector<Point> path_of(const Json& object) {
+  std::vector<Point> path;
+  for (const auto& point : member_or(object, "path", std::vector<std::vector<double>>())) {
+    if (point.size() != 2) throw broken("holds a vertex of the path that is no point");
+    path.push_back({point[0], point[1]});
+  }
+  return path;
+}
+
 /// The value of an enum that to_string names so.
 template <class Enum>
 Enum named(const Json& object, const std::string& key, Enum last) {
@@ -88,9 +98,9 @@ Enum named(const Json& object, const std::string& key, Enum last) {
 
 /// Of a question, which the program keeps beside the parameters.
 bool is_setting(std::string_view name) {
-  constexpr std::array<std::string_view, 11> kSettings{
+  constexpr std::array<std::string_view, 12> kSettings{
       "target_gap", "time_limit", "radius", "spacing", "goal_tolerance", "unknown",
-      "ends",       "inflation",  "moves",  "prepare", "frame"};
+      "ends",       "inflation",  "moves",  "prepare", "frame",          "alternatives"};
   return std::ranges::find(kSettings, name) != kSettings.end();
 }
 
@@ -137,6 +147,9 @@ std::string result_to_json(const Result& result) {
   if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
   if (result.own_rules) object["own_rules"] = true;
   if (result.way_out) object["way_out"] = json::point(*result.way_out);
+  for (const Alternative& other : result.alternatives)
+    object["alternatives"].push_back(
+        {{"length", json::number(other.length)}, {"path", json::points(other.path)}});
   for (const auto& [name, cell] : kCells)
     if (const auto& c = result.*cell) object[name] = {c->x, c->y};
   return json::line(object);
@@ -149,9 +162,10 @@ Result result_from_json(std::string_view text) {
   if (result.status == Status::limit) result.limit = Limit::time;  // the only one on bitmaps
   result.error = member_or(object, "error", std::string());
   result.length = member_or(object, "length", result.length);
-  for (const auto& point : member_or(object, "path", std::vector<std::vector<double>>())) {
-    if (point.size() != 2) throw broken("holds a vertex of the path that is no point");
-    result.path.push_back({point[0], point[1]});
+  result.path = path_of(object);
+  for (const Json& other : member_or(object, "alternatives", std::vector<Json>())) {
+    if (!other.is_object()) throw broken("holds an alternative that is no object");
+    result.alternatives.push_back({path_of(other), member<double>(other, "length")});
   }
   result.iterations = member<int>(object, "iterations");
   result.best = curve(object, "best");

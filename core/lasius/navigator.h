@@ -27,8 +27,10 @@ struct NavigatorOptions {
   /// radius (for `exact` out of [0.05, 54] both are on the cells that grow_obstacles() leaves
   /// free). 0: a point.
   double radius = 0;
-  /// Prepares the map, see Planner; the visibility graph is then kept up to date, but that of a
-  /// disc goes with the first edit. For `exact` only.
+  /// Prepares the map, see Planner. After changes answers come from that where it is proven that
+  /// they are right still, see Planner::edited, else from the ordinary search; a disc's graph goes
+  /// with the first edit, as does a point's with the 1024th cell that has become free. For `exact`
+  /// only.
   std::optional<PrepareOptions> prepare = {};
   double target_gap = 0;  ///< as in Request
   /// step() searches on every time; else only where the way has to be planned anew. For colonies

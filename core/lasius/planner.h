@@ -66,7 +66,7 @@ class LASIUS_EXPORT Planner {
   /// Also prepares the map for `exact`: makes its visibility graph. Answers are as short and as
   /// certain as without; where several paths are shortest perhaps another one. If the graph was
   /// abandoned, planning uses the ordinary search; the stop condition is asked about the graph
-  /// alone. Planners made from this one by edited, exclude and allow are not prepared.
+  /// alone. Of planners made from this one by edited, exclude and allow see edited.
   /// @throws Error(invalid_parameter) where the number of threads is out of range.
   Planner(Grid grid, const PrepareOptions& options);
   /// As the constructors, for those who may have to stop: empty if stopped while components were
@@ -179,7 +179,13 @@ class LASIUS_EXPORT Planner {
   };
   /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
   /// (one bit per cell) and labels only the tiles around changed cells again. What is excluded
-  /// stays excluded. @throws Error(invalid_parameter) for a cell outside the map.
+  /// stays excluded.
+  /// It is not prepared. But where this one is, or was when it was made so, for a point, it keeps
+  /// what was prepared: `exact` then answers by that where the path found is one still and no way
+  /// through what has become free (at most 1024 cells) can be shorter, by labels or else straight
+  /// distances; and by the ordinary search where it is not proven. prepared() of it prepares the
+  /// new map, which another thread may do meanwhile; labels keep the order that the older ones had,
+  /// as long as few corners are new. @throws Error(invalid_parameter) for a cell outside the map.
   Planner edited(std::span<const Edit> edits) const;
   /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
   /// So with a condition below.
@@ -232,7 +238,7 @@ class LASIUS_EXPORT Planner {
   struct Footprint {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
-    std::int64_t visibility_graph = 0;  ///< with labels; 0 where the map is not prepared
+    std::int64_t visibility_graph = 0;  ///< with labels, not of an older map; 0: none
     std::int64_t disc = 0;              ///< the map before it grew, a disc's free space, and
                                         ///< what widest_disc() keeps
   };

@@ -10,6 +10,13 @@
 
 namespace lasius {
 
+/// Another way than the shortest one.
+struct Alternative {
+  std::vector<Point> path;  ///< from where the shortest one begins to where it ends
+  double length = 0;        ///< in cells
+  friend bool operator==(const Alternative&, const Alternative&) = default;
+};
+
 /// One answer; lengths in cells.
 struct Result : SearchResult {
   /// From start to goal, cells' centres or the points asked for; one point where they are the same,
@@ -40,6 +47,15 @@ struct Result : SearchResult {
   /// Rules of the caller's own took part, see OwnRules: parameters and seed alone do not give this
   /// answer again.
   bool own_rules = false;
+  /// With Request::alternatives: other ways, beside a path that is proven shortest, in the order of
+  /// their lengths; fewer where there are no more. Each is taut, hence the shortest of all that
+  /// pass obstacles on the same sides, goes over some corner by the shortest ways to it and from
+  /// it, and does not cross itself. It is at most 1.3 times as long as `path`; at most 70% of it is
+  /// nearer to `path` and the alternatives before than a hundredth of the length of `path` (at
+  /// least one cell), and around that corner a quarter of that length is itself a shortest path.
+  /// Those that a prepared map has may differ where ways are of one length. If a stop condition
+  /// ends the search for them, the status tells, and they are those that were found.
+  std::vector<Alternative> alternatives;
 };
 
 }  // namespace lasius

@@ -16,6 +16,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/alternatives.h"
 #include "core/plan/disc_path.h"
 #include "core/plan/exact_view.h"
 #include "core/plan/legs.h"
@@ -68,6 +69,10 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
   ExactAnswer& answer = memory.exact_answer;
   if (map.labels != nullptr && memory.labels.search(map.grid, *map.graph, *map.labels, places.from,
                                                     places.to, options, request.stop, answer))
+    return result_of(answer);
+  if (map.stale != nullptr &&
+      map.stale->search({memory.labels, memory.prepared}, map.grid, places.from, places.to, options,
+                        request.stop, answer))
     return result_of(answer);
   if (map.sure.graph != nullptr && request.target_gap == 0) {
     ++*map.sure.asked;
@@ -188,6 +193,8 @@ std::optional<std::string> fault_of(const PlanningMap& map, const Result& result
 
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
+  const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
+  check_alternatives(asked, find_algorithm(given.algorithm()), robot);
   if (!asked.via.empty()) {
     const auto plan = [&](const Request& leg) {
       return answer(map, leg, given, workspace, observer, own);
@@ -200,7 +207,6 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
-  const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
   check_serves(algorithm, robot);
   const Grid& grid = map.grid;
   check_own_rules(own, grid, given);
@@ -277,6 +283,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
   }
+  if (request.alternatives > 0 && result.optimal)
+    add_alternatives(map, request, places, memory, result);
   if (places.way_out) lead_out(result, start.at, *places.way_out, curved);
   return result;
 }

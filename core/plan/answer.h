@@ -14,6 +14,7 @@
 #include "core/exact/corner_graph.h"
 #include "core/exact/labels/corner_labels.h"
 #include "core/grid/nearest_free.h"
+#include "core/plan/stale_answers.h"
 #include "lasius/planner.h"
 
 namespace lasius {
@@ -40,6 +41,7 @@ struct PlanningMap {
   const DiscMap* disc = nullptr;  ///< what is planned on for a disc; null: a point's is `grid`
   const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
   const cost::Terrain* terrain = nullptr;       ///< of a search over costs; of a colony's, too
+  const StaleAnswers* stale = nullptr;          ///< of an older map; null if there are none
   bool from_file = false;                       ///< the graph: its edges are not proven here
   /// Asked by `exact` first, in a map that is not prepared: it answers where the shortest path is
   /// the only one, as the search would.

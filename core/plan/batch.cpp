@@ -8,6 +8,7 @@
 #include "core/loop/batch_run.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/alternatives.h"
 #include "core/plan/answer.h"
 #include "core/plan/batch_graph.h"
 
@@ -23,6 +24,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
   for (const Request& request : requests) {
     check_certifies(algorithm, request.target_gap);
     check_goal_tolerance(request.goal_tolerance);
+    check_alternatives(request, algorithm, planner.robot());
   }
   const auto plans = static_cast<std::int64_t>(requests.size()) * options.seeds;
   const bool unprepared = algorithm.kind == Algorithm::Kind::exact && planner.robot().radius == 0 &&

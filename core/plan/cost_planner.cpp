@@ -182,6 +182,9 @@ const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
 // to its centre. What a straight piece there costs is taken off the bound.
 CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
                              const Observer& observer) const {
+  if (asked.alternatives != 0)
+    throw Error(ErrorCode::invalid_parameter, "alternatives are asked for over costs",
+                "ask a Planner: they are ways beside a shortest path");
   if (!asked.via.empty()) return plan_through(asked, options, observer);
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);

@@ -75,7 +75,7 @@ Planner Planner::prepared(const PrepareOptions& options) const {
   check_threads(options.threads);
   auto more =
       std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed, impl_->disc);
-  more->prepare_more(options);
+  more->prepare_more(options, impl_->stale.get());
   return Planner(std::move(more));
 }
 std::optional<Planner> Planner::if_made(std::shared_ptr<const Impl> impl) {

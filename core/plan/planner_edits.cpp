@@ -54,8 +54,16 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> e
     return next_of_disc(std::move(now), changed, std::move(directions), std::move(shut), stop);
   auto components = four.updated(now, changed, stop);
   if (!components) return nullptr;
-  return std::make_shared<const Impl>(std::move(now), std::move(*components), std::move(directions),
-                                      std::move(shut));
+  auto made = std::make_shared<Impl>(std::move(now), std::move(*components), std::move(directions),
+                                     std::move(shut));
+  std::shared_ptr<const StaleAnswers> older;
+  if (graph != nullptr)
+    older = std::make_shared<const StaleAnswers>(
+        std::make_shared<const PreparedMap>(PreparedMap{grid, graph, labels}), made->grid, changed);
+  else if (stale != nullptr)
+    older = std::make_shared<const StaleAnswers>(*stale, made->grid, changed);
+  if (older != nullptr && older->tells()) made->stale = std::move(older);
+  return made;
 }
 
 std::shared_ptr<const Planner::Impl> Planner::Impl::next_of_disc(

@@ -43,16 +43,23 @@ class Planner::Impl {
     return impl;
   }
 
-  void prepare_more(const PrepareOptions& options) {
+  /// `before`: of an older map, whose order of labels is kept; null: none.
+  void prepare_more(const PrepareOptions& options, const StaleAnswers* before = nullptr) {
     const auto begin = Clock::now();
     if (disc == nullptr) {
       graph = exact::CornerGraph::make(grid, options, preparation);
       if (options.labels && graph != nullptr)
-        labels = exact::CornerLabels::make(grid, *graph, options, preparation.labels);
+        labels = exact::CornerLabels::make(grid, *graph, options, preparation.labels,
+                                           order_kept(before));
     } else if (disc->space) {
       disc_graph = disc::DiscGraph::make(*disc->space, options, preparation);
     }
     preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  std::vector<std::uint32_t> order_kept(const StaleAnswers* before) const {
+    if (before == nullptr || before->older().labels == nullptr) return {};
+    return before->older().labels->order_of(*before->older().graph, *graph);
   }
 
   /// The map as it was given, with what is excluded.
@@ -82,6 +89,7 @@ class Planner::Impl {
                                        Corners corners) { return connected(a, b, corners, stop); },
             .disc = disc.get(),
             .disc_graph = disc_graph.get(),
+            .stale = stale.get(),
             .from_file = from_file};
   }
 
@@ -145,6 +153,7 @@ class Planner::Impl {
   std::shared_ptr<const exact::CornerGraph> graph;    ///< of `grid`; null if not prepared
   bool from_file = false;                             ///< it is: not proven here
   std::shared_ptr<const exact::CornerLabels> labels;  ///< of `graph`; null if there are none
+  std::shared_ptr<const StaleAnswers> stale;          ///< of an edited map; null: none
   const std::shared_ptr<const DiscMap> disc;          ///< null for a point
   std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared
   Preparation preparation;

@@ -91,7 +91,7 @@ py::tuple plan(const Planner& planner, const py::object& start, const py::object
                const Params& params, double target_gap, double goal_tolerance,
                std::optional<double> time_limit, SharedWorkspace* workspace,
                const py::object& callback, const OwnTable& heuristic, const py::object& update,
-               const py::object& schedule, const py::tuple& via) {
+               const py::object& schedule, const py::tuple& via, int alternatives) {
   Call call(time_limit);
   const SharedWorkspace::Use use(workspace);
   const Observer observe = observer<GridProgress>(call, callback);
@@ -104,7 +104,8 @@ py::tuple plan(const Planner& planner, const py::object& start, const py::object
                   .target_gap = target_gap,
                   .goal_tolerance = goal_tolerance,
                   .start_point = from.point,
-                  .goal_point = to.point};
+                  .goal_point = to.point,
+                  .alternatives = alternatives};
   for (const py::handle place : via) {
     const End on_the_way(py::reinterpret_borrow<py::object>(place));
     request.via.push_back(on_the_way.point.value_or(centre(on_the_way.cell)));

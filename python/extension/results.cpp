@@ -28,8 +28,12 @@ py::tuple fields(const Result& r) {
     curve.append(py::make_tuple(piece.from, piece.to, piece.turn,
                                 piece.turn == 0 ? py::object(py::none()) : py::cast(piece.centre),
                                 piece.radius, piece.angle));
+  py::list others;
+  for (const Alternative& other : r.alternatives)
+    others.append(py::make_tuple(to_array(std::span(other.path)), other.length));
   return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.way_out, r.goal_reached,
-                        r.nearest_free, r.nearest_reachable, r.own_rules, py::tuple(curve));
+                        r.nearest_free, r.nearest_reachable, r.own_rules, py::tuple(curve),
+                        py::tuple(others));
 }
 
 namespace {

@@ -36,11 +36,12 @@ from .maps import (
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
-from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
+from .results import Alternative, BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
 
 __all__ = [
     "Algorithm",
+    "Alternative",
     "BatchResult",
     "Changes",
     "Contact",

@@ -194,6 +194,7 @@ class Planner:
         update: Optional[Callable[[Pheromone, IterationTours], Any]],
         schedule: Optional[Callable[[int], Dict[str, float]]],
         via: Tuple[Any, ...],
+        alternatives: int,
     ) -> Tuple[_Error, Tuple[Any, ...]]: ...
     def edited(
         self, cells: npt.NDArray[np.int32], blocked: npt.NDArray[np.bool_]

@@ -130,6 +130,7 @@ class Planner:
         target_gap: float = 0.0,
         goal_tolerance: float = 0.0,
         via: Sequence[End] = (),
+        alternatives: int = 0,
         observer: Optional[Observer] = None,
         progress: Shown = None,
         workspace: Optional[Workspace] = None,
@@ -146,6 +147,8 @@ class Planner:
         >>> planner = Planner(lasius.generate("blobs", width=400, height=200, seed=61))
         >>> planner.plan((14, 14), (380, 179), "fan2004", iterations=20, seed=3).status
         'solved'
+        >>> [round(other.length) for other in planner.plan((14, 14), (380, 179), alternatives=2).alternatives]
+        [447, 457]
         >>> planner.plan((14, 14), (9999, 0)).error
         'goal (9999, 0) is outside the map; the nearest free cell that can be reached from the start is (399, 9); (399, 0) is nearer, but cannot be reached'
 
@@ -160,6 +163,8 @@ class Planner:
                 can be, at most so many cells away: `goal_reached`.
             via: cells or points that the path goes through on its way, in this order; the error of one that
                 cannot be reached names it.
+            alternatives: of `exact` for a point: so many other ways at most, to 100, that differ from the shortest
+                one: `alternatives`, each taut, at most 1.3 times as long, and at most 70% of it near others.
             observer: called with a Progress once an iteration, of `exact` with every shorter path;
                 `progress.stop()` ends the search.
             progress: True shows a bar in a terminal or notebook; or called with (done, all, text).
@@ -178,7 +183,8 @@ class Planner:
         used, own = self._asked(params, settings, heuristic, update, schedule)
         with watched(observer, progress, used) as watch:
             error, (search, *found) = self._raw.plan(
-                start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own, tuple(via)
+                start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own, tuple(via),
+                alternatives,
             )
         result = answer(Result, search, *found, start, goal, used, self.radius, self._grid)
         return result if error is None else finish(error, result)

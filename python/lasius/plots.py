@@ -151,6 +151,8 @@ def draw_result(result: Result, upper: Any, lower: Any, map: Optional[Map] = Non
     path, goal = points_of(result), centre_of(result.goal)
     short = len(path) > 0 and not np.array_equal(path[-1], goal)
     draw_map(result.grid, upper, map)
+    for other in result.alternatives:
+        upper.plot(*placed(other.path).T, color="#ed9490", linewidth=1.5)
     if len(path) > 0:
         draw_line(placed(path), upper, "goal reached" if short else "goal")
         if short:

@@ -109,6 +109,14 @@ class CurvePiece(NamedTuple):
     angle: float  #: of an arc, in radians, at most pi / 2
 
 
+@dataclass(eq=False)
+class Alternative(Record):
+    """Another way than the shortest one."""
+
+    path: FloatArray  #: as of Result
+    length: float  #: in cells
+
+
 @dataclass(eq=False, repr=False)
 class Result(SearchResult):
     """One answer on a bitmap; lengths in cells."""
@@ -127,6 +135,7 @@ class Result(SearchResult):
     #: of `exact` for a disc: the path as it is, of which `path` is a polyline that keeps the radius, too,
     #: and is at most a thousandth longer than `length`; else empty
     curve: Tuple[CurvePiece, ...]
+    alternatives: Tuple[Alternative, ...]  #: other ways, where they were asked for, in the order of their lengths
     start: End  #: as asked
     goal: End  #: as asked
     params: ParameterSet  #: as asked
@@ -135,6 +144,9 @@ class Result(SearchResult):
 
     def __post_init__(self) -> None:
         self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
+        self.alternatives = tuple(
+            other if isinstance(other, Alternative) else Alternative(*other) for other in self.alternatives
+        )
 
     @explained
     def poses(self, spacing: float, *, map: Optional[Map] = None) -> FloatArray:

@@ -62,7 +62,8 @@ Request request_of(const LoadedMap& map, const RunOptions& run, const Place& sta
                   .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap,
                   .goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance),
                   .start_point = start.point,
-                  .goal_point = goal.point};
+                  .goal_point = goal.point,
+                  .alternatives = run.alternatives};
   for (const End& via : run.via) request.via.push_back(end_place(map, via, run.frame).at());
   return request;
 }

@@ -60,10 +60,24 @@ Json curve_json(const Result& result, const LoadedMap* frame, const At& at) {
 }
 
 /// In metres.
-std::vector<Point> world_path(const LoadedMap& map, const RunOptions& run, const Answer& answer) {
+std::vector<Point> world_path(const LoadedMap& map, const RunOptions& run, const Answer& answer,
+                              const std::vector<Point>& cells) {
   std::vector<Point> path;
-  for (const Point p : answer.result.path) path.push_back(in_metres(map, run, answer, p));
+  for (const Point p : cells) path.push_back(in_metres(map, run, answer, p));
   return path;
+}
+
+Json alternatives_json(const MapEnds& ends, const Answer& answer) {
+  Json json = Json::array();
+  for (const Alternative& other : answer.result.alternatives) {
+    Json one = {{"length", number(other.length)}, {"path", points(other.path)}};
+    if (ends.in_metres()) {
+      one["length_m"] = number(ends.map.metres(other.length));
+      one["path_world"] = points(world_path(ends.map, ends.run, answer, other.path));
+    }
+    json.push_back(one);
+  }
+  return json;
 }
 
 Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
@@ -89,6 +103,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
     if (ends.in_metres()) json["via_world"] = given;
   }
   json["path"] = points(result.path);
+  if (ends.run.alternatives > 0) json["alternatives"] = alternatives_json(ends, answer);
   const auto metres = [&](Point p) { return in_metres(ends.map, ends.run, answer, p); };
   const auto add_curve = [&](const char* key, const LoadedMap* frame, const auto& at) {
     if (ends.curved()) json[key] = has_path ? curve_json(result, frame, at) : Json(nullptr);
@@ -104,7 +119,7 @@ Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
   json["start_world"] = point(answer.start.asked);
   json["goal_world"] = point(answer.goal.asked);
   json["length_m"] = number(ends.map.metres(result.length));
-  json["path_world"] = points(world_path(ends.map, ends.run, answer));
+  json["path_world"] = points(world_path(ends.map, ends.run, answer, result.path));
   return json;
 }
 
@@ -209,7 +224,17 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
   record.inputs = {{"map", map_json(map)}};
   record.optimum = answer.optimum;
   record.elapsed_ms = answer.elapsed_ms;
-  record.path = coordinates(ends.in_metres() ? world_path(map, run, answer) : result.path);
+  record.path =
+      coordinates(ends.in_metres() ? world_path(map, run, answer, result.path) : result.path);
+  for (const Alternative& other : result.alternatives)
+    record.others.push_back(
+        {other.length,
+         coordinates(ends.in_metres() ? world_path(map, run, answer, other.path) : other.path)});
+  const auto wanted = static_cast<std::size_t>(run.alternatives);
+  if (!run.json && record.has_path() && result.alternatives.size() < wanted)
+    record.remarks.push_back("--alternatives " + std::to_string(wanted) + ": there are " +
+                             std::to_string(result.alternatives.size()) +
+                             " that are short enough and differ enough");
   if (!run.json && !map.costs && (answer.optimum || answer.grid_optimum))
     record.remarks.push_back(optima_text(record, answer, run.params));
   Json findings = end_findings(ends);

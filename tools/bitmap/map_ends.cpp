@@ -149,6 +149,7 @@ Record map_record(const MapEnds& ends, const SearchResult& result, const Algorit
   if (ends.in_metres() && ends.start.point) json["ends"] = "points";
   if (run.goal_tolerance > 0) json["goal_tolerance"] = number(goal_tolerance(ends));
   if (run.spacing) json["spacing"] = number(spacing_of(ends.map, run));
+  if (run.alternatives > 0) json["alternatives"] = run.alternatives;
   if (run.json || !record.has_path()) return record;
   if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
     record.remarks.push_back(radius_hint(ends));
@@ -242,6 +243,9 @@ RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm) {
   if (result.contains("via")) run.via = recorded_ends(result, "via");
   if (result["parameters"].contains("spacing"))
     run.spacing = recorded_real(result, "parameters/spacing", 0, kNoLimit);
+  if (result["parameters"].contains("alternatives"))
+    run.alternatives = static_cast<int>(
+        recorded_integer(result, "parameters/alternatives", 1, Request::kMostAlternatives));
   if (in_metres(result)) run.frame = Frame::world;
   if (!result.contains("layers")) return run;
   CostLayers& costs = run.map.costs;

@@ -112,6 +112,30 @@ void add_spacing(OptionTable& table, RunOptions& to) {
              "S");
 }
 
+void add_alternatives(OptionTable& table, RunOptions& to) {
+  table.add("--alternatives",
+            "Add N other ways at most that differ from the shortest one, each at most 1.3 times as "
+            "long (exact, for a point)",
+            "N", [&to](const auto& text) {
+              to.alternatives = static_cast<int>(
+                  integer_value("--alternatives", text, 1, Request::kMostAlternatives));
+            });
+}
+
+/// @throws UsageError where there are none to be had.
+void check_alternatives(const RunOptions& run) {
+  if (run.alternatives == 0) return;
+  const auto refuse = [](const std::string& why) {
+    throw UsageError("--alternatives are ways beside a shortest path: " + why);
+  };
+  if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
+    refuse("they are exact's; leave --algorithm out");
+  if (run.map.radius > 0) refuse("a disc has none; leave --radius out");
+  if (run.map.costs.asked()) refuse("over costs there are none; leave --cost and --inflation out");
+  if (!run.via.empty()) refuse("leave --via out, or ask for those of each part");
+  if (run.target_gap > 0) refuse("leave --target-gap out");
+}
+
 /// What is typed of `plan` and `batch`, on bitmaps and among polygons.
 struct PlanText {
   RunOptions run;
@@ -167,6 +191,7 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
                                     {"--inflation", "vehicles are planned by length"},
                                     {"--moves", "vehicles are planned by length"},
                                     {"--via", "plan a vehicle from one pose to the next"},
+                                    {"--alternatives", "they are of points"},
                                     {"--gap", "a vehicle's plan always tells its certified gap"},
                                     {"--set", "it is of algorithms on cells"},
                                     {"--ants", "it is of colonies"},
@@ -223,8 +248,8 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
   if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
       file != command.outputs.end())
     throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
-  for (const char* option :
-       {"--frame", "--unknown-free", "--prepare", "--prepared", "--tracks", "--spacing", "--via"})
+  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--prepared", "--tracks",
+                             "--spacing", "--via", "--alternatives"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
                               (option == std::string_view("--unknown-free")
@@ -246,11 +271,13 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
     asked.via.push_back(point_value("--via", via, asked.frame));
   if (!text.queries.empty()) {
     finish_run(asked);
+    check_alternatives(asked);
     finish_costs(asked, true);
     asked.inputs.push_back(text.queries);
     return run_bitmap_batch({asked, {}, {}, text.queries});
   }
   PlanCommand plan = plan_command(asked, text.start, text.goal());
+  check_alternatives(plan.run);
   finish_costs(plan.run, plan.run.ranged);
   if (plan.run.ranged) return run_bitmap_batch(plan);
   BitmapProblem problem(plan);
@@ -274,6 +301,7 @@ Subcommand add_plan(CLI::App& app) {
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_alternatives(table, text->run);
   add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   return table.command(
@@ -282,6 +310,9 @@ Subcommand add_plan(CLI::App& app) {
                     {"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179 "
                      "--algorithm mmas --iterations 20 --gap -o run.json -o run.png",
                      "a colony, its gap to the optimum, a result to verify and a picture"},
+                    {"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179 "
+                     "--alternatives 2",
+                     "the shortest path and two other ways"},
                     {"lasius plan maps/grid20a.map --start 0,0 --goal 19,19 --algorithm as "
                      "--set persistence=0.7 --seed 1-5",
                      "five seeds: a JSON object each"},
@@ -315,6 +346,7 @@ Subcommand add_batch(CLI::App& app) {
   add_tracks(table, text->run);
   add_spacing(table, text->run);
   add_via(table, *text);
+  add_alternatives(table, text->run);
   add_vehicle(table, text->vehicle);
   add_world_options(table, text->world);
   table

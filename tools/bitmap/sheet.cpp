@@ -166,6 +166,8 @@ void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer&
     canvas.curve(curve, kPath, diameter, kSweptOpacity);
     canvas.unclip();
   }
+  for (const Alternative& other : result.alternatives)
+    canvas.polyline(sheet.axes(box).at(other.path), kOtherPath, 2);
   draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
   canvas.curve(curve, {1, 1, 1}, 5, 1);
   canvas.curve(curve, kPath, 3, 1);
@@ -180,6 +182,7 @@ void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer&
 std::vector<Key> keys_of_plan(const Sheet& sheet, const Answer& answer) {
   if (answer.result.path.empty()) return {};
   std::vector<Key> keys{line_key("path", kPath, 3)};
+  if (!answer.result.alternatives.empty()) keys.push_back(line_key("alternatives", kOtherPath, 2));
   if (sheet.map.grown())
     keys.push_back(
         area_key("swept by the robot, a disc of radius " + sheet.length(sheet.map.radius),

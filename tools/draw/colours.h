@@ -13,6 +13,7 @@ inline constexpr Colour kGrown{0.83, 0.84, 0.856};       ///< blocked for a robo
 inline constexpr Colour kUnknownCell{0.86, 0.79, 0.66};  ///< that a ROS map does not know
 inline constexpr Colour kPaleWall{0.72, 0.74, 0.77};     ///< where other things matter more
 inline constexpr Colour kPath{0.85, 0.12, 0.12};
+inline constexpr Colour kOtherPath{0.93, 0.58, 0.55};
 inline constexpr Colour kStart{0.1, 0.6, 0.25};
 inline constexpr Colour kGoal{0.9, 0.45, 0.05};
 

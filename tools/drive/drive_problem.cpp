@@ -285,8 +285,9 @@ class DriveProblem : public Problem {
     navigator.costs = answer_.layers;
     if (answer_.layers) navigator.inflation = answer_.map.costs->inflation;
     if (answer_.map.prepare)
-      navigator.prepare =
-          PrepareOptions{.threads = command_.run.threads, .stop = {.token = stop.token}};
+      navigator.prepare = PrepareOptions{.threads = command_.run.threads,
+                                         .stop = {.token = stop.token},
+                                         .labels = answer_.map.labels};
     const Request request = request_of(answer_.map, command_.run, answer_.start, answer_.goal);
     navigator.target_gap = request.target_gap;
     navigator.goal_tolerance = request.goal_tolerance;

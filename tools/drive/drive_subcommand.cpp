@@ -111,10 +111,6 @@ Subcommand add_drive(CLI::App& app) {
               "--gap has no effect: a drive always tells the optimum of its moves");
         run.map.prepare = prepare && !moves_on_cells(run.params);
         if (run.map.costs.asked()) finish_costs(run);
-        if (run.map.prepare && run.map.labels)
-          run.notes.emplace_back(
-              "--prepare labels has the effect of graph: labels are of a map that does not change");
-        run.map.labels = false;
         if (!run.map.prepared.empty())
           throw UsageError("--prepared is for plan and batch: a drive changes its map");
         run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});

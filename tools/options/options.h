@@ -120,6 +120,7 @@ struct RunOptions : SearchOptions {
   std::vector<int> track_iterations;  ///< of the pictures, rising, from 1; empty: the usual
   std::optional<double> spacing;      ///< of poses; as MapOptions::radius
   std::vector<End> via;               ///< on the way from start to goal, in order
+  int alternatives = 0;               ///< other ways wanted
 };
 
 /// `plan` and `batch`.

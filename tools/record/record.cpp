@@ -37,9 +37,10 @@ std::string advice(const Record& run) {
   return text;
 }
 
-void write_path(std::ostream& out, const Record& run, const char* between) {
-  for (std::size_t i = 0; i < run.path.size(); ++i)
-    out << to_text(run.path[i]) << ((i + 1) % run.axes == 0 ? "\n" : between);
+void write_path(std::ostream& out, const std::vector<double>& path, std::size_t axes,
+                const char* between) {
+  for (std::size_t i = 0; i < path.size(); ++i)
+    out << to_text(path[i]) << ((i + 1) % axes == 0 ? "\n" : between);
 }
 
 }  // namespace
@@ -117,7 +118,11 @@ std::string plain_text(const Record& run) {
   out << to_string(run.result.status) << "\n";
   if (!run.has_path()) return out.str();
   out << to_text(run.scale * run.result.length) << "\n";
-  write_path(out, run, " ");
+  write_path(out, run.path, run.axes, " ");
+  for (const Record::Other& other : run.others) {
+    out << "\n" << to_text(run.scale * other.length) << "\n";
+    write_path(out, other.path, run.axes, " ");
+  }
   return out.str();
 }
 
@@ -125,7 +130,7 @@ void write_csv(std::ostream& out, const Record& run) {
   const std::string m = run.unit.empty() ? "" : "_" + run.unit;
   if (!run.most_iterations) {
     out << "x" << m << ",y" << m << "\n";
-    return write_path(out, run, ",");
+    return write_path(out, run.path, run.axes, ",");
   }
   const SearchResult& result = run.result;
   out << "iteration,best" << m << ",mean" << m << ",arrived\n";

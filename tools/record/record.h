@@ -42,9 +42,14 @@ struct Record {
   bool arrived = true;       ///< of a path that there is: it is what was asked for
   std::string reached = {};  ///< how far a run came that something ended; empty: see explain
 
-  std::string unit = {};                  ///< of lengths; empty: cells, or the world's
-  double scale = 1;                       ///< how many units a length of the result's is
-  std::vector<double> path = {};          ///< as it is shown, point by point
+  std::string unit = {};          ///< of lengths; empty: cells, or the world's
+  double scale = 1;               ///< how many units a length of the result's is
+  std::vector<double> path = {};  ///< as it is shown, point by point
+  struct Other {
+    double length;             ///< as the result's
+    std::vector<double> path;  ///< as `path`
+  };
+  std::vector<Other> others = {};         ///< ways beside it
   std::size_t axes = 2;                   ///< numbers a point
   std::vector<std::string> remarks = {};  ///< what else people are to know
 
@@ -75,7 +80,7 @@ Json answer_json(const Record& run, const Json& path, const Json& effort = Json:
 Json result_json(const Record& run);
 std::string json_line(const Record& run);
 
-/// Status, length and path, a point a line.
+/// Status, length and path, a point a line; of other ways an empty line, length and path.
 std::string plain_text(const Record& run);
 /// The convergence by iteration; the path of algorithms without iterations.
 void write_csv(std::ostream& out, const Record& run);

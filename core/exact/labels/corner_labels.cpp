@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "core/base/held_bytes.h"
 #include "core/base/parallel.h"
@@ -112,7 +113,8 @@ class LabelSorter {
 
 std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const CornerGraph& graph,
                                                        const PrepareOptions& options,
-                                                       Preparation::Labels& report) {
+                                                       Preparation::Labels& report,
+                                                       std::vector<std::uint32_t> order) {
   using State = Preparation::State;
   const auto begin = std::chrono::steady_clock::now();
   const int threads = thread_count(options.threads);
@@ -130,7 +132,7 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     Hubs hubs;
     const std::int64_t most = std::min({std::int64_t{options.max_label_entries} * graph.size(),
                                         options.max_label_bytes / kEntryBytes, kMostPlaces});
-    const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs);
+    const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs, std::move(order));
     if (found != HubsEnd::ready) {
       give_up(found);
       return nullptr;
@@ -152,6 +154,32 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
   report.bytes = labels->bytes();
   end(State::ready);
   return labels;
+}
+
+std::vector<std::uint32_t> CornerLabels::order_of(const CornerGraph& own,
+                                                  const CornerGraph& graph) const {
+  constexpr std::size_t kShareOfNew = 50;  // at most one in so many
+  using Ranked = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Ranked> ranks;  // by place
+  const auto place = [](const GraphCorner& c) {
+    return static_cast<std::uint32_t>(c.y()) << 16 | static_cast<std::uint32_t>(c.x());
+  };
+  for (std::uint32_t v = 0; v < own.size(); ++v)
+    ranks.emplace_back(place(own.corner(v)), arrays_.corners[v].rank);
+  std::ranges::sort(ranks);
+  std::vector<Ranked> order;  // rank and number
+  std::size_t more = 0;
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    const auto at = std::ranges::lower_bound(ranks, place(graph.corner(v)), {}, &Ranked::first);
+    const bool known = at != ranks.end() && at->first == place(graph.corner(v));
+    if (!known) ++more;
+    order.emplace_back(known ? at->second : own.size(), v);
+  }
+  if (more * kShareOfNew > graph.size()) return {};
+  std::ranges::sort(order);
+  std::vector<std::uint32_t> corners;
+  for (const auto& [rank, number] : order) corners.push_back(number);
+  return corners;
 }
 
 std::int64_t CornerLabels::bytes() const noexcept {

@@ -75,9 +75,14 @@ class CornerLabels {
 
   /// Makes labels of a graph. Null if they would take more than the options allow, too long, or
   /// were stopped: `report` tells. The same for any number of threads.
+  /// @param order  corners of the graph by rank; empty: found
   static std::shared_ptr<const CornerLabels> make(const Grid& grid, const CornerGraph& graph,
                                                   const PrepareOptions& options,
-                                                  Preparation::Labels& report);
+                                                  Preparation::Labels& report,
+                                                  std::vector<std::uint32_t> order = {});
+  /// The order that these labels, of another graph, give the corners of a graph by where they are,
+  /// new ones last; empty where more than a few are new.
+  std::vector<std::uint32_t> order_of(const CornerGraph& own, const CornerGraph& graph) const;
 
   const LabelArrays& arrays() const noexcept { return arrays_; }
   std::size_t tile_of(Cell c) const noexcept {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
@@ -37,8 +38,13 @@ class HubFinder {
     for (int i = 0; i < threads; ++i) team_.push_back(std::make_unique<Worker>(graph, stop));
   }
 
-  HubsEnd run(std::int64_t most) {
-    rank_corners();
+  HubsEnd run(std::int64_t most, std::vector<std::uint32_t>&& order) {
+    if (order.empty()) {
+      rank_corners();
+    } else {
+      hubs_.by_rank = std::move(order);
+      number_ranks();
+    }
     hubs_.entries.resize(graph_.size());
     std::vector<Found> found(kMostHubs);
     for (std::uint32_t first = 0; first < graph_.size() && !stopped_;) {
@@ -102,8 +108,12 @@ class HubFinder {
       const std::size_t of_a = degree(a), of_b = degree(b);
       return of_a != of_b ? of_a > of_b : a < b;
     });
-    rank_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) rank_[hubs_.by_rank[i]] = i;
+    number_ranks();
+  }
+
+  void number_ranks() {
+    rank_.resize(graph_.size());
+    for (std::uint32_t i = 0; i < graph_.size(); ++i) rank_[hubs_.by_rank[i]] = i;
   }
 
   // Corners that the hub is to be known at, as far as hubs of earlier batches tell.
@@ -180,8 +190,8 @@ class HubFinder {
 }  // namespace
 
 HubsEnd find_hubs(const TautGraph& graph, std::int64_t most, int threads, const StopCondition& stop,
-                  Hubs& hubs) {
-  return HubFinder(graph, threads, stop, hubs).run(most);
+                  Hubs& hubs, std::vector<std::uint32_t> order) {
+  return HubFinder(graph, threads, stop, hubs).run(most, std::move(order));
 }
 
 }  // namespace lasius::exact

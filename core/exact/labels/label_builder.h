@@ -31,7 +31,8 @@ enum class HubsEnd { ready, too_many, stopped };
 /// path, the corner of the highest rank between them is a hub of both, at its true distance. The
 /// same for any number of threads.
 /// @param most  entries: where there would be more, it ends early
+/// @param order  corners by rank, the first the highest; empty: by trees
 HubsEnd find_hubs(const TautGraph& graph, std::int64_t most, int threads, const StopCondition& stop,
-                  Hubs& hubs);
+                  Hubs& hubs, std::vector<std::uint32_t> order = {});
 
 }  // namespace lasius::exact
