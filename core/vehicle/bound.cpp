@@ -1,6 +1,7 @@
 #include "core/vehicle/bound.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,14 +15,22 @@ Bound::Bound(const Grid& grid, const Vehicle& vehicle)
       radius_(std::min(inscribed_radius(vehicle), disc::kLargestRadius)),
       grid_(grid) {}
 
-const disc::DiscSpace* Bound::space() const {
+const disc::DiscSpace* Bound::space(const StopCondition& stop) const {
   if (!disc::has_space(radius_)) return nullptr;
-  std::call_once(made_, [&] { space_ = disc::DiscSpace::make(std::move(grid_), radius_); });
-  return &*space_;
+  // Another call may be at it, and have more time.
+  std::unique_lock lock(making_, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(1))) {
+    if (stop.poll() != StopCondition::Cause::none) return nullptr;
+  }
+  if (!space_ && stop.poll() == StopCondition::Cause::none) {
+    space_ = disc::DiscSpace::make(std::as_const(grid_), radius_, stop);
+    if (space_) grid_ = Grid(1, 1);
+  }
+  return space_ ? &*space_ : nullptr;
 }
 
 double Bound::around_obstacles(Point start, Point goal, const StopCondition& stop) const {
-  const disc::DiscSpace* disc = space();
+  const disc::DiscSpace* disc = space(stop);
   if (disc == nullptr || !disc->clear(start) || !disc->clear(goal)) return 0;
   std::unique_ptr<disc::DiscSearch> search;
   {
@@ -61,7 +70,7 @@ double Bound::length(const Request& request) const {
 }
 
 bool Bound::cut_off(const Request& request) const {
-  const disc::DiscSpace* disc = space();
+  const disc::DiscSpace* disc = space(request.stop);
   const Point start{request.start.x, request.start.y};
   if (disc == nullptr || request.goal_tolerance > 0 || !disc->clear(start)) return false;
   return std::ranges::none_of(request.goals, [&](const Pose& goal) {

@@ -9,8 +9,6 @@
 namespace lasius::vehicle {
 namespace {
 
-Pose flipped(const Pose& pose) noexcept { return {pose.x, pose.y, pose.yaw + kPi}; }
-
 class Maker {
  public:
   Maker(const Space::Impl& space, const Lattice& lattice, const Pose& pose, bool towards,
@@ -55,30 +53,12 @@ class Maker {
     for (int h = 0; h < Lattice::kHeadings; ++h) {
       if (distance > 1e-9 && std::fabs(half_turned(lattice_.yaw(h) - ahead)) > kWidest) continue;
       const Pose node = lattice_.pose(x, y, h);
-      Pose from = towards_ ? node : pose_;
-      Pose to = towards_ ? pose_ : node;
-      if (gear < 0) {
-        from = flipped(from);
-        to = flipped(to);
-      }
-      const Place place = seen_from(from, to, vehicle.turning_radius);
-      words_.dubins(place);
-      const double length = words_.least() * vehicle.turning_radius;
-      if (length > most) continue;
-      words_.sort(1);
-      motions_.clear();
-      append(words_[0], from, vehicle.turning_radius, motions_);
-      if (gear < 0) {
-        for (Segment& s : motions_) {
-          s.begin.yaw -= kPi;
-          s.curvature = -s.curvature;
-          s.gear = -1;
-        }
-      }
-      if (!free() || !ends_at(words_[0], place)) continue;
+      const double length = words_.aim(towards_ ? node : pose_, towards_ ? pose_ : node,
+                                       vehicle.turning_radius, gear);
+      if (length > most || !words_.motions(motions_) || !free()) continue;
       const int told = motions_.empty() ? 0 : gear;
       found.push_back(
-          {x, y, h, gear < 0 ? length * vehicle.reverse_cost : length, told, told, motions_, 0});
+          {x, y, h, gear < 0 ? length * vehicle.reverse_cost : length, told, motions_, 0});
     }
   }
 
@@ -96,19 +76,15 @@ class Maker {
         append_turns(towards_ ? node : pose_, towards_ ? pose_ : node, gear, motions_);
         if (!free()) continue;
         const int told = driven_length(motions_) > 0 ? gear : 0;
-        found.push_back({x, y, h, cost(vehicle, motions_), told, told, motions_, 0});
+        found.push_back({x, y, h, cost(vehicle, motions_), told, motions_, 0});
       }
     }
   }
 
   bool free() {
     // Far from the end it is likelier to fail.
-    for (std::size_t i = 0; i < motions_.size(); ++i) {
-      const Segment& s = motions_[towards_ ? i : motions_.size() - 1 - i];
-      ++checked_;
-      if (space_.touch(s, Space::Impl::kCoarse, false) <= 1) return false;
-    }
-    return !motions_.empty() || space_.free_at(pose_, 0);
+    return space_.all_free(motions_, Space::Impl::kCoarse, !towards_, checked_) &&
+           (!motions_.empty() || space_.free_at(pose_, 0));
   }
 
   const Space::Impl& space_;
@@ -117,7 +93,7 @@ class Maker {
   bool towards_;
   ConnectorReach reach_;
   std::int64_t& checked_;
-  Words words_;
+  GearWords words_;
   std::vector<Segment> motions_;
 };
 

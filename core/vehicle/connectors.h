@@ -13,8 +13,7 @@ namespace lasius::vehicle {
 struct Connector {
   int x = 0, y = 0, heading = 0;  ///< of the lattice
   double cost = 0;                ///< by the vehicle's prices
-  int gear = 0;        ///< of the motion beside the lattice; 0: rotations alone, or nothing
-  int outer_gear = 0;  ///< of the motion beside the end
+  int gear = 0;  ///< of the motion beside the lattice; 0: rotations alone, or nothing
   std::vector<Segment> motions;  ///< as driven
   int end = 0;                   ///< index of the goal
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/vehicle/angle.h"
 
@@ -166,19 +165,6 @@ Masks::Mask Lattice::sweep(const std::vector<Segment>& motion, const Outline& ou
     }
   }
   return masks_.add(rows);
-}
-
-int Lattice::heading_of(double yaw) const noexcept {
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int h = 0; h < kHeadings; ++h) {
-    const double off = std::fabs(half_turned(yaw - yaws_[h]));
-    if (off < least) {
-      least = off;
-      best = h;
-    }
-  }
-  return best;
 }
 
 void Lattice::append(const Edge& edge, int x, int y, std::vector<Segment>& to) const {

@@ -29,8 +29,6 @@ class Lattice {
   explicit Lattice(const Vehicle& vehicle, const Outline& outline);
 
   double yaw(int heading) const noexcept { return yaws_[heading]; }
-  /// The nearest heading.
-  int heading_of(double yaw) const noexcept;
   Pose pose(int x, int y, int heading) const noexcept { return {x + 0.5, y + 0.5, yaws_[heading]}; }
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   /// Indices of the edges that begin or end with a heading.

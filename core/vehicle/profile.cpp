@@ -121,7 +121,10 @@ TimedPose Profile::state(int segment, double at) const {
 
 std::vector<TimedPose> Profile::samples(double spacing) const {
   std::vector<TimedPose> told;
-  for (const PathPose& p : poses(segments_, spacing)) told.push_back(state(p.segment, p.at));
+  for (const PathPose& p : poses(segments_, spacing)) {
+    told.push_back(state(p.segment, p.at));
+    told.back().at = p;
+  }
   return told;
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <unordered_map>
 
 #include "core/vehicle/angle.h"
+#include "core/vehicle/escape.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
@@ -68,11 +69,14 @@ class Search {
   /// Tries ways to a goal straight on. @param gear  by which the pose was reached, 0: any
   template <class Before>
   bool shoot(const Pose& from, const Goal& goal, double cost, int gear, int most, Before&& before) {
+    // On a lattice beside a wall others would do, but at last it is to be this one.
+    const double open = options_.wide ? 2 * Space::Impl::kFine : Space::Impl::kLoose;
     steering_.aim(from, goal.pose, most);
     for (int i = 0; i < steering_.size(); ++i) {
       if (cost + steering_.cost(i) >= best_.cost && best_.goal >= 0) return false;
       shot_.clear();
-      if (!steering_.append(i, shot_) || !free(shot_)) continue;
+      if (!steering_.append(i, shot_) || !space_.all_free(shot_, open, false, counts_.checked))
+        continue;
       const double cusps =
           gear != 0 && !shot_.empty() && shot_[0].gear == -gear ? vehicle_.cusp_cost : 0;
       const double total = cost + steering_.cost(i) + cusps;
@@ -87,24 +91,23 @@ class Search {
     return false;
   }
 
-  bool free(const std::vector<Segment>& motions) {
-    for (const Segment& s : motions) {
-      ++counts_.checked;
-      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
-    }
-    return true;
-  }
-
   void connect_ends() {
     const double near = std::max(radius(), 4.0);
-    const ConnectorReach reach = options_.wide
-                                     ? ConnectorReach{std::min(3 * near, 60.0), 1.5 * near, 1.35}
-                                     : ConnectorReach{std::min(near, 30.0), 12, 1.35};
-    from_start_ = connectors(space_, lattice_, start_, false, reach, counts_.checked, poller_);
-    for (std::size_t i = 0; i < goals_.size() && !done(); ++i) {
+    const ConnectorReach short_reach{std::min(near, 30.0), 12, 1.35};
+    const ConnectorReach reach =
+        options_.wide ? ConnectorReach{std::min(3 * near, 60.0), 1.5 * near, 1.35} : short_reach;
+    const auto all = [&](const Pose& pose, bool towards) {
+      std::vector<Connector> made =
+          connectors(space_, lattice_, pose, towards, reach, counts_.checked, poller_);
+      if (!options_.wide) return made;
       std::vector<Connector> more =
-          connectors(space_, lattice_, goals_[i].pose, true, reach, counts_.checked, poller_);
-      for (Connector& c : more) {
+          escapes(space_, lattice_, pose, towards, short_reach, counts_.checked, poller_);
+      std::ranges::move(more, std::back_inserter(made));
+      return made;
+    };
+    from_start_ = all(start_, false);
+    for (std::size_t i = 0; i < goals_.size() && !done(); ++i) {
+      for (Connector& c : all(goals_[i].pose, true)) {
         c.end = goals_[i].index;
         to_goal_.push_back(std::move(c));
       }

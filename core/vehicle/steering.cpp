@@ -93,12 +93,7 @@ double Steering::least(const Pose& from, const Pose& to) {
   const double line = std::sqrt(dx * dx + dy * dy);
   const double radius = vehicle_.turning_radius;
   if (vehicle_.rotate_in_place || radius == 0) return line;
-  const Place place = seen_from(from, to, radius);
-  if (vehicle_.reverse) {
-    words_.reeds_shepp(place, {});
-  } else {
-    words_.dubins(place);
-  }
+  words_.unpriced(seen_from(from, to, radius), vehicle_.reverse);
   return words_.least() * radius;
 }
 

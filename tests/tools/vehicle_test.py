@@ -257,6 +257,31 @@ class Vehicles(ProgramTest):
                               ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle")]:
             self.write("bad.tsv", text)
             self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
+        # Numbers out of range are of their query alone.
+        far = "sx sy syaw gx gy gyaw\n4 4 1e9 38 26 0\n4 4 0 38 26 -1e300\n1e9 4 0 38 26 0\n4 4 0 38.5 1e300 0\n4 4 0 38 26 180deg\n"
+        self.write("far.tsv", far)
+        run = self.run_program("batch", "yard.map", "far.tsv", "--vehicle", "car.json")
+        self.assertEqual((run.code, [line["status"] for line in run.lines]), (0, ["invalid"] * 4 + ["solved"]), run.err)
+        for line, word in zip(run.lines, ("start .*yaw", "goal .*yaw", "start .*outside", "goal .*outside")):
+            self.assertRegex(line["error"], word)
+
+    def test_broken_results_are_refused_by_file_and_place(self):
+        good = self.drive("car.json", "4,4,0", "38,26,0", "--json").json
+        self.write("good.json", json.dumps(good))
+        self.assertEqual(self.run_program("check-path", "yard.map", "good.json").code, 0)
+        segment = good["segments"][0]
+        cases = [({"segments": 3}, '"segments" is no list'), ({"segments": [{**segment, "gear": 2}]}, '"gear"'),
+                 ({"segments": [{**segment, "length": "far"}]}, '"length"'), ({"path": 7}, '"path"'), ({"path": [[1]]}, '"path"'),
+                 ({"parameters": {"vehicle": {"footprint": [[0, 0], [1, 0]]}}}, "turning_radius"),
+                 ({"parameters": {}}, "no vehicle"), ({"curve": [1]}, '"curve"')]
+        for change, word in cases:
+            with self.subTest(change=change):
+                self.write("bad.json", json.dumps({**good, **change}))
+                self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json", word)
+        self.write("bad.json", "{")
+        self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json")
+        self.write("none.json", json.dumps({**good, "path": [], "status": "no_path"}))
+        self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no_path")
 
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""
