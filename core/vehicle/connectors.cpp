@@ -36,7 +36,10 @@ class Maker {
       by_words(x, y, distance, bearing, 1);
       if (vehicle.reverse && distance > 1e-9) by_words(x, y, distance, bearing, -1);
     }
-    if (vehicle.rotate_in_place) by_turns(x, y, distance, bearing);
+    if (vehicle.sideways)
+      by_slides(x, y);
+    else if (vehicle.rotate_in_place)
+      by_turns(x, y, distance, bearing);
   }
 
   std::vector<Connector> found;
@@ -77,6 +80,22 @@ class Maker {
         if (!free()) continue;
         const int told = driven_length(motions_) > 0 ? gear : 0;
         found.push_back({x, y, h, cost(vehicle, motions_), told, motions_, 0});
+      }
+    }
+  }
+
+  void by_slides(int x, int y) {
+    for (int h = 0; h < Lattice::kHeadings; ++h) {
+      // Others are a rotation on the lattice away.
+      if (std::fabs(half_turned(lattice_.yaw(h) - pose_.yaw)) > kPi / 7) continue;
+      const Pose node = lattice_.pose(x, y, h);
+      for (const bool turn_first : {true, false}) {
+        motions_.clear();
+        append_slide(towards_ ? node : pose_, towards_ ? pose_ : node, turn_first, motions_);
+        if (!free()) continue;
+        const int told = driven_length(motions_) > 0 ? 1 : 0;
+        found.push_back({x, y, h, cost(space_.vehicle(), motions_), told, motions_, 0});
+        break;
       }
     }
   }

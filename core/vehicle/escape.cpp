@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/vehicle/angle.h"
 #include "kernels/base/power.h"
 
 namespace lasius::vehicle {
@@ -104,6 +105,8 @@ class Escape {
       for (const double length : {1.0, 4.0, 12.0}) {
         const Segment line{.begin = {}, .length = length, .gear = gear};
         go(at, {line});
+        for (int side = 1; side < 8 && vehicle_.sideways; ++side)
+          go(at, {{.begin = {}, .length = length, .gear = gear, .angle = side * kPi / 4}});
         // On an arc of this curvature no corner falls by more than the room.
         const double around = space_.outline().around();
         const double gentle = std::min(2 * turn / around, most);
@@ -140,7 +143,7 @@ class Escape {
       if (towards_) {
         Segment back = s;
         back.gear = -s.gear;
-        back.angle = -s.angle;
+        if (s.gear == 0) back.angle = -s.angle;
         s.begin = back.end();
       }
       ++checked_;

@@ -16,6 +16,7 @@ struct Edge {
   int dx = 0, dy = 0;    ///< cells
   int gear = 1;          ///< 0: a rotation in place
   float cost = 0;        ///< by the vehicle's prices, without cusps
+  double angle = 0;      ///< of a line: to where it drives, from the heading
   Masks::Mask mask;
   Word word;  ///< of the radius; backwards: of the motion that leads from its end to its begin
 };

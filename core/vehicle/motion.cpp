@@ -23,7 +23,7 @@ Pose Segment::pose(double at) const noexcept {
   const double driven = gear * at;
   const double half = curvature * driven / 2;
   const double shorter = std::fabs(half) < 1e-8 ? 1 : kernels::sine_cosine(exact(half)).sine / half;
-  const auto [sine, cosine] = kernels::sine_cosine(exact(begin.yaw + half));
+  const auto [sine, cosine] = kernels::sine_cosine(exact(begin.yaw + half + angle));
   return {begin.x + driven * shorter * cosine, begin.y + driven * shorter * sine,
           begin.yaw + 2 * half};
 }

@@ -103,10 +103,10 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
   for (const Segment& s : segments) {
     if (!told.empty()) {
       Segment& last = told.back();
-      if (last.gear == s.gear && last.curvature == s.curvature &&
-          (s.gear != 0 || (last.angle > 0) == (s.angle > 0))) {
+      const bool on = s.gear == 0 ? (last.angle > 0) == (s.angle > 0) : last.angle == s.angle;
+      if (last.gear == s.gear && last.curvature == s.curvature && on) {
         last.length += s.length;
-        last.angle += s.angle;
+        if (s.gear == 0) last.angle += s.angle;
         continue;
       }
     }
@@ -130,8 +130,9 @@ bool holds(const Space& space, const Request& request, int goal, std::span<const
   for (const Segment& s : path) {
     const bool drives = s.gear > 0 ? true : s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place;
     const double bent = std::fabs(s.curvature) * vehicle.turning_radius;
-    if (!drives || !(bent <= 1 + 1e-12) || (vehicle.turning_radius == 0 && s.curvature != 0) ||
-        !(apart(at, s.begin) <= kOff) || !(turned(at, s.begin) <= kOff))
+    if (!drives || (s.gear != 0 && s.angle != 0 && !vehicle.sideways) || !(bent <= 1 + 1e-12) ||
+        (vehicle.turning_radius == 0 && s.curvature != 0) || !(apart(at, s.begin) <= kOff) ||
+        !(turned(at, s.begin) <= kOff))
       return false;
     at = s.end();
   }

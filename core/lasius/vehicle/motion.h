@@ -16,7 +16,9 @@ struct Segment {
   double curvature_rate = 0;  ///< change of the curvature for each cell; always 0 so far
   double length = 0;          ///< driven, cells, at least 0; 0 of a rotation
   int gear = 1;               ///< 1 forwards, -1 backwards, 0 a rotation in place
-  double angle = 0;           ///< of a rotation: how far yaw changes, radians, of either sign
+  /// Of a rotation: how far yaw changes, radians, of either sign. Of a line of what drives to any
+  /// side: from its yaw, which it keeps, to where it drives.
+  double angle = 0;
   friend bool operator==(const Segment&, const Segment&) = default;
 
   /// Its extent: length, or of a rotation |angle|.
