@@ -1,7 +1,6 @@
 #include "core/vehicle/bound.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,16 +16,7 @@ Bound::Bound(const Grid& grid, const Vehicle& vehicle)
 
 const disc::DiscSpace* Bound::space(const StopCondition& stop) const {
   if (!disc::has_space(radius_)) return nullptr;
-  // Another call may be at it, and have more time.
-  std::unique_lock lock(making_, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(1))) {
-    if (stop.poll() != StopCondition::Cause::none) return nullptr;
-  }
-  if (!space_ && stop.poll() == StopCondition::Cause::none) {
-    space_ = disc::DiscSpace::make(std::as_const(grid_), radius_, stop);
-    if (space_) grid_ = Grid(1, 1);
-  }
-  return space_ ? &*space_ : nullptr;
+  return space_.get(stop, [&] { return disc::DiscSpace::make(grid_, radius_, stop); });
 }
 
 double Bound::around_obstacles(Point start, Point goal, const StopCondition& stop) const {

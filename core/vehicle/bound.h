@@ -10,6 +10,7 @@
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
+#include "core/vehicle/made_once.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
@@ -32,9 +33,8 @@ class Bound {
 
   const Vehicle& vehicle_;
   double radius_;
-  mutable std::timed_mutex making_;
-  mutable Grid grid_;  ///< until the space is made
-  mutable std::optional<disc::DiscSpace> space_;
+  Grid grid_;
+  MadeOnce<disc::DiscSpace> space_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<disc::DiscSearch>> spare_;
 };

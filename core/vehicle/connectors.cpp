@@ -135,4 +135,24 @@ std::vector<Connector> connectors(const Space::Impl& space, const Lattice& latti
   return std::move(maker.found);
 }
 
+std::vector<Connector> tolerated(const Space::Impl& space, const Lattice& lattice, const Pose& goal,
+                                 double far, double turned, Poller& poller) {
+  std::vector<Connector> made;
+  if (far <= 0) return made;
+  for (int y = std::max(0, floor_of(goal.y - far)); y <= goal.y + far && y < space.height(); ++y) {
+    if (poller.stop_after(static_cast<std::int64_t>(64 * far))) return made;
+    for (int x = std::max(0, floor_of(goal.x - far)); x <= goal.x + far && x < space.width(); ++x) {
+      const double dx = x + 0.5 - goal.x;
+      const double dy = y + 0.5 - goal.y;
+      if (dx * dx + dy * dy > far * far) continue;
+      for (int h = 0; h < Lattice::kHeadings; ++h) {
+        if (std::fabs(half_turned(lattice.yaw(h) - goal.yaw)) > turned + 1e-12) continue;
+        if (!lattice.masks().free(lattice.footprint(h), space.bits(), x, y)) continue;
+        made.push_back({.x = x, .y = y, .heading = h, .motions = {}});
+      }
+    }
+  }
+  return made;
+}
+
 }  // namespace lasius::vehicle

@@ -30,4 +30,9 @@ std::vector<Connector> connectors(const Space::Impl& space, const Lattice& latti
                                   const Pose& pose, bool towards, const ConnectorReach& reach,
                                   std::int64_t& checked, Poller& poller);
 
+/// Poses of the lattice that are as good as a goal: free, no farther than `far` cells from it and
+/// turned from it by at most `turned` radians. None where `far` is 0.
+std::vector<Connector> tolerated(const Space::Impl& space, const Lattice& lattice, const Pose& goal,
+                                 double far, double turned, Poller& poller);
+
 }  // namespace lasius::vehicle

@@ -41,6 +41,7 @@ class Planner::Impl {
   Lattice lattice;
   FreeHeadings free;
   Bound bound;
+  MadeOnce<EdgePlanes> planes;
   mutable std::mutex mutex;
   mutable std::vector<std::unique_ptr<SearchMemory>> spare;
 };
@@ -212,10 +213,14 @@ Result Planner::plan(const Request& asked) const {
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
-  SearchOptions options{
-      request.weight, request.goal_tolerance, request.heading_tolerance, request.goals,
-      false,          request.max_states};
+  const Prepared prepared{space.impl(), impl_->lattice, impl_->free, impl_->planes};
+  SearchOptions options{request.weight,
+                        request.goal_tolerance,
+                        request.heading_tolerance,
+                        request.goals,
+                        false,
+                        request.max_states,
+                        request.stop};
   std::unique_ptr<SearchMemory> memory = impl_->take();
   Found found = search(prepared, request.start, goals, options, *memory, result, poller);
   if (found.goal < 0 && !poller.stopped() && !found.full) {

@@ -6,6 +6,7 @@
 #include "core/base/poller.h"
 #include "core/grid/clearance.h"
 #include "core/vehicle/sweep.h"
+#include "kernels/base/mask.h"
 
 namespace lasius::vehicle {
 
@@ -70,7 +71,8 @@ BitColumns::BitColumns(const Grid& grid, int margin)
       top_(margin + 1),
       rows_(height_ + 2 * top_) {
   const int columns = left_ / 64 + grid.words() + margin / 64 + 3;
-  bits_.assign(static_cast<std::size_t>(columns) * rows_, ~std::uint64_t{0});
+  // Masks are read to the end of their padding.
+  bits_.assign(static_cast<std::size_t>(columns) * rows_ + kernels::kMaskRows, ~std::uint64_t{0});
   for (int y = 0; y < height_; ++y) {
     const std::uint64_t* words = grid.row(y);
     std::uint64_t* to = bits_.data() + (left_ / 64) * rows_ + top_ + y;
