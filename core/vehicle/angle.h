@@ -23,9 +23,12 @@ inline double direction(double y, double x) noexcept {
 inline double arc_cosine(double c) noexcept { return direction(std::sqrt((1 - c) * (1 + c)), c); }
 inline double arc_sine(double s) noexcept { return direction(s, std::sqrt((1 - s) * (1 + s))); }
 
-/// In [-pi, pi]. |angle| at most 10^6.
+/// In [-pi, pi], to the last digit: 2 pi in three parts (Cody & Waite). |angle| at most 10^6.
 inline double half_turned(double angle) noexcept {
-  return angle - kTurn * std::nearbyint(angle * (1 / kTurn));
+  const double turns = std::nearbyint(angle * (1 / kTurn));
+  return ((angle - turns * (4 * 1.57079632673412561417)) -
+          turns * (4 * 6.07710050630396597660e-11)) -
+         turns * (4 * 2.02226624879595063154e-21);
 }
 /// In [0, 2 pi); what is a rounding error below a turn is 0.
 inline double turned(double angle) noexcept {

@@ -14,14 +14,13 @@ Bound::Bound(const Grid& grid, const Vehicle& vehicle)
       radius_(std::min(inscribed_radius(vehicle), disc::kLargestRadius)),
       grid_(grid) {}
 
-const disc::DiscSpace* Bound::space() const {
+const disc::DiscSpace* Bound::space(const StopCondition& stop) const {
   if (!disc::has_space(radius_)) return nullptr;
-  std::call_once(made_, [&] { space_ = disc::DiscSpace::make(std::move(grid_), radius_); });
-  return &*space_;
+  return space_.get(stop, [&] { return disc::DiscSpace::make(grid_, radius_, stop); });
 }
 
 double Bound::around_obstacles(Point start, Point goal, const StopCondition& stop) const {
-  const disc::DiscSpace* disc = space();
+  const disc::DiscSpace* disc = space(stop);
   if (disc == nullptr || !disc->clear(start) || !disc->clear(goal)) return 0;
   std::unique_ptr<disc::DiscSearch> search;
   {
@@ -61,7 +60,7 @@ double Bound::length(const Request& request) const {
 }
 
 bool Bound::cut_off(const Request& request) const {
-  const disc::DiscSpace* disc = space();
+  const disc::DiscSpace* disc = space(request.stop);
   const Point start{request.start.x, request.start.y};
   if (disc == nullptr || request.goal_tolerance > 0 || !disc->clear(start)) return false;
   return std::ranges::none_of(request.goals, [&](const Pose& goal) {

@@ -10,6 +10,7 @@
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
+#include "core/vehicle/made_once.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
@@ -17,7 +18,7 @@ namespace lasius::vehicle {
 /// Bounds on one map, for one vehicle. Thread-safe.
 class Bound {
  public:
-  /// The disc's space is made when it is first asked for, which is not cut short.
+  /// The disc's space is made when it is first asked for.
   Bound(const Grid& grid, const Vehicle& vehicle);
 
   /// Of the way to any of the goals, cells. Stopped: a smaller one.
@@ -26,14 +27,14 @@ class Bound {
   bool cut_off(const Request& request) const;
 
  private:
-  const disc::DiscSpace* space() const;
+  /// Null where a disc is too small to have one, or stopped.
+  const disc::DiscSpace* space(const StopCondition& stop) const;
   double around_obstacles(Point start, Point goal, const StopCondition& stop) const;
 
   const Vehicle& vehicle_;
   double radius_;
-  mutable Grid grid_;  ///< until the space is made
-  mutable std::once_flag made_;
-  mutable std::optional<disc::DiscSpace> space_;
+  Grid grid_;
+  MadeOnce<disc::DiscSpace> space_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<disc::DiscSearch>> spare_;
 };

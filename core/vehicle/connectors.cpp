@@ -9,8 +9,6 @@
 namespace lasius::vehicle {
 namespace {
 
-Pose flipped(const Pose& pose) noexcept { return {pose.x, pose.y, pose.yaw + kPi}; }
-
 class Maker {
  public:
   Maker(const Space::Impl& space, const Lattice& lattice, const Pose& pose, bool towards,
@@ -38,7 +36,10 @@ class Maker {
       by_words(x, y, distance, bearing, 1);
       if (vehicle.reverse && distance > 1e-9) by_words(x, y, distance, bearing, -1);
     }
-    if (vehicle.rotate_in_place) by_turns(x, y, distance, bearing);
+    if (vehicle.sideways)
+      by_slides(x, y);
+    else if (vehicle.rotate_in_place)
+      by_turns(x, y, distance, bearing);
   }
 
   std::vector<Connector> found;
@@ -55,30 +56,12 @@ class Maker {
     for (int h = 0; h < Lattice::kHeadings; ++h) {
       if (distance > 1e-9 && std::fabs(half_turned(lattice_.yaw(h) - ahead)) > kWidest) continue;
       const Pose node = lattice_.pose(x, y, h);
-      Pose from = towards_ ? node : pose_;
-      Pose to = towards_ ? pose_ : node;
-      if (gear < 0) {
-        from = flipped(from);
-        to = flipped(to);
-      }
-      const Place place = seen_from(from, to, vehicle.turning_radius);
-      words_.dubins(place);
-      const double length = words_.least() * vehicle.turning_radius;
-      if (length > most) continue;
-      words_.sort(1);
-      motions_.clear();
-      append(words_[0], from, vehicle.turning_radius, motions_);
-      if (gear < 0) {
-        for (Segment& s : motions_) {
-          s.begin.yaw -= kPi;
-          s.curvature = -s.curvature;
-          s.gear = -1;
-        }
-      }
-      if (!free() || !ends_at(words_[0], place)) continue;
+      const double length = words_.aim(towards_ ? node : pose_, towards_ ? pose_ : node,
+                                       vehicle.turning_radius, gear);
+      if (length > most || !words_.motions(motions_) || !free()) continue;
       const int told = motions_.empty() ? 0 : gear;
       found.push_back(
-          {x, y, h, gear < 0 ? length * vehicle.reverse_cost : length, told, told, motions_, 0});
+          {x, y, h, gear < 0 ? length * vehicle.reverse_cost : length, told, motions_, 0});
     }
   }
 
@@ -96,19 +79,31 @@ class Maker {
         append_turns(towards_ ? node : pose_, towards_ ? pose_ : node, gear, motions_);
         if (!free()) continue;
         const int told = driven_length(motions_) > 0 ? gear : 0;
-        found.push_back({x, y, h, cost(vehicle, motions_), told, told, motions_, 0});
+        found.push_back({x, y, h, cost(vehicle, motions_), told, motions_, 0});
+      }
+    }
+  }
+
+  void by_slides(int x, int y) {
+    for (int h = 0; h < Lattice::kHeadings; ++h) {
+      // Others are a rotation on the lattice away.
+      if (std::fabs(half_turned(lattice_.yaw(h) - pose_.yaw)) > kPi / 7) continue;
+      const Pose node = lattice_.pose(x, y, h);
+      for (const bool turn_first : {true, false}) {
+        motions_.clear();
+        append_slide(towards_ ? node : pose_, towards_ ? pose_ : node, turn_first, motions_);
+        if (!free()) continue;
+        const int told = driven_length(motions_) > 0 ? 1 : 0;
+        found.push_back({x, y, h, cost(space_.vehicle(), motions_), told, motions_, 0});
+        break;
       }
     }
   }
 
   bool free() {
     // Far from the end it is likelier to fail.
-    for (std::size_t i = 0; i < motions_.size(); ++i) {
-      const Segment& s = motions_[towards_ ? i : motions_.size() - 1 - i];
-      ++checked_;
-      if (space_.touch(s, Space::Impl::kCoarse, false) <= 1) return false;
-    }
-    return !motions_.empty() || space_.free_at(pose_, 0);
+    return space_.all_free(motions_, Space::Impl::kCoarse, !towards_, checked_) &&
+           (!motions_.empty() || space_.free_at(pose_, 0));
   }
 
   const Space::Impl& space_;
@@ -117,7 +112,7 @@ class Maker {
   bool towards_;
   ConnectorReach reach_;
   std::int64_t& checked_;
-  Words words_;
+  GearWords words_;
   std::vector<Segment> motions_;
 };
 
@@ -138,6 +133,26 @@ std::vector<Connector> connectors(const Space::Impl& space, const Lattice& latti
     }
   }
   return std::move(maker.found);
+}
+
+std::vector<Connector> tolerated(const Space::Impl& space, const Lattice& lattice, const Pose& goal,
+                                 double far, double turned, Poller& poller) {
+  std::vector<Connector> made;
+  if (far <= 0) return made;
+  for (int y = std::max(0, floor_of(goal.y - far)); y <= goal.y + far && y < space.height(); ++y) {
+    if (poller.stop_after(static_cast<std::int64_t>(64 * far))) return made;
+    for (int x = std::max(0, floor_of(goal.x - far)); x <= goal.x + far && x < space.width(); ++x) {
+      const double dx = x + 0.5 - goal.x;
+      const double dy = y + 0.5 - goal.y;
+      if (dx * dx + dy * dy > far * far) continue;
+      for (int h = 0; h < Lattice::kHeadings; ++h) {
+        if (std::fabs(half_turned(lattice.yaw(h) - goal.yaw)) > turned + 1e-12) continue;
+        if (!lattice.masks().free(lattice.footprint(h), space.bits(), x, y)) continue;
+        made.push_back({.x = x, .y = y, .heading = h, .motions = {}});
+      }
+    }
+  }
+  return made;
 }
 
 }  // namespace lasius::vehicle

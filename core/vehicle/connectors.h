@@ -13,8 +13,7 @@ namespace lasius::vehicle {
 struct Connector {
   int x = 0, y = 0, heading = 0;  ///< of the lattice
   double cost = 0;                ///< by the vehicle's prices
-  int gear = 0;        ///< of the motion beside the lattice; 0: rotations alone, or nothing
-  int outer_gear = 0;  ///< of the motion beside the end
+  int gear = 0;  ///< of the motion beside the lattice; 0: rotations alone, or nothing
   std::vector<Segment> motions;  ///< as driven
   int end = 0;                   ///< index of the goal
 };
@@ -30,5 +29,10 @@ struct ConnectorReach {
 std::vector<Connector> connectors(const Space::Impl& space, const Lattice& lattice,
                                   const Pose& pose, bool towards, const ConnectorReach& reach,
                                   std::int64_t& checked, Poller& poller);
+
+/// Poses of the lattice that are as good as a goal: free, no farther than `far` cells from it and
+/// turned from it by at most `turned` radians. None where `far` is 0.
+std::vector<Connector> tolerated(const Space::Impl& space, const Lattice& lattice, const Pose& goal,
+                                 double far, double turned, Poller& poller);
 
 }  // namespace lasius::vehicle

@@ -59,6 +59,7 @@ Flood::Flood(const FreeHeadings& free, const Space::Impl& space, bool squeeze, M
       near_[step] |= static_cast<std::uint16_t>(1u << h);
       if (reverse) near_[step] |= static_cast<std::uint16_t>(1u << ((h + 8) % 16));
     }
+    if (space.vehicle().sideways) near_[step] = 0xffff;
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/vehicle/angle.h"
 
@@ -20,6 +19,11 @@ Direction direction_of(int heading) noexcept {
   Direction d = kDirections[heading % kQuarter];
   for (int turns = heading / kQuarter; turns > 0; --turns) d = {-d.q, d.p};
   return d;
+}
+
+double yaw_of(int heading) noexcept {
+  const Direction d = direction_of(heading);
+  return direction(d.q, d.p);
 }
 
 /// Cells about the origin by distance.
@@ -43,8 +47,7 @@ std::vector<Direction> nearest_cells(int reach) {
 Lattice::Lattice(const Vehicle& vehicle, const Outline& outline)
     : radius_(vehicle.turning_radius), from_(kHeadings), to_(kHeadings) {
   for (int h = 0; h < kHeadings; ++h) {
-    const Direction d = direction_of(h);
-    yaws_.push_back(direction(d.q, d.p));
+    yaws_.push_back(yaw_of(h));
     std::vector<Masks::Row> rows;
     outline.visit_cells(pose(0, 0, h), 0, [&](int row, int first, int last) {
       rows.push_back({row, first, last});
@@ -57,13 +60,18 @@ Lattice::Lattice(const Vehicle& vehicle, const Outline& outline)
     const Direction d = direction_of(h);
     const double length = std::sqrt(static_cast<double>(d.p * d.p + d.q * d.q));
     const double straight = radius_ > 0 ? length / radius_ : length;
-    place({.from = h,
-           .to = h,
-           .dx = d.p,
-           .dy = d.q,
-           .cost = static_cast<float>(length),
-           .mask = {},
-           .word = {{straight}, {}, 1, straight}});
+    // What drives to any side does so at each heading.
+    for (int at = 0; at < kHeadings; ++at) {
+      if (at != h && !vehicle.sideways) continue;
+      place({.from = at,
+             .to = at,
+             .dx = d.p,
+             .dy = d.q,
+             .cost = static_cast<float>(length),
+             .angle = at == h ? 0 : half_turned(yaw_of(h) - yaw_of(at)),
+             .mask = {},
+             .word = {{straight}, {}, 1, straight}});
+    }
   }
   if (radius_ > 0) {
     // The shortest word from a heading to each that is near, and to each side; headings a quarter
@@ -168,19 +176,6 @@ Masks::Mask Lattice::sweep(const std::vector<Segment>& motion, const Outline& ou
   return masks_.add(rows);
 }
 
-int Lattice::heading_of(double yaw) const noexcept {
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int h = 0; h < kHeadings; ++h) {
-    const double off = std::fabs(half_turned(yaw - yaws_[h]));
-    if (off < least) {
-      least = off;
-      best = h;
-    }
-  }
-  return best;
-}
-
 void Lattice::append(const Edge& edge, int x, int y, std::vector<Segment>& to) const {
   const Pose begin = pose(x, y, edge.from);
   if (edge.gear == 0) {
@@ -192,6 +187,7 @@ void Lattice::append(const Edge& edge, int x, int y, std::vector<Segment>& to) c
   const std::size_t first = to.size();
   if (edge.gear > 0) {
     vehicle::append(edge.word, begin, radius, to);
+    if (edge.angle != 0) to.back().angle = edge.angle;
     return;
   }
   vehicle::append(edge.word, pose(x + edge.dx, y + edge.dy, edge.to), radius, to);

@@ -16,6 +16,7 @@ struct Edge {
   int dx = 0, dy = 0;    ///< cells
   int gear = 1;          ///< 0: a rotation in place
   float cost = 0;        ///< by the vehicle's prices, without cusps
+  double angle = 0;      ///< of a line: to where it drives, from the heading
   Masks::Mask mask;
   Word word;  ///< of the radius; backwards: of the motion that leads from its end to its begin
 };
@@ -29,8 +30,6 @@ class Lattice {
   explicit Lattice(const Vehicle& vehicle, const Outline& outline);
 
   double yaw(int heading) const noexcept { return yaws_[heading]; }
-  /// The nearest heading.
-  int heading_of(double yaw) const noexcept;
   Pose pose(int x, int y, int heading) const noexcept { return {x + 0.5, y + 0.5, yaws_[heading]}; }
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   /// Indices of the edges that begin or end with a heading.

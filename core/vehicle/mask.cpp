@@ -30,9 +30,12 @@ Masks::Mask Masks::add(const std::vector<Row>& rows) {
     const auto used = [](std::uint64_t word) { return word != 0; };
     const auto begin = std::ranges::find_if(bits, used);
     const auto end = std::find_if(bits.rbegin(), bits.rend(), used).base();
-    columns_.push_back({x, top + static_cast<int>(begin - bits.begin()),
-                        static_cast<int>(std::max<std::ptrdiff_t>(0, end - begin)), words_.size()});
-    words_.insert(words_.end(), begin, begin + columns_.back().rows);
+    const auto used_rows = static_cast<int>(std::max<std::ptrdiff_t>(0, end - begin));
+    const int padded =
+        (used_rows + kernels::kMaskRows - 1) / kernels::kMaskRows * kernels::kMaskRows;
+    columns_.push_back({x, top + static_cast<int>(begin - bits.begin()), padded, words_.size()});
+    words_.insert(words_.end(), begin, begin + used_rows);
+    words_.resize(columns_.back().first + padded);
   }
   mask.reach = reach_of(mask.first, mask.count);
   return mask;
@@ -48,6 +51,23 @@ Masks::Mask Masks::moved(const Mask& mask, int x, int y) {
   }
   to.reach = reach_of(to.first, to.count);
   return to;
+}
+
+std::vector<Masks::Row> Masks::rows(const Mask& mask) const {
+  std::vector<Row> runs;
+  for (int c = mask.first; c < mask.first + mask.count; ++c) {
+    const MaskColumn& column = columns_[c];
+    for (int i = 0; i < column.rows; ++i) {
+      std::uint64_t left = words_[column.first + i];
+      while (left != 0) {
+        const int first = std::countr_zero(left);
+        const int length = std::countr_one(left >> first);
+        runs.push_back({column.y + i, column.x + first, column.x + first + length - 1});
+        left = first + length < 64 ? left & (~std::uint64_t{0} << (first + length)) : 0;
+      }
+    }
+  }
+  return runs;
 }
 
 float Masks::reach_of(int first, int count) const noexcept {

@@ -4,14 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/kernel_choice.h"
 #include "core/vehicle/bit_columns.h"
+#include "kernels/base/mask.h"
 
 namespace lasius::vehicle {
 
 /// Up to 64 columns of a mask.
 struct MaskColumn {
   int x = 0, y = 0;       ///< of its first bit, from the cell that the motion begins in
-  int rows = 0;           ///< words
+  int rows = 0;           ///< words, zeros at the end among them: a multiple of kMaskRows
   std::size_t first = 0;  ///< of its words
 };
 
@@ -39,19 +41,17 @@ class Masks {
       const std::uint64_t* a = bits.from(left, y + column.y);
       const std::uint64_t* b = a + bits.rows();
       const std::uint64_t* m = words_.data() + column.first;
-      const int shift = bits.shift(left);
-      const int back = 63 - shift;
-      std::uint64_t met = 0;
-      for (int i = 0; i < column.rows; ++i) met |= ((a[i] >> shift) | ((b[i] << 1) << back)) & m[i];
-      if (met != 0) return false;
+      if (meets_(a, b, m, column.rows, bits.shift(left))) return false;
     }
     return true;
   }
-  std::size_t words() const noexcept { return words_.size(); }
+  /// Its cells, as rows that do not overlap, of at most 64 columns.
+  std::vector<Row> rows(const Mask& mask) const;
 
  private:
   float reach_of(int first, int count) const noexcept;
 
+  kernels::MeetsFn meets_ = kernels::meets_mask(chosen_isa());
   std::vector<MaskColumn> columns_;
   std::vector<std::uint64_t> words_;
 };

@@ -3,9 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/invalid_parameter.h"
 #include "core/vehicle/angle.h"
 
 namespace lasius::vehicle {
+
+namespace {
+
+/// Angles beyond what sines are exact for have none: 0 in place of them, and of what is no number.
+double exact(double angle) noexcept { return std::fabs(angle) <= 1e6 ? angle : 0; }
+
+}  // namespace
 
 double Segment::extent() const noexcept { return gear == 0 ? std::fabs(angle) : length; }
 
@@ -14,8 +22,8 @@ Pose Segment::pose(double at) const noexcept {
   // The chord of an arc points along the mean of both yaws.
   const double driven = gear * at;
   const double half = curvature * driven / 2;
-  const double shorter = std::fabs(half) < 1e-8 ? 1 : kernels::sine_cosine(half).sine / half;
-  const auto [sine, cosine] = kernels::sine_cosine(begin.yaw + half);
+  const double shorter = std::fabs(half) < 1e-8 ? 1 : kernels::sine_cosine(exact(half)).sine / half;
+  const auto [sine, cosine] = kernels::sine_cosine(exact(begin.yaw + half + angle));
   return {begin.x + driven * shorter * cosine, begin.y + driven * shorter * sine,
           begin.yaw + 2 * half};
 }
@@ -50,15 +58,21 @@ int cusps(std::span<const Segment> segments) noexcept {
 }
 
 std::vector<PathPose> poses(std::span<const Segment> segments, double spacing) {
+  constexpr double kMost = 1e8;  // poses of a segment
+  require_parameter(spacing > 0, "spacing", spacing, "give a number above 0");
   std::vector<PathPose> told;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     const double extent = s.extent();
+    require_parameter(extent / spacing <= kMost, "spacing", spacing,
+                      "give a wider one: a segment has more than 100000000 poses");
     const int pieces = std::max(1, static_cast<int>(std::ceil(extent / spacing)));
     const bool new_gear = told.empty() || told.back().gear != s.gear;
     for (int k = new_gear ? 0 : 1; k <= pieces; ++k) {
       const double at = k == pieces ? extent : extent * k / pieces;
-      told.push_back({s.pose(at), s.curvature, s.gear, static_cast<int>(i), at});
+      // At a cusp the same pose once more, to the last digit.
+      const Pose pose = k == 0 && !told.empty() ? told.back().pose : s.pose(at);
+      told.push_back({pose, s.curvature, s.gear, static_cast<int>(i), at});
     }
   }
   return told;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,7 @@ class Planner::Impl {
   Lattice lattice;
   FreeHeadings free;
   Bound bound;
+  MadeOnce<EdgePlanes> planes;
   mutable std::mutex mutex;
   mutable std::vector<std::unique_ptr<SearchMemory>> spare;
 };
@@ -102,16 +104,42 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
   for (const Segment& s : segments) {
     if (!told.empty()) {
       Segment& last = told.back();
-      if (last.gear == s.gear && last.curvature == s.curvature &&
-          (s.gear != 0 || (last.angle > 0) == (s.angle > 0))) {
+      const bool on = s.gear == 0 ? (last.angle > 0) == (s.angle > 0) : last.angle == s.angle;
+      if (last.gear == s.gear && last.curvature == s.curvature && on) {
         last.length += s.length;
-        last.angle += s.angle;
+        if (s.gear == 0) last.angle += s.angle;
         continue;
       }
     }
     told.push_back(s);
   }
   return told;
+}
+
+/// Ends, joints, what the vehicle can drive, contacts: compared before a path is answered.
+bool holds(const Space& space, const Request& request, int goal, std::span<const Segment> path) {
+  constexpr double kOff = 1e-7;
+  const Vehicle& vehicle = space.vehicle();
+  const auto apart = [](const Pose& a, const Pose& b) {
+    const double dx = a.x - b.x, dy = a.y - b.y;
+    return std::sqrt(dx * dx + dy * dy);
+  };
+  const auto turned = [](const Pose& a, const Pose& b) {
+    return std::fabs(half_turned(a.yaw - b.yaw));
+  };
+  Pose at = request.start;
+  for (const Segment& s : path) {
+    const bool drives = s.gear > 0 ? true : s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place;
+    const double bent = std::fabs(s.curvature) * vehicle.turning_radius;
+    if (!drives || (s.gear != 0 && s.angle != 0 && !vehicle.sideways) || !(bent <= 1 + 1e-12) ||
+        (vehicle.turning_radius == 0 && s.curvature != 0) || !(apart(at, s.begin) <= kOff) ||
+        !(turned(at, s.begin) <= kOff))
+      return false;
+    at = s.end();
+  }
+  const Pose& wanted = request.goals[goal];
+  return apart(at, wanted) <= request.goal_tolerance + kOff &&
+         turned(at, wanted) <= request.heading_tolerance + kOff && !space.first_contact(path);
 }
 
 void refuse(Result& result, const Space& space, const Pose& pose, bool start) {
@@ -161,9 +189,12 @@ Planner::~Planner() = default;
 
 const Space& Planner::space() const noexcept { return impl_->space; }
 
-Result Planner::plan(const Request& request) const {
-  check(request);
+Result Planner::plan(const Request& asked) const {
+  check(asked);
   const Space& space = impl_->space;
+  Request request = asked;  // of the same poses, with all of their digits for what is turned
+  request.start.yaw = half_turned(request.start.yaw);
+  for (Pose& goal : request.goals) goal.yaw = half_turned(goal.yaw);
   Result result;
   if (!space.free(request.start)) {
     refuse(result, space, request.start, true);
@@ -182,10 +213,14 @@ Result Planner::plan(const Request& request) const {
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prepared prepared{space.impl(), impl_->lattice, impl_->free};
-  SearchOptions options{
-      request.weight, request.goal_tolerance, request.heading_tolerance, request.goals,
-      false,          request.max_states};
+  const Prepared prepared{space.impl(), impl_->lattice, impl_->free, impl_->planes};
+  SearchOptions options{request.weight,
+                        request.goal_tolerance,
+                        request.heading_tolerance,
+                        request.goals,
+                        false,
+                        request.max_states,
+                        request.stop};
   std::unique_ptr<SearchMemory> memory = impl_->take();
   Found found = search(prepared, request.start, goals, options, *memory, result, poller);
   if (found.goal < 0 && !poller.stopped() && !found.full) {
@@ -196,11 +231,11 @@ Result Planner::plan(const Request& request) const {
   if (found.goal >= 0) {
     result.segments = joined(found.segments);
     // The masks' proof is of motions told another way: all is certified once more.
-    if (space.first_contact(result.segments)) found.goal = -1;
+    if (!holds(space, request, found.goal, result.segments)) found.goal = -1;
     if (found.goal >= 0 && request.smooth && !poller.stopped()) {
       std::vector<Segment> shorter =
           joined(smoothed(space.impl(), result.segments, result.checked, poller));
-      if (!space.first_contact(shorter)) result.segments = std::move(shorter);
+      if (holds(space, request, found.goal, shorter)) result.segments = std::move(shorter);
     }
     if (found.goal < 0) result.segments.clear();
   }

@@ -96,7 +96,9 @@ Profile::Profile(std::vector<Segment> segments, const SpeedLimits& limits)
   for (const Segment& s : segments_) pieces.push_back(piece_of(s, limits_));
   speed_.assign(n + 1, 0);
   for (std::size_t i = 1; i < n; ++i) {
-    const bool rest = segments_[i - 1].gear != segments_[i].gear || segments_[i].gear == 0;
+    const Segment& before = segments_[i - 1];
+    const bool rest = before.gear != segments_[i].gear || segments_[i].gear == 0 ||
+                      before.angle != segments_[i].angle;
     if (rest) continue;
     speed_[i] = std::min({pieces[i - 1].most, pieces[i].most,
                           speed_[i - 1] + gain(pieces[i - 1].up, pieces[i - 1].extent)});
@@ -121,7 +123,10 @@ TimedPose Profile::state(int segment, double at) const {
 
 std::vector<TimedPose> Profile::samples(double spacing) const {
   std::vector<TimedPose> told;
-  for (const PathPose& p : poses(segments_, spacing)) told.push_back(state(p.segment, p.at));
+  for (const PathPose& p : poses(segments_, spacing)) {
+    told.push_back(state(p.segment, p.at));
+    told.back().at = p;
+  }
   return told;
 }
 

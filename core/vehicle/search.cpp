@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <unordered_map>
 
-#include "core/vehicle/angle.h"
+#include "core/vehicle/escape.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kBucket = 0.125;
-constexpr int kProbed = 2000;  ///< states of the probe from the goals
+constexpr int kProbed = 2000;           ///< states of the probe from the goals
+constexpr std::int64_t kHard = 20'000;  ///< states after which all of the lattice is looked at
 
 class Search {
  public:
@@ -30,6 +31,8 @@ class Search {
         layers_(vehicle_.reverse && vehicle_.cusp_cost > 0 ? 2 : 1),
         steering_(vehicle_),
         flood_(prepared.free, space_, options.wide, memory.flood),
+        planes_(prepared.planes),
+        lattice_flood_(memory.lattice_flood),
         reached_(memory.reached),
         leads_(memory.leads),
         queue_(memory.queue),
@@ -68,11 +71,14 @@ class Search {
   /// Tries ways to a goal straight on. @param gear  by which the pose was reached, 0: any
   template <class Before>
   bool shoot(const Pose& from, const Goal& goal, double cost, int gear, int most, Before&& before) {
+    // On a lattice beside a wall others would do, but at last it is to be this one.
+    const double open = options_.wide ? 2 * Space::Impl::kFine : Space::Impl::kLoose;
     steering_.aim(from, goal.pose, most);
     for (int i = 0; i < steering_.size(); ++i) {
       if (cost + steering_.cost(i) >= best_.cost && best_.goal >= 0) return false;
       shot_.clear();
-      if (!steering_.append(i, shot_) || !free(shot_)) continue;
+      if (!steering_.append(i, shot_) || !space_.all_free(shot_, open, false, counts_.checked))
+        continue;
       const double cusps =
           gear != 0 && !shot_.empty() && shot_[0].gear == -gear ? vehicle_.cusp_cost : 0;
       const double total = cost + steering_.cost(i) + cusps;
@@ -87,51 +93,37 @@ class Search {
     return false;
   }
 
-  bool free(const std::vector<Segment>& motions) {
-    for (const Segment& s : motions) {
-      ++counts_.checked;
-      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
+  double near() const { return std::max(radius(), 4.0); }
+  ConnectorReach short_reach() const { return {std::min(near(), 30.0), 12, 1.35}; }
+  ConnectorReach wide_reach() const { return {std::min(3 * near(), 60.0), 1.5 * near(), 1.35}; }
+
+  std::vector<Connector> connectors_of(const Pose& pose, bool towards,
+                                       const ConnectorReach& reach) {
+    return connectors(space_, lattice_, pose, towards, reach, counts_.checked, poller_);
+  }
+  std::vector<Connector> all_of(const Pose& pose, bool towards) {
+    if (!options_.wide) return connectors_of(pose, towards, short_reach());
+    std::vector<Connector> made = connectors_of(pose, towards, wide_reach());
+    std::vector<Connector> more =
+        escapes(space_, lattice_, pose, towards, short_reach(), counts_.checked, poller_);
+    std::ranges::move(more, std::back_inserter(made));
+    return made;
+  }
+  void lead_to(const Goal& goal, std::vector<Connector> made) {
+    for (Connector& c : made) {
+      c.end = goal.index;
+      to_goal_.push_back(std::move(c));
     }
-    return true;
   }
 
   void connect_ends() {
-    const double near = std::max(radius(), 4.0);
-    const ConnectorReach reach = options_.wide
-                                     ? ConnectorReach{std::min(3 * near, 60.0), 1.5 * near, 1.35}
-                                     : ConnectorReach{std::min(near, 30.0), 12, 1.35};
-    from_start_ = connectors(space_, lattice_, start_, false, reach, counts_.checked, poller_);
-    for (std::size_t i = 0; i < goals_.size() && !done(); ++i) {
-      std::vector<Connector> more =
-          connectors(space_, lattice_, goals_[i].pose, true, reach, counts_.checked, poller_);
-      for (Connector& c : more) {
-        c.end = goals_[i].index;
-        to_goal_.push_back(std::move(c));
-      }
-    }
-    for (std::size_t i = 0; i < options_.wanted.size(); ++i) tolerated(static_cast<int>(i));
+    from_start_ = all_of(start_, false);
+    for (std::size_t i = 0; i < goals_.size() && !done(); ++i)
+      lead_to(goals_[i], all_of(goals_[i].pose, true));
+    for (int i = 0; i < static_cast<int>(options_.wanted.size()); ++i)
+      lead_to({{}, i}, tolerated(space_, lattice_, options_.wanted[i], options_.lattice_tolerance,
+                                 options_.heading_tolerance, poller_));
     for (const Connector& c : to_goal_) flood_.add_source(c.x, c.y, c.cost);
-  }
-
-  /// Poses of the lattice that are as good as the goal.
-  void tolerated(int goal) {
-    const double far = options_.lattice_tolerance;
-    if (far <= 0) return;
-    const Pose& at = options_.wanted[goal];
-    for (int y = std::max(0, floor_of(at.y - far)); y <= at.y + far && y < space_.height(); ++y) {
-      if (poller_.stop_after(static_cast<std::int64_t>(64 * far))) return;
-      for (int x = std::max(0, floor_of(at.x - far)); x <= at.x + far && x < space_.width(); ++x) {
-        const double dx = x + 0.5 - at.x;
-        const double dy = y + 0.5 - at.y;
-        if (dx * dx + dy * dy > far * far) continue;
-        for (int h = 0; h < Lattice::kHeadings; ++h) {
-          const double off = std::fabs(half_turned(lattice_.yaw(h) - at.yaw));
-          if (off > options_.heading_tolerance + 1e-12) continue;
-          if (!lattice_.masks().free(lattice_.footprint(h), space_.bits(), x, y)) continue;
-          to_goal_.push_back({.x = x, .y = y, .heading = h, .motions = {}, .end = goal});
-        }
-      }
-    }
   }
 
   bool edge_free(const Edge& edge, int x, int y) {
@@ -242,6 +234,7 @@ class Search {
         if (best_.goal < 0 && probe(expanded / 2)) break;
         next_probe = 2 * expanded;
       }
+      if (expanded == kHard && flood_lattice()) break;
       const std::uint32_t index = queue_.pop();
       if (reached_[index].expanded) continue;
       reached_[index].expanded = true;
@@ -264,6 +257,41 @@ class Search {
       }
     }
     counts_.expanded += expanded;
+  }
+
+  /// The cheapest path of the lattice, up to the rounding of its costs, where most of the lattice
+  /// would be entered else. True if that ends the search: one was found, or there is none.
+  bool flood_lattice() {
+    if (layers_ > 1 || std::int64_t{space_.width()} * space_.height() > options_.max_states ||
+        !LatticeFlood::takes(lattice_) || EdgePlanes::bytes(space_, lattice_) > EdgePlanes::kMost)
+      return false;
+    const EdgePlanes* planes =
+        planes_.get(options_.stop, [&] { return EdgePlanes::make(space_, lattice_, poller_); });
+    if (planes == nullptr) return poller_.stopped();
+    LatticeFlood flood(*planes, lattice_, space_.width(), space_.height(), lattice_flood_);
+    const int end = flood.run(from_start_, to_goal_, poller_);
+    if (end >= 0) {
+      const Connector& last = to_goal_[end];
+      const double total = flood.cost(last.x, last.y, last.heading) + last.cost;
+      if (best_.goal < 0 || total < best_.cost) {
+        best_ = {{}, total, last.end};
+        flood.append(from_start_, {last.x, last.y}, last.heading, best_.segments);
+        best_.segments.insert(best_.segments.end(), last.motions.begin(), last.motions.end());
+      }
+    }
+    // Most of a turn about a goal, say, where no motions of the lattice are sharp enough.
+    for (const Goal& goal : goals_) {
+      const double most = best_.goal < 0 ? kNever : best_.cost;
+      for (const auto& [total, x, y, h] :
+           flood.about(goal.pose, std::min(2 * near(), 60.0), most, steering_, poller_)) {
+        if ((best_.goal >= 0 && total >= best_.cost) || poller_.stop_after(64)) break;
+        const Cell at{x, y};
+        const int heading = h;
+        shoot(lattice_.pose(x, y, h), goal, flood.cost(x, y, h), 0, 3,
+              [&](auto& to) { flood.append(from_start_, at, heading, to); });
+      }
+    }
+    return true;
   }
 
   void offer(int x, int y, int heading, int layer, double cost, std::uint32_t before,
@@ -342,6 +370,8 @@ class Search {
   int layers_;
   Steering steering_;
   Flood flood_;
+  const MadeOnce<EdgePlanes>& planes_;
+  LatticeFlood::Memory& lattice_flood_;
   States<Reached>& reached_;
   States<Leads>& leads_;
   BucketQueue& queue_;

@@ -8,6 +8,7 @@
 
 #include "core/base/poller.h"
 #include "core/vehicle/connectors.h"
+#include "core/vehicle/made_once.h"
 #include "core/vehicle/search_memory.h"
 #include "lasius/vehicle/planner.h"
 
@@ -18,6 +19,7 @@ struct Prepared {
   const Space::Impl& space;
   const Lattice& lattice;
   const FreeHeadings& free;
+  const MadeOnce<EdgePlanes>& planes;  ///< made by the first search that is hard
 };
 
 /// A pose that ends a path, and whose goal it is.
@@ -41,6 +43,7 @@ struct SearchOptions {
   std::span<const Pose> wanted = {};  ///< goals as they were asked for
   bool wide = false;                  ///< longer connectors and more shots
   std::int64_t max_states = 0;
+  StopCondition stop = {};
 };
 
 /// Searches once. Counts what it does in the result.

@@ -7,6 +7,7 @@
 
 #include "core/base/bucket_queue.h"
 #include "core/vehicle/flood.h"
+#include "core/vehicle/lattice_flood.h"
 
 namespace lasius::vehicle {
 
@@ -80,6 +81,7 @@ struct SearchMemory {
   States<Reached> reached;
   States<Leads> leads;
   Flood::Memory flood;
+  LatticeFlood::Memory lattice_flood;
   BucketQueue queue, probe;
 };
 

@@ -102,33 +102,14 @@ class Smoother {
       }
       return false;
     }
-    const double radius = vehicle_.turning_radius;
-    const double flip = gear < 0 ? kPi : 0;
-    const Pose begin{from.x, from.y, from.yaw + flip};
-    const Place place = seen_from(begin, {to.x, to.y, to.yaw + flip}, radius);
-    words_.dubins(place);
-    leg.cost = words_.least() * radius * price(gear);
+    leg.cost = words_.aim(from, to, vehicle_.turning_radius, gear) * price(gear);
     if (leg.cost >= most) return false;
-    words_.sort(1);
-    leg.motions.clear();
-    append(words_[0], begin, radius, leg.motions);
-    if (gear < 0) {
-      for (Segment& s : leg.motions) {
-        s.begin.yaw -= kPi;
-        s.curvature = -s.curvature;
-        s.gear = -1;
-      }
-    }
     leg.gear = gear;
-    return ends_at(words_[0], place) && free(leg.motions);
+    return words_.motions(leg.motions) && free(leg.motions);
   }
 
   bool free(const std::vector<Segment>& motions) {
-    for (const Segment& s : motions) {
-      ++checked_;
-      if (space_.touch(s, Space::Impl::kLoose, false) <= 1) return false;
-    }
-    return true;
+    return space_.all_free(motions, Space::Impl::kLoose, false, checked_);
   }
 
   /// In which gear alone a way between two nodes is looked for.
@@ -186,10 +167,7 @@ class Smoother {
   double least(const Node& from, const Node& to, double line) {
     const int gear = gear_between(from, to);
     if (gear == 0) return line;
-    const double flip = gear < 0 ? kPi : 0;
-    words_.dubins(seen_from({from.pose.x, from.pose.y, from.pose.yaw + flip},
-                            {to.pose.x, to.pose.y, to.pose.yaw + flip}, vehicle_.turning_radius));
-    return words_.least() * vehicle_.turning_radius * price(gear);
+    return words_.aim(from.pose, to.pose, vehicle_.turning_radius, gear) * price(gear);
   }
 
   /// The path as it was between two nodes.
@@ -263,7 +241,7 @@ class Smoother {
   Steering steering_;
   std::int64_t& checked_;
   Poller& poller_;
-  Words words_;
+  GearWords words_;
   std::vector<Node> nodes_;
   std::vector<std::pair<std::size_t, double>> places_;  ///< of the nodes: segment and extent there
   std::vector<Pose> joints_;

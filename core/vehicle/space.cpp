@@ -6,6 +6,7 @@
 #include "core/base/poller.h"
 #include "core/grid/clearance.h"
 #include "core/vehicle/sweep.h"
+#include "kernels/base/mask.h"
 
 namespace lasius::vehicle {
 
@@ -43,8 +44,8 @@ void Outline::lay_covers(const Vehicle& vehicle) {
   high = turned(high);
   const double along = high.x - low.x;
   const double across = high.y - low.y;
-  const int slices =
-      std::clamp(static_cast<int>(std::ceil(3 * along / std::max(across, 1e-6))), 3, kSlices);
+  const int slices = static_cast<int>(
+      std::clamp(std::ceil(3 * along / std::max(across, 1e-6)), 3.0, 1.0 * kSlices));
   const double width = along / slices;
   for (int i = 0; i < slices; ++i) {
     // At both ends two, that stand out less.
@@ -70,7 +71,8 @@ BitColumns::BitColumns(const Grid& grid, int margin)
       top_(margin + 1),
       rows_(height_ + 2 * top_) {
   const int columns = left_ / 64 + grid.words() + margin / 64 + 3;
-  bits_.assign(static_cast<std::size_t>(columns) * rows_, ~std::uint64_t{0});
+  // Masks are read to the end of their padding.
+  bits_.assign(static_cast<std::size_t>(columns) * rows_ + kernels::kMaskRows, ~std::uint64_t{0});
   for (int y = 0; y < height_; ++y) {
     const std::uint64_t* words = grid.row(y);
     std::uint64_t* to = bits_.data() + (left_ / 64) * rows_ + top_ + y;
@@ -144,8 +146,21 @@ double Space::Impl::touch(const Segment& motion, double open, bool earliest) con
   const double extent = motion.extent();
   const double turned = motion.gear == 0 ? extent : std::fabs(motion.curvature) * extent;
   const double driven = motion.gear == 0 ? 0 : extent;
-  return touch([&](double share) { return motion.pose(share * extent); },
-               driven + turned * outline_.around(), open, earliest);
+  Segment near = motion;  // the same, with all of its digits for what it turns
+  near.begin.yaw = half_turned(motion.begin.yaw);
+  // Within some turns the margin of the outline holds the rounding of a yaw.
+  const double rounding = turned > 64 ? 0x1p-50 * turned * outline_.around() : 0;
+  return touch([&](double share) { return near.pose(share * extent); },
+               driven + turned * outline_.around(), open, earliest, rounding);
+}
+
+bool Space::Impl::all_free(std::span<const Segment> motions, double open, bool last_first,
+                           std::int64_t& checked) const {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    ++checked;
+    if (touch(motions[last_first ? motions.size() - 1 - i : i], open, false) <= 1) return false;
+  }
+  return true;
 }
 
 namespace {
@@ -221,15 +236,19 @@ std::optional<Contact> Space::first_contact(std::span<const Pose> path) const {
     const Pose& b = path[std::min(i + 1, path.size() - 1)];
     const bool inside = within(a) && within(b);
     const double turn = inside ? half_turned(b.yaw - a.yaw) : 0;
+    const double yaw = inside ? half_turned(a.yaw) : 0;
     const auto pose_at = [&](double share) {
-      return Pose{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.yaw + share * turn};
+      return Pose{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), yaw + share * turn};
     };
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     const double driven = std::sqrt(dx * dx + dy * dy);
     const double reach = driven + std::fabs(turn) * impl_->outline().around();
     const double share = inside ? impl_->touch(pose_at, reach, Impl::kFine, true) : 0;
-    if (share <= 1) return contact_at(*this, static_cast<int>(i), share, pose_at(share));
+    if (share > 1) continue;
+    Pose met = pose_at(share);
+    met.yaw += a.yaw - yaw;
+    return contact_at(*this, static_cast<int>(i), share, met);
   }
   return std::nullopt;
 }

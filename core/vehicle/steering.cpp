@@ -40,6 +40,23 @@ void append_turns(const Pose& from, const Pose& to, int gear, std::vector<Segmen
   rotate(t.last);
 }
 
+void append_slide(const Pose& from, const Pose& to, bool turn_first, std::vector<Segment>& way) {
+  const double turned = half_turned(to.yaw - from.yaw);
+  Pose at = from;
+  const auto put = [&](const Segment& s) {
+    if (s.extent() < kNothing) return;
+    way.push_back(s);
+    at = s.end();
+  };
+  if (turn_first) put({.begin = at, .gear = 0, .angle = turned});
+  const double dx = to.x - at.x;
+  const double dy = to.y - at.y;
+  put({.begin = at,
+       .length = std::sqrt(dx * dx + dy * dy),
+       .angle = half_turned(direction(dy, dx) - at.yaw)});
+  if (!turn_first) put({.begin = at, .gear = 0, .angle = turned});
+}
+
 void Steering::add(const Found& found, int most) {
   const auto at = std::find_if(found_.begin(), found_.begin() + size_,
                                [&](const Found& other) { return found.cost < other.cost; });
@@ -65,6 +82,15 @@ void Steering::aim(const Pose& from, const Pose& to, int most) {
     words_.sort(most);
     for (int i = 0; i < words_.size(); ++i) add({words_[i].cost * radius, i, 1}, most);
   }
+  if (vehicle_.sideways) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double turned = std::fabs(half_turned(to.yaw - from.yaw));
+    const double price = std::sqrt(dx * dx + dy * dy) + turned * vehicle_.rotation_cost;
+    add({price, -1, 1}, most);
+    if (turned > kNothing) add({price, -1, -1}, most);
+    return;
+  }
   if (!vehicle_.rotate_in_place) return;
   for (const int gear : {1, -1}) {
     if (gear < 0 && !vehicle_.reverse) continue;
@@ -78,6 +104,10 @@ void Steering::aim(const Pose& from, const Pose& to, int most) {
 
 bool Steering::append(int i, std::vector<Segment>& to) const {
   const Found& found = found_[i];
+  if (found.word < 0 && vehicle_.sideways) {
+    append_slide(from_, to_, found.gear > 0, to);
+    return true;
+  }
   if (found.word < 0) {
     append_turns(from_, to_, found.gear, to);
     return true;
@@ -93,12 +123,7 @@ double Steering::least(const Pose& from, const Pose& to) {
   const double line = std::sqrt(dx * dx + dy * dy);
   const double radius = vehicle_.turning_radius;
   if (vehicle_.rotate_in_place || radius == 0) return line;
-  const Place place = seen_from(from, to, radius);
-  if (vehicle_.reverse) {
-    words_.reeds_shepp(place, {});
-  } else {
-    words_.dubins(place);
-  }
+  words_.unpriced(seen_from(from, to, radius), vehicle_.reverse);
   return words_.least() * radius;
 }
 

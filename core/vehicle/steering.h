@@ -7,7 +7,8 @@
 
 namespace lasius::vehicle {
 
-/// Dubins' or Reeds & Shepp's words; rotation, line, rotation where it turns in place.
+/// Dubins' or Reeds & Shepp's words; rotation, line, rotation where it turns in place;
+/// rotation and line where it drives to any side.
 class Steering {
  public:
   explicit Steering(const Vehicle& vehicle) noexcept : vehicle_(vehicle) {}
@@ -27,7 +28,7 @@ class Steering {
   struct Found {
     double cost = 0;
     int word = -1;  ///< else rotation, line, rotation
-    int gear = 1;
+    int gear = 1;   ///< of what drives to any side: -1, it turns last
   };
   void add(const Found& found, int most);
 
@@ -41,5 +42,7 @@ class Steering {
 
 /// Rotation, line in a gear, rotation; what is shorter than 1e-9 is left out.
 void append_turns(const Pose& from, const Pose& to, int gear, std::vector<Segment>& way);
+/// A line to the side where it lies, and before or after it the rotation, likewise.
+void append_slide(const Pose& from, const Pose& to, bool turn_first, std::vector<Segment>& way);
 
 }  // namespace lasius::vehicle

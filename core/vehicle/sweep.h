@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/vehicle/bit_columns.h"
 #include "core/vehicle/outline.h"
@@ -56,14 +58,17 @@ class Space::Impl {
   /// the footprint at its middle, grown by r.
   /// @param pose_at   the pose after a share
   /// @param reach     no point of the footprint moves farther than that
+  /// @param rounding  by which its points may be off at a pose, beyond what the outline allows for
   template <class PoseAt>
-  double touch(PoseAt&& pose_at, double reach, double open, bool earliest) const {
+  double touch(PoseAt&& pose_at, double reach, double open, bool earliest,
+               double rounding = 0) const {
     double from = 0;
     double size = kPiece;
     while (from < 1) {
       const double share = size < reach * (1 - from) ? size / reach : 1 - from;
       const double middle = from + share / 2;
-      const double grown = reach * share / 2;
+      const double half = reach * share / 2;
+      const double grown = half + rounding;
       const Pose pose = pose_at(middle);
       const Room known = room(pose);
       if (known.met && !earliest) return middle;
@@ -72,14 +77,18 @@ class Space::Impl {
         size = 2 * std::max(size, known.free);
         continue;
       }
-      if (grown <= open) return middle;
-      size = grown;
+      if (half <= open) return middle;
+      size = half;
     }
     return 2;
   }
 
   /// The same of a segment.
   double touch(const Segment& motion, double open, bool earliest) const;
+  /// Whether none of them touches anything. Counts those that are looked at.
+  /// @param last_first  the last is looked at first
+  bool all_free(std::span<const Segment> motions, double open, bool last_first,
+                std::int64_t& checked) const;
 
  private:
   static constexpr double kPiece = 4;       ///< by which points move in the first piece, cells

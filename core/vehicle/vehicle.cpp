@@ -75,7 +75,9 @@ Vehicle differential(std::vector<Point> footprint) {
   return {.footprint = std::move(footprint), .rotate_in_place = true};
 }
 
-Vehicle omni(std::vector<Point> footprint) { return differential(std::move(footprint)); }
+Vehicle omni(std::vector<Point> footprint) {
+  return {.footprint = std::move(footprint), .rotate_in_place = true, .sideways = true};
+}
 
 std::vector<Point> rectangle(double back, double front, double half_width) {
   return {{-back, -half_width}, {front, -half_width}, {front, half_width}, {-back, half_width}};
@@ -103,6 +105,11 @@ void validate(const Vehicle& vehicle) {
   require_parameter(vehicle.turning_radius > 0 || vehicle.rotate_in_place, "turning_radius",
                     vehicle.turning_radius,
                     "give one above 0 or let the vehicle rotate in place, else it cannot turn");
+  require_parameter(!vehicle.sideways || vehicle.turning_radius == 0, "turning_radius",
+                    vehicle.turning_radius, "give none to what drives to any side");
+  if (vehicle.sideways && vehicle.reverse)
+    throw invalid_parameter("reverse is true",
+                            "leave it out: what drives to any side drives back at the same price");
   require_parameter(in(vehicle.reverse_cost, 1, 1000), "reverse_cost", vehicle.reverse_cost,
                     "give 1 to 1000");
   require_parameter(in(vehicle.cusp_cost, 0, 1e5), "cusp_cost", vehicle.cusp_cost,

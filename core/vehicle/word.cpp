@@ -71,6 +71,14 @@ void Words::dubins(const Place& to) noexcept {
   }
 }
 
+void Words::unpriced(const Place& to, bool reverse) noexcept {
+  if (reverse) {
+    reeds_shepp(to, {});
+  } else {
+    dubins(to);
+  }
+}
+
 void append(const Word& word, const Pose& from, double radius, std::vector<Segment>& to) {
   Pose at = from;
   for (int i = 0; i < word.count; ++i) {
@@ -97,25 +105,40 @@ bool ends_at(const Word& word, const Place& to) noexcept {
          std::fabs(half_turned(at.yaw - to.yaw)) <= 1e-9;
 }
 
+double GearWords::aim(const Pose& from, const Pose& to, double radius, int gear) noexcept {
+  const double flip = gear < 0 ? kPi : 0;
+  from_ = {from.x, from.y, from.yaw + flip};
+  place_ = seen_from(from_, {to.x, to.y, to.yaw + flip}, radius);
+  radius_ = radius;
+  gear_ = gear;
+  words_.dubins(place_);
+  return words_.least() * radius;
+}
+
+bool GearWords::motions(std::vector<Segment>& to) {
+  words_.sort(1);
+  to.clear();
+  append(words_[0], from_, radius_, to);
+  if (gear_ < 0) {
+    for (Segment& s : to) {
+      s.begin.yaw -= kPi;
+      s.curvature = -s.curvature;
+      s.gear = -1;
+    }
+  }
+  return ends_at(words_[0], place_);
+}
+
 double free_length(const Pose& from, const Pose& to, double radius, bool reverse) {
   Words words;
-  const Place place = seen_from(from, to, radius);
-  if (reverse) {
-    words.reeds_shepp(place, {});
-  } else {
-    words.dubins(place);
-  }
+  words.unpriced(seen_from(from, to, radius), reverse);
   return words.least() * radius;
 }
 
 std::vector<Segment> free_way(const Pose& from, const Pose& to, double radius, bool reverse) {
   Words words;
   const Place place = seen_from(from, to, radius);
-  if (reverse) {
-    words.reeds_shepp(place, {});
-  } else {
-    words.dubins(place);
-  }
+  words.unpriced(place, reverse);
   words.sort(48);
   std::vector<Segment> way;
   int i = 0;

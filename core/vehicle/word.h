@@ -33,6 +33,8 @@ class Words {
  public:
   void dubins(const Place& to) noexcept;
   void reeds_shepp(const Place& to, const WordPrices& prices) noexcept;
+  /// Dubins' or, where it may reverse, Reeds & Shepp's without prices.
+  void unpriced(const Place& to, bool reverse) noexcept;
   /// The first `most` in order of cost.
   void sort(int most) noexcept;
   int size() const noexcept { return size_; }
@@ -55,5 +57,21 @@ class Words {
 void append(const Word& word, const Pose& from, double radius, std::vector<Segment>& to);
 /// True if the word ends where it should, within 1e-9.
 bool ends_at(const Word& word, const Place& to) noexcept;
+
+/// Dubins' words driven in one gear: backwards they are those between both poses turned round.
+class GearWords {
+ public:
+  /// Looks for the shortest. Its length, cells.
+  double aim(const Pose& from, const Pose& to, double radius, int gear) noexcept;
+  /// Its motions in place of what is there; false where its end is off by more than 1e-9 radii.
+  bool motions(std::vector<Segment>& to);
+
+ private:
+  Words words_;
+  Pose from_;
+  Place place_;
+  double radius_ = 1;
+  int gear_ = 1;
+};
 
 }  // namespace lasius::vehicle

@@ -17,14 +17,15 @@ constexpr py::ssize_t kColumns = 8;  // x, y, yaw, curvature, curvature rate, le
 
 vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
                               double reverse_cost, double cusp_cost, bool rotate_in_place,
-                              double rotation_cost) {
+                              double rotation_cost, bool sideways) {
   return {.footprint = points_from(footprint, "footprint"),
           .turning_radius = turning_radius,
           .reverse = reverse,
           .reverse_cost = reverse_cost,
           .cusp_cost = cusp_cost,
           .rotate_in_place = rotate_in_place,
-          .rotation_cost = rotation_cost};
+          .rotation_cost = rotation_cost,
+          .sideways = sideways};
 }
 
 std::vector<Pose> poses_from(const Rows& rows, const char* name) {
@@ -129,17 +130,18 @@ void bind_vehicle(py::module_& module) {
              return planner.space().free(Pose{pose[0], pose[1], pose[2]});
            })
       .def("first_contact", &first_contact);
-  module.def("make_vehicle_planner", [](const Grid& grid, const Rows& footprint,
-                                        double turning_radius, bool reverse, double reverse_cost,
-                                        double cusp_cost, bool rotate_in_place,
-                                        double rotation_cost) {
-    const vehicle::Vehicle vehicle = vehicle_from(footprint, turning_radius, reverse, reverse_cost,
-                                                  cusp_cost, rotate_in_place, rotation_cost);
-    Call call;
-    std::optional<vehicle::Planner> made =
-        call.run([&] { return vehicle::Planner::make(grid, vehicle, call.condition()); });
-    return py::make_tuple(call.error(), std::move(made));
-  });
+  module.def(
+      "make_vehicle_planner", [](const Grid& grid, const Rows& footprint, double turning_radius,
+                                 bool reverse, double reverse_cost, double cusp_cost,
+                                 bool rotate_in_place, double rotation_cost, bool sideways) {
+        const vehicle::Vehicle vehicle =
+            vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
+                         rotate_in_place, rotation_cost, sideways);
+        Call call;
+        std::optional<vehicle::Planner> made =
+            call.run([&] { return vehicle::Planner::make(grid, vehicle, call.condition()); });
+        return py::make_tuple(call.error(), std::move(made));
+      });
   module.def("vehicle_timed_poses",
              [](const Rows& segments, double spacing, const std::array<double, 7>& limits) {
                return timed_poses(segments, spacing,

@@ -335,6 +335,7 @@ def make_vehicle_planner(
     cusp_cost: float,
     rotate_in_place: bool,
     rotation_cost: float,
+    sideways: bool,
 ) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
 def vehicle_timed_poses(
     segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]

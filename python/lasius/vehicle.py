@@ -22,7 +22,7 @@ Pose = Tuple[float, float, float]
 
 @dataclass(frozen=True, eq=False)
 class Vehicle:
-    """What moves; lengths in cells. `car`, `differential` and `rectangle` make usual ones.
+    """What moves; lengths in cells. `car`, `differential`, `omni` and `rectangle` make usual ones.
 
     >>> Vehicle.car(Vehicle.rectangle(1, 3, 1), 4.0).reverse
     True
@@ -35,6 +35,7 @@ class Vehicle:
     cusp_cost: float = 0.0  #: of each change between forwards and backwards, cells
     rotate_in_place: bool = False  #: may turn where it stands
     rotation_cost: float = 3.0  #: of a radian in place, cells
+    sideways: bool = False  #: drives to any side with its heading kept, at the same price
 
     @classmethod
     def car(cls, footprint: npt.ArrayLike, turning_radius: float, *, reverse: bool = True) -> Vehicle:
@@ -45,6 +46,11 @@ class Vehicle:
     def differential(cls, footprint: npt.ArrayLike) -> Vehicle:
         """One that turns where it stands and drives straight."""
         return cls(footprint, rotate_in_place=True)
+
+    @classmethod
+    def omni(cls, footprint: npt.ArrayLike) -> Vehicle:
+        """One that drives to any side with its heading kept, and turns where it stands."""
+        return cls(footprint, rotate_in_place=True, sideways=True)
 
     @staticmethod
     def rectangle(back: float, front: float, half_width: float) -> FloatArray:
@@ -73,7 +79,7 @@ class VehicleResult(Record):
     fault: str  #: why it is invalid or unreachable
     error: str  #: why there is no path, in a sentence
     #: (n, 8), a motion a row: x, y, yaw where it begins, curvature (of yaw for each cell forwards), curvature rate,
-    #: length, gear (1, -1, or 0 in place), angle of one in place
+    #: length, gear (1, -1, or 0 in place), angle (of one in place, or from its yaw to the side it drives to)
     segments: FloatArray
     length: float  #: driven, cells; NaN without a path
     cost: float  #: by the vehicle's prices; NaN without a path
@@ -125,6 +131,7 @@ class VehiclePlanner:
         self._raw = made(*_lasius.make_vehicle_planner(
             grid, np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse,
             vehicle.reverse_cost, vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost,
+            vehicle.sideways,
         ))
 
     def plan(

@@ -20,6 +20,7 @@ MAP += "\n".join(ROWS) + "\n"
 CAR = {"type": "car", "footprint": [[-1, -1.2], [3.5, -1.2], [3.5, 1.2], [-1, 1.2]], "turning_radius": 4, "units": "cells"}
 ROBOT = {"type": "differential", "footprint": [[-2, -1.5], [2, -1.5], [2, 1.5], [-2, 1.5]], "units": "cells"}
 FORWARD = {**CAR, "reverse": False}
+OMNI = {**ROBOT, "type": "omni"}
 
 
 def moved(corners, x, y, yaw):
@@ -57,6 +58,9 @@ def pose_on(segment, share):
     if segment["gear"] == 0:
         return x, y, yaw + share * segment["angle"]
     far, k = segment["gear"] * share * segment["length"], segment["curvature"]
+    if "angle" in segment:
+        aside = yaw + segment["angle"]
+        return x + far * math.cos(aside), y + far * math.sin(aside), yaw
     turned = yaw + k * far
     if abs(k * far) < 1e-9:
         return x + far * math.cos(yaw), y + far * math.sin(yaw), turned
@@ -71,7 +75,7 @@ class Vehicles(ProgramTest):
     def setUp(self):
         super().setUp()
         self.write("yard.map", MAP)
-        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD)):
+        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD), ("omni", OMNI)):
             self.write(name + ".json", json.dumps(vehicle))
 
     def drive(self, vehicle, start, goal, *options, map_file="yard.map"):
@@ -92,6 +96,8 @@ class Vehicles(ProgramTest):
                 radius = vehicle.get("turning_radius", 0)
                 self.assertLessEqual(abs(segment["curvature"]), (1 / radius if radius else 0) * (1 + 1e-12))
                 length += segment["length"]
+            if segment["gear"] != 0 and "angle" in segment:
+                self.assertEqual((vehicle["type"], segment["curvature"]), ("omni", 0))
             if segment["gear"] < 0:
                 self.assertTrue(vehicle.get("reverse", vehicle["type"] == "car"))
             parts = max(1, math.ceil(extent / 0.05))
@@ -104,7 +110,7 @@ class Vehicles(ProgramTest):
 
     def test_plans_touch_nothing_and_verify(self):
         draw, solved = random.Random(3), 0
-        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD)):
+        for name, vehicle in (("car", CAR), ("robot", ROBOT), ("forward", FORWARD), ("omni", OMNI)):
             for _ in range(5):
                 ends = []
                 while len(ends) < 2:
@@ -120,7 +126,7 @@ class Vehicles(ProgramTest):
                 self.assertGreaterEqual(run.json["length"], run.json["lower_bound"] * (1 - 1e-9))
                 self.quiet(self.run_program("verify", "-q", "run.json"))
                 self.assertEqual(self.run_program("check-path", "yard.map", "run.json").code, 0)
-        self.assertGreaterEqual(solved, 12)
+        self.assertGreaterEqual(solved, 17)
 
     def test_files_of_poses(self):
         run = self.drive("car.json", "4,4,0", "38,26,180deg", "-o", "run.csv", "-o", "run.yaml", "-o", "run.svg", "--json")
@@ -181,6 +187,8 @@ class Vehicles(ProgramTest):
             ("5,15,0\n5,15,1\n", "turns in place", "car"),
             ("5,15,0\n5,16,0\n", "slip aside", "car"),
         ]
+        self.write("aside.csv", "x,y,yaw\n5,15,0\n5,16,0\n6,17,1\n")
+        self.assertEqual(self.run_program("check-path", "yard.map", "aside.csv", "--vehicle", "omni.json", "--strict").code, 0)
         for poses, why, vehicle in cases:
             with self.subTest(why=why):
                 self.write("path.csv", "x,y,yaw\n" + poses)
@@ -198,6 +206,8 @@ class Vehicles(ProgramTest):
             ("turning_radius: 3\nfootprint: [[0,0],[2],[2,0]]\n", "line 2: ", "not [x, y]"),
             ("type: car\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: ", "'turning_radius' is missing"),
             ("type: car\nturning_radius: 0\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 2: 'turning_radius' is 0", "differential"),
+            ("type: omni\nturning_radius: 2\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 2: 'turning_radius' is of no use to omni"),
+            ("type: omni\nfootprint: [[0,0],[1,0],[1,1]]\nreverse: true\n", "line 3: 'reverse'", "any side"),
             ("type: cat\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'type' is \"cat\"", "car"),
             ("units: metres\nturning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\n", "line 1: 'units' is metres", "resolution"),
             ("turning_radius: 1\nfootprint: [[0,0],[1,0],[1,1]]\nreverse_cost: 0.5\n", "line 3: 'reverse_cost' is \"0.5\"", "from 1"),
@@ -257,6 +267,31 @@ class Vehicles(ProgramTest):
                               ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle")]:
             self.write("bad.tsv", text)
             self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
+        # Numbers out of range are of their query alone.
+        far = "sx sy syaw gx gy gyaw\n4 4 1e9 38 26 0\n4 4 0 38 26 -1e300\n1e9 4 0 38 26 0\n4 4 0 38.5 1e300 0\n4 4 0 38 26 180deg\n"
+        self.write("far.tsv", far)
+        run = self.run_program("batch", "yard.map", "far.tsv", "--vehicle", "car.json")
+        self.assertEqual((run.code, [line["status"] for line in run.lines]), (0, ["invalid"] * 4 + ["solved"]), run.err)
+        for line, word in zip(run.lines, ("start .*yaw", "goal .*yaw", "start .*outside", "goal .*outside")):
+            self.assertRegex(line["error"], word)
+
+    def test_broken_results_are_refused_by_file_and_place(self):
+        good = self.drive("car.json", "4,4,0", "38,26,0", "--json").json
+        self.write("good.json", json.dumps(good))
+        self.assertEqual(self.run_program("check-path", "yard.map", "good.json").code, 0)
+        segment = good["segments"][0]
+        cases = [({"segments": 3}, '"segments" is no list'), ({"segments": [{**segment, "gear": 2}]}, '"gear"'),
+                 ({"segments": [{**segment, "length": "far"}]}, '"length"'), ({"path": 7}, '"path"'), ({"path": [[1]]}, '"path"'),
+                 ({"parameters": {"vehicle": {"footprint": [[0, 0], [1, 0]]}}}, "turning_radius"),
+                 ({"parameters": {}}, "no vehicle"), ({"curve": [1]}, '"curve"')]
+        for change, word in cases:
+            with self.subTest(change=change):
+                self.write("bad.json", json.dumps({**good, **change}))
+                self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json", word)
+        self.write("bad.json", "{")
+        self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json")
+        self.write("none.json", json.dumps({**good, "path": [], "status": "no_path"}))
+        self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no_path")
 
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""

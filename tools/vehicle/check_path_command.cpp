@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lasius/error.h"
 #include "lasius/version.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/command_line/option_table.h"
@@ -60,9 +61,11 @@ lasius::Curve curve_of(const PathFile& file, const LoadedMap& map) {
 Verdict verdict_of_vehicle(const Asked& asked, const LoadedMap& map, const PathFile& file) {
   if (file.segments.empty() && file.yaws.empty())
     throw UsageError(file.file + " tells no yaw; a vehicle's path has a column yaw, or segments");
-  const vehicle::Vehicle vehicle = asked.vehicle.empty()
-                                       ? recorded_vehicle(file.parameters)
-                                       : read_vehicle(asked.vehicle, map, asked.frame).vehicle;
+  if (asked.vehicle.empty() && !file.vehicle)
+    throw Error(ErrorCode::file_broken, {.file = file.file}, "tells \"segments\" and no vehicle",
+                "name one with --vehicle");
+  const vehicle::Vehicle vehicle =
+      asked.vehicle.empty() ? *file.vehicle : read_vehicle(asked.vehicle, map, asked.frame).vehicle;
   const DrivenPath path =
       file.segments.empty() ? driven(poses_of(file, map)) : driven(file.segments);
   Verdict verdict{
@@ -87,7 +90,7 @@ Verdict verdict_of_vehicle(const Asked& asked, const LoadedMap& map, const PathF
 Verdict verdict_of(const Asked& asked, const LoadedMap& map, const PathFile& file) {
   if (!asked.vehicle.empty() || (!file.segments.empty() && !asked.radius_given))
     return verdict_of_vehicle(asked, map, file);
-  const double radius = asked.radius_given ? map.radius : file.recorded_radius();
+  const double radius = asked.radius_given ? map.radius : file.radius;
   Verdict verdict;
   std::optional<PathFault> fault;
   if (radius > 0) {
@@ -101,7 +104,7 @@ Verdict verdict_of(const Asked& asked, const LoadedMap& map, const PathFile& fil
     verdict.judged_as = "point";
     verdict.length = path_length(points);
     verdict.pieces = points.size() - 1;
-    fault = point_fault(map.as_read(), points, file.recorded_squeezes());
+    fault = point_fault(map.as_read(), points, file.squeezes);
   }
   if (fault) static_cast<PathFault&>(verdict.fault.emplace()) = *fault;
   return verdict;
@@ -159,7 +162,7 @@ Json json_of(const LoadedMap& map, const Asked& asked, const Verdict& verdict) {
 int check(Asked& asked) {
   asked.map.radius_metres = asked.frame == Frame::world;
   const PathFile file = read_path(asked.path, asked.frame);
-  asked.map.unknown_is_free |= file.recorded_unknown_free();
+  asked.map.unknown_is_free |= file.unknown_free;
   const LoadedMap map = read_map(asked.map, file.metres ? Frame::world : asked.frame);
   const Verdict verdict = verdict_of(asked, map, file);
   print(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));

@@ -125,40 +125,45 @@ lasius::Curve recorded_curve(const Json& list) {
   return curve;
 }
 
+/// @throws UsageError naming the key
+PathFile path_of(const std::string& file, const Json& result) {
+  PathFile path{.file = file};
+  for (const Json& vertex : result["path"])
+    path.points.push_back(recorded_point(Json{{"path", vertex}}, "path"));
+  const auto told = [](const Json& in, const char* key) {
+    return in.is_object() && in.contains(key) && !in[key].is_null();
+  };
+  if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
+  if (told(result, "segments")) path.segments = recorded_segments(result);
+  const Json parameters = result.value("parameters", Json());
+  if (told(parameters, "vehicle")) path.vehicle = recorded_vehicle(parameters);
+  if (told(parameters, "radius")) path.radius = recorded_real(parameters, "radius", 0, kNoLimit);
+  path.unknown_free = told(parameters, "unknown") && parameters["unknown"] == "free";
+  path.squeezes = told(parameters, "corners") && parameters["corners"] == "allow";
+  return path;
+}
+
 PathFile read_result(const std::string& file) {
   const auto results = read_results(file);
   if (results.size() != 1)
     throw UsageError(file + " holds " + std::to_string(results.size()) +
                      " results; give one with one result");
   const Json& result = results.front().json;
-  PathFile path{.file = file};
-  if (!result.is_object() || !result.contains("path"))
-    throw UsageError(file + " is no result of `lasius plan`: it has no \"path\"");
-  const Json& list = result["path"];
-  if (!list.is_array() || list.empty())
+  const bool has_list = result.is_object() && result.contains("path") && result["path"].is_array();
+  if (has_list && result["path"].empty() && result.contains("status"))
     throw UsageError(file + " has no path to judge: its status is " +
                      recorded<std::string>(result, "status"));
-  for (const Json& vertex : list)
-    path.points.push_back(recorded_point(Json{{"path", vertex}}, "path"));
-  if (result.contains("parameters")) path.parameters = result["parameters"];
-  if (result.contains("curve") && !result["curve"].is_null())
-    path.curve = recorded_curve(result["curve"]);
-  if (result.contains("segments") && !result["segments"].is_null())
-    path.segments = recorded_segments(result);
-  return path;
+  try {
+    if (!has_list || result["path"].empty()) throw UsageError("it has no \"path\"");
+    return path_of(file, result);
+  } catch (const UsageError& error) {
+    throw Error(ErrorCode::file_broken, {.file = file, .offset = results.front().offset},
+                std::string("is no result of `lasius plan`: ") + error.what(),
+                "give one as it was saved");
+  }
 }
 
 }  // namespace
-
-double PathFile::recorded_radius() const {
-  return parameters.contains("radius") ? recorded_real(parameters, "radius", 0, kNoLimit) : 0;
-}
-bool PathFile::recorded_unknown_free() const {
-  return parameters.contains("unknown") && parameters["unknown"] == "free";
-}
-bool PathFile::recorded_squeezes() const {
-  return parameters.contains("corners") && parameters["corners"] == "allow";
-}
 
 PathFile read_path(const std::string& file, Frame frame) {
   return file.ends_with(".json") ? read_result(file) : TableReader(file, frame).read();

@@ -9,7 +9,6 @@
 #include "lasius/path.h"
 #include "lasius/vehicle/motion.h"
 #include "tools/bitmap/map_file.h"
-#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 
@@ -22,19 +21,19 @@ struct PathFile {
   bool metres = false;                          ///< all of these in the map's frame, else in cells
   lasius::Curve curve = {};                     ///< of a disc's result, in cells
   std::vector<vehicle::Segment> segments = {};  ///< of a vehicle's result, in cells
-  Json parameters = {};                         ///< of a result: what it was planned with
-
-  double recorded_radius() const;  ///< cells; 0 where none is recorded
-  bool recorded_unknown_free() const;
-  bool recorded_squeezes() const;  ///< planned with --corners allow
+  // Of a result, what it was planned with.
+  std::optional<vehicle::Vehicle> vehicle = {};  ///< in cells
+  double radius = 0;                             ///< cells
+  bool unknown_free = false;
+  bool squeezes = false;  ///< --corners allow
 };
 
 /// Reads
 ///   .json   a result of `plan`: its segments, its curve or its path
 ///   others  a table whose header names x and y (or x_m and y_m: metres) and perhaps yaw and kappa
 ///           among others, split at commas, tabs or blanks
-/// @throws Error(file_missing, file_broken) naming file and line; UsageError for a result without
-/// a path
+/// @throws Error(file_missing, file_broken) naming the file and the line, or the byte and the key;
+/// UsageError for a result without a path
 PathFile read_path(const std::string& file, Frame frame);
 
 /// The path in cells of a map. Precondition: a frame, of a path in metres.

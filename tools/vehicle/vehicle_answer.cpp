@@ -42,6 +42,23 @@ std::optional<vehicle::Pose> nearest_free(const vehicle::Space& space, const veh
   return std::nullopt;
 }
 
+/// Whether a number of an end is beyond all maps, or all turns; then says so.
+bool refuse_numbers(VehicleAnswer& answer) {
+  constexpr double kFarthest = 1e5;  // cells
+  const auto refuse = [&](const VehicleEnd& end, bool start) {
+    const bool turned = !(std::abs(end.asked.yaw) <= kMostTurned);
+    const bool far = !(std::abs(end.pose.x) <= kFarthest && std::abs(end.pose.y) <= kFarthest);
+    if (!turned && !far) return false;
+    answer.result.status = Status::invalid;
+    answer.result.fault = start ? Fault::start_outside : Fault::goal_outside;
+    answer.result.error = turned ? "its yaw is more than " + to_text(kMostTurned) + " radians"
+                                 : "it is outside of the map";
+    return true;
+  };
+  return refuse(answer.start, true) ||
+         std::ranges::any_of(answer.goals, [&](const auto& goal) { return refuse(goal, false); });
+}
+
 /// As in "(1.5, 2, 0.7854)", in the command's frame.
 std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
                       const vehicle::Pose& cells) {
@@ -174,6 +191,7 @@ VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
   const RunOptions& run = command.run;
   std::vector<vehicle::Pose> poses;
   for (const VehicleEnd& goal : goals) poses.push_back(goal.pose);
+  if (refuse_numbers(answer)) return answer;
   const auto begin = Clock::now();
   answer.result = on.planner->plan(
       {.start = start.pose,

@@ -66,8 +66,12 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
       const std::string pose = std::string(fields[at[first]]) + "," +
                                std::string(fields[at[first + 1]]) + "," +
                                std::string(fields[at[first + 2]]);
+      const char* const name = first == 0 ? "start" : "goal";
       try {
-        return vehicle_end(map, pose_value(first == 0 ? "start" : "goal", pose, frame), frame);
+        // A yaw that is a number, out of range, is of its query alone.
+        PoseEnd asked{point_value(name, pose.substr(0, pose.rfind(',')), frame)};
+        asked.yaw = angle_value(name, fields[at[first + 2]], -kNoLimit, kNoLimit);
+        return vehicle_end(map, asked, frame);
       } catch (const UsageError& error) {
         fail(error.what(), "correct the line");
         throw;

@@ -102,7 +102,12 @@ std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const 
         return fault("the path jumps by " + to_text(jump) + " cells and " +
                      to_text(std::abs(turned(before, piece.from))) + " radians");
     }
-    if (!piece.motion) return fault("the vehicle would slip aside");
+    if (vehicle.sideways) {
+      along += length;
+      continue;
+    }
+    const bool aside = piece.motion && piece.motion->gear != 0 && piece.motion->angle != 0;
+    if (!piece.motion || aside) return fault("the vehicle would slip aside");
     const Segment& motion = *piece.motion;
     if (motion.gear == 0 && !vehicle.rotate_in_place && std::abs(angle) > kRounding)
       return fault("it turns in place, which the vehicle does not");

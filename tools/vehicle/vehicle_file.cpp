@@ -81,6 +81,10 @@ Vehicle usual_of(const Node& file, double scale, std::vector<Point> footprint) {
                           ? vehicle::omni(std::move(footprint))
                           : vehicle::differential(std::move(footprint));
     turning.turning_radius = radius;
+    if (turning.sideways && radius > 0)
+      file.at("turning_radius")
+          .fail("is of no use to omni, which drives to any side",
+                "leave it out, or write type: differential");
     return turning;
   }
   const Node& given = file.at("turning_radius");  // said to be missing

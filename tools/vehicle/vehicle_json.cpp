@@ -47,6 +47,7 @@ Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& se
       one["angle"] = number(sign * segment.angle);
     else
       one["length"] = number(unit * segment.length);
+    if (segment.gear != 0 && segment.angle != 0) one["angle"] = number(sign * segment.angle);
     one["gear"] = segment.gear;
     list.push_back(std::move(one));
   }
@@ -66,10 +67,9 @@ std::vector<vehicle::Segment> recorded_segments(const Json& result) {
                              .curvature = real(one, "curvature"),
                              .gear = static_cast<int>(recorded_integer(one, "gear", -1, 1))};
     segment.curvature_rate = recorded_real(one, "curvature_rate", 0, 0);
-    if (segment.gear == 0)
+    if (segment.gear == 0 || one.contains("angle"))
       segment.angle = recorded_real(one, "angle", -kMostTurned, kMostTurned);
-    else
-      segment.length = recorded_real(one, "length", 0, kNoLimit);
+    if (segment.gear != 0) segment.length = recorded_real(one, "length", 0, kNoLimit);
     segments.push_back(segment);
   }
   return segments;
@@ -112,7 +112,8 @@ Json vehicle_json(const vehicle::Vehicle& vehicle) {
           {"reverse_cost", number(vehicle.reverse_cost)},
           {"cusp_cost", number(vehicle.cusp_cost)},
           {"rotate_in_place", vehicle.rotate_in_place},
-          {"rotation_cost", number(vehicle.rotation_cost)}};
+          {"rotation_cost", number(vehicle.rotation_cost)},
+          {"sideways", vehicle.sideways}};
 }
 
 vehicle::Vehicle recorded_vehicle(const Json& parameters) {
@@ -129,6 +130,7 @@ vehicle::Vehicle recorded_vehicle(const Json& parameters) {
   vehicle.cusp_cost = real("cusp_cost");
   vehicle.rotate_in_place = recorded<bool>(from, "rotate_in_place");
   vehicle.rotation_cost = real("rotation_cost");
+  vehicle.sideways = from.contains("sideways") && recorded<bool>(from, "sideways");
   try {
     validate(vehicle);
   } catch (const Error& error) {

@@ -16,12 +16,15 @@ struct Segment {
   double curvature_rate = 0;  ///< change of the curvature for each cell; always 0 so far
   double length = 0;          ///< driven, cells, at least 0; 0 of a rotation
   int gear = 1;               ///< 1 forwards, -1 backwards, 0 a rotation in place
-  double angle = 0;           ///< of a rotation: how far yaw changes, radians, of either sign
+  /// Of a rotation: how far yaw changes, radians, of either sign. Of a line of what drives to any
+  /// side: from its yaw, which it keeps, to where it drives.
+  double angle = 0;
   friend bool operator==(const Segment&, const Segment&) = default;
 
   /// Its extent: length, or of a rotation |angle|.
   LASIUS_EXPORT double extent() const noexcept;
   /// The pose after `at` of the extent, 0 at the begin. Yaw goes on from begin.yaw without a jump.
+  /// Where |yaw| exceeds 10^6 radians, or is no number, the place means nothing.
   LASIUS_EXPORT Pose pose(double at) const noexcept;
   /// The pose after all of it.
   LASIUS_EXPORT Pose end() const noexcept;
@@ -45,6 +48,7 @@ struct PathPose {
 /// Poses along a path, at most `spacing` apart (cells; of a rotation, radians), with both ends of
 /// every segment, save that equal poses of one gear are told once: at a cusp a pose stands twice,
 /// once for each gear.
+/// @throws Error(invalid_parameter) unless spacing > 0, or for more than 10^8 poses of a segment
 LASIUS_EXPORT std::vector<PathPose> poses(std::span<const Segment> segments, double spacing);
 
 /// Shortest way without obstacles, along arcs of the radius and lines: the words of Dubins, or of

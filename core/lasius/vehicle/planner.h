@@ -42,14 +42,16 @@ struct Result {
   /// footprint cannot get there; no_path: none in the part of the lattice that was searched, which
   /// proves nothing; invalid: the vehicle touches something at the start, or at every goal.
   Status status = Status::no_path;
-  Fault fault = Fault::none;      ///< of invalid and unreachable
-  std::optional<Cell> touched;    ///< of invalid: what is met at that end
-  std::string error;              ///< where there is no path: why, in a sentence
-  std::vector<Segment> segments;  ///< from the start to the goal, each begins where one ends
-  int goal = -1;                  ///< index of the goal that is met
-  double length = 0;              ///< driven, cells
-  double cost = 0;                ///< by the vehicle's prices, cells
-  int cusps = 0;                  ///< changes between forwards and backwards
+  Fault fault = Fault::none;    ///< of invalid and unreachable
+  std::optional<Cell> touched;  ///< of invalid: what is met at that end
+  std::string error;            ///< where there is no path: why, in a sentence
+  /// From the start to the goal, each begins where one ends; the first yaw is the start's in
+  /// [-pi, pi].
+  std::vector<Segment> segments;
+  int goal = -1;      ///< index of the goal that is met
+  double length = 0;  ///< driven, cells
+  double cost = 0;    ///< by the vehicle's prices, cells
+  int cusps = 0;      ///< changes between forwards and backwards
   /// No way of this vehicle, on this map, from the start to any of the goals is shorter, cells: the
   /// greatest of that of the disc inside the footprint around the obstacles and that of the vehicle
   /// without obstacles.

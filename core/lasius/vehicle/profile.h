@@ -30,8 +30,8 @@ struct TimedPose {
 };
 
 /// The fastest drive along a path that begins and ends at rest, and rests at cusps and before and
-/// after rotations in place. Exact: forward and backward passes over the squared speed at joints,
-/// closed forms inside each segment.
+/// after rotations in place, and where what drives to any side takes another. Exact: forward and
+/// backward passes over the squared speed at joints, closed forms inside each segment.
 class LASIUS_EXPORT Profile {
  public:
   /// @throws Error(invalid_parameter) where a limit is not above 0, or a speed is infinite

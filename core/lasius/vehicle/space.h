@@ -29,7 +29,7 @@ struct Contact {
 /// Thread-safe.
 class LASIUS_EXPORT Space {
  public:
-  /// Takes a copy of the map. O(cells), 10 bytes a cell.
+  /// Keeps 4 bytes and a bit for each cell. O(cells).
   /// @throws Error as validate()
   Space(const Grid& grid, const Vehicle& vehicle);
   /// The same, or empty if stopped.

@@ -30,6 +30,8 @@ struct Vehicle {
   double cusp_cost = 0;          ///< of each change between forwards and backwards, cells
   bool rotate_in_place = false;  ///< may turn where it stands
   double rotation_cost = 3;      ///< of a radian in place, cells, above 0
+  bool sideways =
+      false;  ///< drives to any side, its heading kept; a cell costs 1 whatever the side
   friend bool operator==(const Vehicle&, const Vehicle&) = default;
 };
 
@@ -37,7 +39,7 @@ struct Vehicle {
 LASIUS_EXPORT Vehicle car(std::vector<Point> footprint, double turning_radius);
 /// One with two driven wheels: it turns in place, and drives straight.
 LASIUS_EXPORT Vehicle differential(std::vector<Point> footprint);
-/// One that can drive to any side: planned as a differential one, so that it looks where it drives.
+/// One that drives to any side with its heading kept, and turns where it stands.
 LASIUS_EXPORT Vehicle omni(std::vector<Point> footprint);
 /// A rectangle from `back` behind the reference point to `front` before it, to `half_width` on
 /// either side.
@@ -45,7 +47,8 @@ LASIUS_EXPORT std::vector<Point> rectangle(double back, double front, double hal
 
 /// @throws Error(invalid_parameter) unless the footprint is a simple polygon of 3 to 256 corners
 /// whose farthest corner is at most 1024 cells from the reference point, and every number in range;
-/// a radius of 0 needs rotation in place.
+/// a radius of 0 needs rotation in place; one that drives to any side has neither a radius nor a
+/// reverse.
 LASIUS_EXPORT void validate(const Vehicle& vehicle);
 
 /// The circle about the reference point that holds the footprint: its radius, cells.

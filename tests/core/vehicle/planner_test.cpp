@@ -38,6 +38,7 @@ void check(const Grid& grid, const Vehicle& vehicle, const std::vector<Part>& pa
     ASSERT_LE(std::fabs(s.curvature) * vehicle.turning_radius, 1 + 1e-12);
     ASSERT_TRUE(s.gear > 0 || (s.gear < 0 && vehicle.reverse) ||
                 (s.gear == 0 && vehicle.rotate_in_place));
+    ASSERT_TRUE(s.gear == 0 || s.angle == 0 || vehicle.sideways);
     const double step = s.gear == 0 ? 0.01 : 0.1;
     for (double share = 0; share <= s.extent(); share += step) {
       ASSERT_FALSE(touches(grid, parts, s.pose(share)));
@@ -73,6 +74,7 @@ std::vector<Kind> kinds() {
           {"forward and in place", turning, {box}, 18},
           {"cusps priced", priced, {box}, 18},
           {"differential", differential(rear), {rear}, 18},
+          {"omni", omni(rear), {rear}, 19},
           {"small", car(rectangle(0.4, 0.6, 0.4), 0.7), {rectangle(0.4, 0.6, 0.4)}, 19}};
 }
 
@@ -100,6 +102,34 @@ TEST(VehiclePlanner, PathsTouchNothing) {
     }
     EXPECT_GE(found, kind.least) << kind.name;
   }
+}
+
+TEST(VehiclePlanner, DrivesToAnySide) {
+  // A lane in which it cannot turn, and whose bend it takes aside.
+  Grid grid(60, 60);
+  grid.fill({0, 0, 60, 60}, true);
+  grid.fill({5, 5, 15, 50}, false);
+  grid.fill({5, 45, 50, 10}, false);
+  const Part box = rectangle(6, 6, 3.5);
+  const Planner planner(grid, omni(box));
+  const Request request{.start = {12.3, 10.2, 0}, .goals = {{48.1, 50.2, 0}}};
+  const Result result = planner.plan(request);
+  ASSERT_EQ(result.status, Status::solved) << result.error;
+  check(grid, planner.space().vehicle(), {box}, request, result);
+  for (const Segment& s : result.segments) EXPECT_EQ(s.begin.yaw, 0);
+  EXPECT_GE(result.length, 35.8 + 39 - 9);
+  EXPECT_LE(result.length, 35.8 + 40);
+  EXPECT_EQ(Planner(grid, differential(box)).plan(request).status, Status::no_path);
+  const Result open =
+      Planner(Grid(60, 60), omni(box)).plan({.start = {20, 20, 0}, .goals = {{30, 40, 0.5}}});
+  EXPECT_NEAR(open.length, std::sqrt(500.0), 1e-9);
+  EXPECT_NEAR(open.cost, std::sqrt(500.0) + 0.5 * 3, 1e-9);
+  Vehicle both = omni(box);
+  both.turning_radius = 3;
+  EXPECT_THROW(validate(both), Error);
+  both = omni(box);
+  both.reverse = true;
+  EXPECT_THROW(validate(both), Error);
 }
 
 // A car of 128 cells: several words a row.

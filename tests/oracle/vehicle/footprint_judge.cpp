@@ -98,6 +98,8 @@ std::optional<Cell> FootprintJudge::touched(double x, double y, double yaw) cons
 std::array<double, 3> FootprintJudge::pose_at(const Motion& m, double share) {
   if (m.gear == 0) return {m.x, m.y, m.yaw + share * m.angle};
   const double far = m.gear * share * m.length, yaw = m.yaw + m.curvature * far;
+  if (m.angle != 0 && m.curvature == 0)
+    return {m.x + far * std::cos(m.yaw + m.angle), m.y + far * std::sin(m.yaw + m.angle), yaw};
   if (std::abs(m.curvature * far) < 1e-7)
     return {m.x + far * std::cos((m.yaw + yaw) / 2), m.y + far * std::sin((m.yaw + yaw) / 2), yaw};
   return {m.x + (std::sin(yaw) - std::sin(m.yaw)) / m.curvature,

@@ -19,7 +19,8 @@ struct Motion {
   double curvature = 0;          ///< change of yaw for each cell driven forwards
   double length = 0;             ///< driven
   int gear = 1;                  ///< 1 forwards, -1 backwards, 0 in place
-  double angle = 0;              ///< of one in place
+  double angle =
+      0;  ///< of one in place; of a line: to the side it drives to, from the yaw it keeps
 };
 
 /// A pose that touches something.

@@ -1,0 +1,17 @@
+// Ends beside a wall: small motions away from it, and connectors from there.
+#pragma once
+
+#include <vector>
+
+#include "core/vehicle/connectors.h"
+
+namespace lasius::vehicle {
+
+/// Connectors that begin (towards: end) with motions of the vehicle's own, off the lattice, which
+/// lead to where its footprint has room for the lattice; none where it has that already, or where
+/// none is found. An end nearer than 0.001 cells to what is blocked has none.
+std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice, const Pose& pose,
+                               bool towards, const ConnectorReach& reach, std::int64_t& checked,
+                               Poller& poller);
+
+}  // namespace lasius::vehicle

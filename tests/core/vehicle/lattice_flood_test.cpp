@@ -1,0 +1,125 @@
+// All of a lattice at once, against motions looked at one by one and Dijkstra's search.
+#include "core/vehicle/lattice_flood.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <queue>
+#include <random>
+#include <tuple>
+#include <vector>
+
+#include "core/vehicle/angle.h"
+#include "core/vehicle/edge_planes.h"
+#include "core/vehicle/sweep.h"
+#include "lasius/vehicle/planner.h"
+#include "tests/core/vehicle/dense_check.h"
+
+namespace lasius::vehicle {
+namespace {
+
+const StopCondition kGoesOn;
+
+std::vector<Vehicle> flooded() {
+  Vehicle forward = car(rectangle(3, 5, 2), 5);
+  forward.reverse = false;
+  // The reference point lies outside; wider than 64 cells; to any side.
+  return {forward, car({{3, -1}, {8, -1}, {8, 2}, {3, 2}}, 4), differential(rectangle(10, 60, 1)),
+          omni(rectangle(3, 2, 1))};
+}
+
+TEST(EdgePlanes, SayWhatMasksSay) {
+  const Grid grid = blobs(3, 60);
+  for (const Vehicle& vehicle : flooded()) {
+    const Space space(grid, vehicle);
+    const Lattice lattice(vehicle, space.impl().outline());
+    Poller poller(kGoesOn);
+    const auto planes = EdgePlanes::make(space.impl(), lattice, poller);
+    ASSERT_TRUE(planes);
+    std::mt19937_64 random(2);
+    int free = 0;
+    for (int i = 0; i < 60000; ++i) {
+      const int e = static_cast<int>(random() % lattice.edges().size());
+      const int x = static_cast<int>(random() % grid.width());
+      const int y = static_cast<int>(random() % grid.height());
+      const bool one = lattice.masks().free(lattice.edges()[e].mask, space.impl().bits(), x, y);
+      ASSERT_EQ(planes->free(e, x, y), one) << e << " " << x << " " << y;
+      free += one ? 1 : 0;
+    }
+    EXPECT_GT(free, 1000);
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int e = 0; e < static_cast<int>(lattice.edges().size()); ++e)
+        ASSERT_EQ(planes->word(e, planes->words() - 1, y) >> 1 >> (grid.width() - 1) % 64, 0u);
+    }
+    const StopCondition stopped{.deadline = Clock::time_point::min()};
+    Poller stops(stopped, 1);
+    EXPECT_FALSE(EdgePlanes::make(space.impl(), lattice, stops));
+  }
+}
+
+TEST(LatticeFlood, IsDijkstras) {
+  const Grid grid = blobs(3, 40);
+  for (const Vehicle& vehicle : flooded()) {
+    const Space space(grid, vehicle);
+    const Lattice lattice(vehicle, space.impl().outline());
+    Poller poller(kGoesOn);
+    const auto planes = EdgePlanes::make(space.impl(), lattice, poller);
+    ASSERT_TRUE(LatticeFlood::takes(lattice));
+    std::vector<Connector> starts(2);
+    starts[0] = {.x = 40, .y = 40, .heading = 3, .cost = 1.7, .motions = {}};
+    starts[1] = {.x = 100, .y = 90, .heading = 8, .motions = {}};
+    LatticeFlood::Memory memory;
+    LatticeFlood flood(*planes, lattice, grid.width(), grid.height(), memory);
+    // Without an end all of the lattice is looked at.
+    EXPECT_EQ(flood.run(starts, {}, poller), -1);
+    const auto index = [&](int x, int y, int h) {
+      return (static_cast<std::size_t>(h) * grid.height() + y) * grid.width() + x;
+    };
+    std::vector<int> cost(index(0, 0, Lattice::kHeadings), LatticeFlood::kNever);
+    using Entry = std::tuple<int, int, int, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    const auto offer = [&](int x, int y, int h, int units) {
+      if (units >= cost[index(x, y, h)]) return;
+      cost[index(x, y, h)] = units;
+      open.emplace(units, x, y, h);
+    };
+    for (const auto& start : starts)
+      offer(start.x, start.y, start.heading, LatticeFlood::units(start.cost));
+    while (!open.empty()) {
+      const auto [units, x, y, h] = open.top();
+      open.pop();
+      if (units != cost[index(x, y, h)]) continue;
+      for (const int e : lattice.from(h)) {
+        const Edge& edge = lattice.edges()[e];
+        if (!grid.contains({x + edge.dx, y + edge.dy})) continue;
+        if (lattice.masks().free(edge.mask, space.impl().bits(), x, y))
+          offer(x + edge.dx, y + edge.dy, edge.to, units + LatticeFlood::units(edge));
+      }
+    }
+    // A path costs what its level says, up to the rounding, and begins at a start.
+    std::vector<Segment> path;
+    for (int h = 0; h < Lattice::kHeadings; ++h) {
+      if (flood.level(60, 60, h) == LatticeFlood::kNever) continue;
+      path.clear();
+      flood.append(starts, {60, 60}, h, path);
+      ASSERT_FALSE(path.empty());
+      const Pose end = path.back().end();
+      EXPECT_NEAR(end.x, 60.5, 1e-6);
+      EXPECT_NEAR(end.y, 60.5, 1e-6);
+      EXPECT_NEAR(std::fabs(half_turned(end.yaw - lattice.yaw(h))), 0, 1e-6);
+      const double known = vehicle::cost(vehicle, path);
+      EXPECT_NEAR(known, flood.cost(60, 60, h), 2 + 0.1 * known);
+    }
+    int reached = 0;
+    for (int h = 0; h < Lattice::kHeadings; ++h)
+      for (int y = 0; y < grid.height(); ++y)
+        for (int x = 0; x < grid.width(); ++x) {
+          ASSERT_EQ(flood.level(x, y, h), cost[index(x, y, h)]) << x << " " << y << " " << h;
+          reached += flood.level(x, y, h) != LatticeFlood::kNever ? 1 : 0;
+        }
+    EXPECT_GT(reached, 100);
+  }
+}
+
+}  // namespace
+}  // namespace lasius::vehicle
