@@ -66,8 +66,8 @@ class VehicleProblem : public Problem {
 
  private:
   /// In metres of the map's frame where it has one. A pose that stands twice is a cusp.
-  std::vector<Pose> ros_poses() const {
-    std::vector<Pose> poses;
+  std::vector<lasius::Pose> ros_poses() const {
+    std::vector<lasius::Pose> poses;
     for (const vehicle::TimedPose& timed : timed_poses(*on_, command_, answer_)) {
       const vehicle::Pose& cells = timed.at.pose;
       const vehicle::Pose pose = command_.run.frame == Frame::world
