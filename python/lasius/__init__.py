@@ -36,7 +36,7 @@ from .maps import (
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
-from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
+from .results import BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
 
 __all__ = [
@@ -47,6 +47,7 @@ __all__ = [
     "CostField",
     "CostPlanner",
     "CostResult",
+    "CoverResult",
     "CurvePiece",
     "Curves",
     "DriveResult",
