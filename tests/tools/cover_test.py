@@ -28,8 +28,8 @@ class Cover(ProgramTest):
             self.assertAlmostEqual(leg["length"], math.dist(leg["path"][0], leg["path"][-1]))
         with open(self.path("tour.csv")) as lines:
             self.assertEqual(len(lines.read().split()), 1 + 8)
-        with open(self.path("tour.svg")) as picture:
-            self.assertIn("4 swaths, length 89.00 cells, 100.00% covered", picture.read())
+        with open(self.path("tour.svg"), encoding="utf-8") as picture:
+            self.assertIn("4 swaths, length 89.00 cells, 100.00% covered", picture.read().replace("\xa0", " "))
 
     def test_results_are_replayed(self):
         self.write("world.yaml", ROS)

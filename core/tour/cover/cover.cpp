@@ -168,8 +168,8 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   }
   if (request.start) result.stops.push_back(*request.start);
   // A disc's graph too: most legs are short, and found in it at once.
-  const bool prepares = result.swaths() >= kPrepared &&
-                        unprepared.preparation().state == Preparation::State::none;
+  const bool prepares =
+      result.swaths() >= kPrepared && unprepared.preparation().state == Preparation::State::none;
   const Planner planner =
       prepares ? unprepared.prepared({.threads = request.threads, .stop = request.stop})
                : unprepared;

@@ -98,7 +98,7 @@ std::vector<Swath> SwathMaker::fitted(const Heading& heading) const {
     const double from = cell.from - (cell.wall_before ? beside : 0);
     const double to = cell.to + (cell.wall_behind ? beside : 0);
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / width_ - kRounding)));
-    const double drawn_in = std::min(lines_.drawn_in(), (cell.to - cell.from) / 2);
+    const double drawn_in = std::min(ToolLines::kDrawnIn, (cell.to - cell.from) / 2);
     std::size_t slice = 0;
     for (int i = 0; i < count; ++i) {
       const double c = std::clamp(from + (i + 0.5) * ((to - from) / count), cell.from + drawn_in,

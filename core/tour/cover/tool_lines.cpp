@@ -10,7 +10,7 @@ namespace {
 
 // A point keeps that away from corners that its line would touch; a disc may be that nearer, as
 // the disc's own planner allows more.
-constexpr double kTouch = 1e-7, kLeeway = 2e-10;
+constexpr double kTouch = 1e-3, kLeeway = 2e-10;
 constexpr double kShortest = 10;  // of what a stretch is drawn in by
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -65,7 +65,6 @@ ToolLines::ToolLines(const Grid& grid, double radius)
       height_(grid.height()),
       radius_(radius),
       kept_(radius > 0 ? radius - kLeeway : kTouch),
-      drawn_in_(radius > 0 ? 1e-3 : 1e-6),
       tight_(radius > 0 && std::abs(2 * radius - std::round(2 * radius)) < 1e-9),
       first_run_{0} {
   for (int y = 0; y < height_; ++y) {
@@ -112,7 +111,7 @@ void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places
   places.clear();
   const Point on = h.at(0, c);
   const Meeting inside = in_box(h, on, kept_, kept_, width_ - kept_, height_ - kept_);
-  const double shortest = kShortest * drawn_in_;
+  const double shortest = kShortest * kDrawnIn;
   if (!(inside.to - inside.from >= shortest)) return;
   const double y0 = on.y + inside.from * h.y, y1 = on.y + inside.to * h.y;
   const int first = std::max(0, static_cast<int>(std::floor(std::min(y0, y1) - kept_)) - 1);
@@ -140,7 +139,7 @@ void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places
     if (radius_ == 0 && h.straight())
       places.push_back({std::round(from), std::round(to)});  // sides of cells
     else
-      places.push_back({from + drawn_in_, to - drawn_in_});
+      places.push_back({from + kDrawnIn, to - kDrawnIn});
   };
   double free_from = inside.from;
   for (const Stretch& one : met) {

@@ -30,8 +30,8 @@ struct Stretch {
   double length() const noexcept { return to - from; }
 };
 
-/// The places of a tool's centre, line by line. Exact but for the ends of stretches, which are
-/// drawn in by 1e-6 cells, of a disc by 1e-3.
+/// The places of a tool's centre, line by line. Exact, but that the ends of stretches are drawn in
+/// (a point's along an axis are not), and that a point keeps as much away from corners.
 class ToolLines {
  public:
   /// Of a radius of 0 or more. Holds no grid; takes 8 bytes a run of blocked cells.
@@ -48,7 +48,7 @@ class ToolLines {
   double radius() const noexcept { return radius_; }
   /// Are there corridors, along axes, that are just as wide as the tool?
   bool tight() const noexcept { return tight_; }
-  double drawn_in() const noexcept { return drawn_in_; }
+  static constexpr double kDrawnIn = 1e-3;  ///< cells
   /// Replaces `places` by the stretches of a line that keep the radius from blocked cells and from
   /// what lies outside the map, rising; those shorter than ten times what they are drawn in by are
   /// left out.
@@ -60,7 +60,7 @@ class ToolLines {
   bool hull(const Heading& heading, double c, const Run& run, int row, Stretch& met) const noexcept;
 
   int width_, height_;
-  double radius_, kept_, drawn_in_;
+  double radius_, kept_;
   bool tight_;
   std::vector<Run> runs_;                // row by row
   std::vector<std::int64_t> first_run_;  // of each row
