@@ -35,8 +35,7 @@ void write_cover_picture(const std::string& file, const RunOptions& run, const T
     const Axes axes = sheet.axes(box);
     const double wide = axes.at(width, 0).x - axes.at(0, 0).x;
     canvas.clip(box);
-    for (const TourLeg& leg : cover.tour.legs)
-      canvas.stroke(axes.at(leg.path), kSwath, wide, 0.12);
+    for (const TourLeg& leg : cover.tour.legs) canvas.stroke(axes.at(leg.path), kSwath, wide, 0.12);
     canvas.unclip();
     for (const bool swaths : {true, false})
       for (const TourLeg& leg : cover.tour.legs)

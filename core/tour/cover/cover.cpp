@@ -29,8 +29,8 @@ using tour::SwathPricer;
 constexpr int kMostSwaths = 10'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose bound takes a matrix of 64 MB
-constexpr int kBoundRounds = 1;
-constexpr double kSwathShare = 0.3, kOrderShare = 0.6;  // of the time to a deadline
+constexpr int kRounds = 1;
+constexpr double kShareOfSwaths = 0.3, kShareOfOrder = 0.6;  // of the time to a deadline
 
 void check(const Grid& grid, const CoverRequest& request) {
   const int longest = std::max(grid.width(), grid.height());
@@ -100,7 +100,7 @@ void order_swaths(const Planner& planner, const CoverRequest& request, CoverResu
   };
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
-                             .stop = share_of(request.stop, kOrderShare)};
+                             .stop = share_of(request.stop, kShareOfOrder)};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
       return observer(order, cells(cost));
@@ -112,8 +112,8 @@ void order_swaths(const Planner& planner, const CoverRequest& request, CoverResu
   } else if (n <= kMostBound) {
     if (!known) bounds = all_costs();
     Poller poller(request.stop);
-    found.lower_bound = cells(
-        tour_bound(Costs(n, bounds.data()), ends, result.stops, order.cost, kBoundRounds, poller));
+    found.lower_bound =
+        cells(tour_bound(Costs(n, bounds.data()), ends, result.stops, order.cost, kRounds, poller));
   }
   found.priced = known ? std::int64_t{n} * (n - 1) / 2 - swaths : legs.priced();
   found.status = status_after(order.cause, request.stop);
@@ -146,7 +146,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   std::optional<tour::SwathPlan> plan;
   if (ground->place()) {
     plan = tour::SwathMaker(unprepared, lines, *ground)
-               .best(request.threads, share_of(request.stop, kSwathShare));
+               .best(request.threads, share_of(request.stop, kShareOfSwaths));
     if (!plan) return result;
   }
   if (!plan || plan->swaths.empty()) {

@@ -7,7 +7,7 @@ namespace lasius::tour {
 namespace {
 
 constexpr int kMostPerCell = 9;
-constexpr double kSamplesOfWidth = 4, kSame = 1e-9;
+constexpr double kSamplesOfWidth = 4, kRoundOff = 1e-9;
 
 enum State : std::uint8_t { kBlocked, kPlace, kSeen, kReached };
 
@@ -53,7 +53,7 @@ std::optional<CoverGround> CoverGround::make(const Planner& planner, const ToolL
 
 // Samples that are no place of the tool's centre.
 void CoverGround::mark_blocked(const Grid& grid, const ToolLines& lines) {
-  const double radius = std::max(0.0, lines.radius() - slack_ - kSame * (slack_ > 0));
+  const double radius = std::max(0.0, lines.radius() - slack_ - kRoundOff * (slack_ > 0));
   for (int row = 0; row < rows_; ++row) {
     const double y = (row + 0.5) * spacing();
     std::uint8_t* const samples = wanted_.data() + static_cast<std::int64_t>(row) * columns_;
