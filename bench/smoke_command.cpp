@@ -17,6 +17,7 @@ constexpr const char* kLines[] = {
     "survive --worlds 2 --train 20 --budget 2e4",
     "colony --rounds 1 --side 1024 --plans 4",
     "tours --generated 96 --kinds blobs --stops 20 --seeds 1 --seconds 0.05",
+    "cover --generated 96 --kinds rooms --generations 0",
     "vehicles --generated 96",
     "overshoot --generated 96 --cuts 2 --limit 2",
     "quality --seeds 1 --blobs 1 --no-fan",

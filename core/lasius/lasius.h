@@ -33,5 +33,6 @@
 #include "lasius/stop.h"
 #include "lasius/tour.h"
 #include "lasius/tour/ants.h"
+#include "lasius/tour/cover.h"
 #include "lasius/tsplib.h"
 #include "lasius/version.h"

@@ -5,6 +5,22 @@
 
 namespace lasius::tour {
 
+Planner prepared_for(const Planner& planner, int stops, int threads, const StopCondition& stop) {
+  constexpr int kPrepared = 30;
+  const bool prepares = stops >= kPrepared && planner.robot().radius == 0 &&
+                        planner.preparation().state == Preparation::State::none;
+  return prepares ? planner.prepared({.threads = threads, .stop = stop}) : planner;
+}
+
+bool priced_at_once(const Planner& planner, int stops) {
+  constexpr int kAtOnce = 100, kSearchedAtOnce = 1500;
+  constexpr std::int64_t kEdgesOfStop = 500;  // that one search looks at
+  const Preparation& prepared = planner.preparation();
+  return stops <= kAtOnce ||
+         (prepared.state == Preparation::State::ready && planner.robot().radius == 0 &&
+          stops <= kSearchedAtOnce && prepared.edges <= kEdgesOfStop * stops);
+}
+
 Cost grains(double length) noexcept {
   return static_cast<Cost>(std::min<double>(kLargest, std::floor(length * (1 - 1e-9) * kGrains)));
 }

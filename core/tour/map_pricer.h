@@ -16,6 +16,12 @@ constexpr double kGrains = 1000;  ///< a cell
 /// tours.
 Cost grains(double length) noexcept;
 
+/// The planner, prepared where that pays for so many stops: for a point, 30 and more.
+Planner prepared_for(const Planner& planner, int stops, int threads, const StopCondition& stop);
+/// Are all lengths between so many stops planned at once? Few are; on a prepared map more, by one
+/// search a stop, where the legs that a search for an order asks for would take as long.
+bool priced_at_once(const Planner& planner, int stops);
+
 /// Costs are lengths of shortest paths between cells that are joined, in grains; bounds are
 /// straight distances. Once stopped, legs that are not priced are dear, the longer the dearer: no
 /// search takes one in place of a priced leg. Keeps up to kMostKept costs.

@@ -18,13 +18,6 @@ using tour::Cost;
 using tour::Costs;
 using tour::PartialOrder;
 
-constexpr int kPricedAtOnce = 100;  // stops
-// On a prepared map all are priced by one search a stop: up to so many, whose searches are of so
-// many edges a stop; the legs that a search for an order asks for would take as long.
-constexpr int kSearchedAtOnce = 1500;
-constexpr std::int64_t kEdgesOfStop = 500;
-constexpr int kPrepared = 30;  // stops for which preparing pays
-
 }  // namespace
 
 std::optional<double> TourResult::gap() const {
@@ -42,11 +35,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   const int n = static_cast<int>(indices.size());
   if (n == 0) return tour;
 
-  const bool prepares = n >= kPrepared && unprepared.robot().radius == 0 &&
-                        unprepared.preparation().state == Preparation::State::none;
-  const Planner planner =
-      prepares ? unprepared.prepared({.threads = request.threads, .stop = request.stop})
-               : unprepared;
+  const Planner planner = tour::prepared_for(unprepared, n, request.threads, request.stop);
   if (request.stop.token.stop_requested()) {
     tour.status = Status::interrupted;  // before there was an order
     return tour;
@@ -55,12 +44,8 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   tour::MapPricer pricer(planner, places, request.stop);
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
-  const Preparation& prepared = planner.preparation();
-  const bool searched = prepared.state == Preparation::State::ready &&
-                        planner.robot().radius == 0 && n <= kSearchedAtOnce &&
-                        prepared.edges <= kEdgesOfStop * n;
   const bool ants = by_ants(request);
-  if (n <= kPricedAtOnce || searched || (ants && n <= tour::kMostForAnts)) {
+  if (tour::priced_at_once(planner, n) || (ants && n <= tour::kMostForAnts)) {
     if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
       if (n <= tour::kMostBySubsets && !ants) exact_lengths = *lengths;
@@ -82,19 +67,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
 
   tour.status = status_after(found.cause, request.stop);
   for (const int v : found.order) tour.order.push_back(indices[v]);
-  tour.legs.resize(n == 1 ? 0 : request.open ? n - 1 : n);
-  std::vector<Workspace> workspaces(thread_count(request.threads));
-  const Params exact("exact");
-  parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
-               [&, &at = points](int i, int thread) {
-                 const int a = tour.order[i], b = tour.order[(i + 1) % n];
-                 // Never cut short: once there is an order, what stops the search leaves it its
-                 // legs.
-                 Result leg = planner.plan({.start_point = at[a], .goal_point = at[b]}, exact,
-                                           &workspaces[thread]);
-                 tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
-               });
-  for (const TourLeg& leg : tour.legs) tour.length += leg.length;
+  plan_legs(planner, points, request.open, request.threads, tour);
   if (proven)
     tour.lower_bound = tour.length;
   else if (bound > 0 || tour.length == 0)

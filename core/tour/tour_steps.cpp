@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/base/number_text.h"
+#include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/tour/ants/ant_colony.h"
 #include "core/tour/order/bound.h"
@@ -104,6 +105,22 @@ Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
   return cause == StopCondition::Cause::token      ? Status::interrupted
          : cause == StopCondition::Cause::deadline ? Status::limit
                                                    : Status::solved;
+}
+
+void plan_legs(const Planner& planner, std::span<const Point> points, bool open, int threads,
+               TourResult& tour) {
+  const auto n = static_cast<int>(tour.order.size());
+  tour.legs.resize(n == 1 ? 0 : open ? n - 1 : n);
+  std::vector<Workspace> workspaces(thread_count(threads));
+  const Params exact("exact");
+  parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
+               [&](int i, int thread) {
+                 const int a = tour.order[i], b = tour.order[(i + 1) % n];
+                 Result leg = planner.plan({.start_point = points[a], .goal_point = points[b]},
+                                           exact, &workspaces[thread]);
+                 tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
+               });
+  for (const TourLeg& leg : tour.legs) tour.length += leg.length;
 }
 
 // Why no order whatever keeps what is given, where an end or a stop alone shows it; else empty.

@@ -32,6 +32,11 @@ void tell_no_order(const tour::PartialOrder& given, const tour::Ends& ends,
                    const tour::OrderFound& found, std::span<const int> named, bool ants,
                    TourResult& tour);
 
+/// The legs of a tour's order, and its length. Never cut short: once there is an order, what stops
+/// the search leaves it its legs.
+void plan_legs(const Planner& planner, std::span<const Point> points, bool open, int threads,
+               TourResult& tour);
+
 struct Ordered {
   tour::OrderFound found;
   std::int64_t bound = 0;

@@ -1,6 +1,7 @@
 // Tours.
 #include "lasius/tour.h"
 
+#include "lasius/tour/cover.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
@@ -27,6 +28,37 @@ py::tuple fields(const TourResult& tour) {
                         to_array(offsets));
 }
 
+TourObserver observer_of(Call& call, const py::object& callback) {
+  if (callback.is_none()) return {};
+  return [&](std::span<const int> order, double length) {
+    bool more = true;
+    return call.call_back([&] {
+      const std::vector<int> told(order.begin(), order.end());
+      more = !callback(to_array(told), length).equal(py::bool_(false));
+    }) && more;
+  };
+}
+
+/// The fields of a lasius.CoverResult: those of its tour, then its own.
+py::tuple cover(const Planner& planner, double width, bool open,
+                std::optional<std::pair<double, double>> start, std::uint64_t seed, int generations,
+                int threads, std::optional<double> time_limit, const py::object& callback) {
+  Call call(time_limit);
+  CoverRequest request{.width = width,
+                       .open = open,
+                       .seed = seed,
+                       .generations = generations,
+                       .threads = threads,
+                       .stop = call.condition()};
+  if (start) request.start = Point{start->first, start->second};
+  const TourObserver observer = observer_of(call, callback);
+  const CoverResult found = call.run([&] { return plan_cover(planner, request, observer); });
+  return py::make_tuple(call.error(), fields(found.tour),
+                        py::make_tuple(to_array(std::span<const Point>(found.stops)),
+                                       found.swaths(), found.angle, found.swept, found.covered,
+                                       found.overlap, found.unreachable, found.resolution));
+}
+
 py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points, bool open,
                std::optional<int> start, std::optional<int> goal,
                std::vector<std::vector<int>> after, std::vector<int> load,
@@ -48,21 +80,16 @@ py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points,
   request.target_gap = target_gap;
   request.threads = threads;
   request.stop = call.condition();
-  TourObserver observer;
-  if (!callback.is_none())
-    observer = [&](std::span<const int> order, double length) {
-      bool more = true;
-      return call.call_back([&] {
-        const std::vector<int> told(order.begin(), order.end());
-        more = !callback(to_array(told), length).equal(py::bool_(false));
-      }) && more;
-    };
+  const TourObserver observer = observer_of(call, callback);
   const TourResult found = call.run([&] { return plan_tour(planner, request, observer); });
   return py::make_tuple(call.error(), fields(found));
 }
 
 }  // namespace
 
-void bind_tour(py::module_& module) { module.def("tour", &tour); }
+void bind_tour(py::module_& module) {
+  module.def("tour", &tour);
+  module.def("cover", &cover);
+}
 
 }  // namespace lasius::python

@@ -357,6 +357,17 @@ def tour(
     time_limit: Optional[float],
     observer: Optional[Callable[[npt.NDArray[np.int32], float], Any]],
 ) -> Tuple[_Error, Tuple[Any, ...]]: ...
+def cover(
+    planner: Planner,
+    width: float,
+    open: bool,
+    start: Optional[Tuple[float, float]],
+    seed: int,
+    generations: int,
+    threads: int,
+    time_limit: Optional[float],
+    observer: Optional[Callable[[npt.NDArray[np.int32], float], Any]],
+) -> Tuple[_Error, Tuple[Any, ...], Tuple[Any, ...]]: ...
 def read_changes(path: bytes, width: int, height: int) -> Changes: ...
 def algorithms() -> List[Any]: ...
 def map_kinds() -> List[str]: ...

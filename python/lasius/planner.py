@@ -16,7 +16,7 @@ from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, whole
 from .progress import Shown, counted, watched
-from .results import BatchResult, Result, TourResult, answer, batch_result
+from .results import BatchResult, CoverResult, Result, TourResult, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
 
 Observer = Callable[[Progress], Any]
@@ -300,6 +300,43 @@ class Planner:
             whole("seed", seed), generations, target_gap, whole("threads", threads), time_limit, observer,
         )
         return finish(error, TourResult(*fields))
+
+    def cover(
+        self,
+        width: float,
+        *,
+        open: bool = False,
+        start: Optional[Tuple[float, float]] = None,
+        seed: int = 1,
+        generations: int = 20,
+        threads: int = 0,
+        time_limit: Optional[float] = None,
+        observer: Optional[Callable[[IntArray, float], Any]] = None,
+    ) -> CoverResult:
+        """Covers the map with a tool that works on `width` cells, by swaths in a short order.
+
+        >>> planner = Planner(lasius.Grid(np.zeros((20, 30), np.uint8), free=0))
+        >>> planner.cover(2, open=True)
+        <CoverResult: solved, 10 swaths, length 318, 100.00% covered>
+
+        Args:
+            width: cells, more than 0, at most the map's longer side. The planner's radius is that of the tool's body.
+            open: no way back to where the tour began.
+            start: where it begins, a point (12.5, 5.5), the centre of cell (12, 5); None: anywhere.
+            seed: of the search for the order, above 6 swaths.
+            generations: of tours that recombine; 0: local search and its kicks alone.
+            threads: to 1024; 0: as many as OpenMP gives; never changes a tour.
+            time_limit: seconds; then the best so far is the answer, its status "limit".
+            observer: called with each better order and its length; where it returns False, the search ends.
+        Raises:
+            InvalidParameter: for a width out of range, or that asks for more than 10 000 swaths.
+            KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
+        """
+        begin = None if start is None else (float(start[0]), float(start[1]))
+        error, tour, fields = _lasius.cover(
+            self._raw, width, open, begin, whole("seed", seed), generations, whole("threads", threads), time_limit, observer
+        )
+        return finish(error, CoverResult(*tour, *fields))
 
     def _asked(
         self,

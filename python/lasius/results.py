@@ -278,6 +278,23 @@ class TourResult(Record):
 
 
 @dataclass(eq=False, repr=False)
+class CoverResult(TourResult):
+    """A tour that covers a map; its stops are the ends of swaths, 2 i and 2 i + 1 those of swath i."""
+
+    stops: FloatArray  #: (n, 2), ends of swaths in cells; where there is a start it is the last
+    swaths: int  #: how many
+    angle: float  #: what most swaths are parallel to: degrees from +x towards +y, 0 to 180
+    swept: float  #: length of all swaths, cells
+    covered: float  #: share of what the tool can come to that is within half a width of the tour, 0 to 1
+    overlap: float  #: share of what swaths cover that two or more do
+    unreachable: float  #: share of the free area that the tool cannot come to
+    resolution: float  #: cells from one sample of area to the next
+
+    def __repr__(self) -> str:
+        return f"<CoverResult: {self.status}, {self.swaths} swaths, length {self.length:.6g}, {self.covered:.2%} covered>"
+
+
+@dataclass(eq=False, repr=False)
 class Replans(Record):
     """The ways that were planned in a drive, in order."""
 

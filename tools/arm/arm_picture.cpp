@@ -21,7 +21,7 @@ constexpr Colour kObstacle{0.45, 0.48, 0.53};
 constexpr Colour kBase{0.45, 0.3, 0.15};
 constexpr Colour kGhost{0.45, 0.6, 0.78};
 constexpr Colour kTip{0.8, 0.12, 0.12};
-constexpr Colour kLattice{0.35, 0.2, 0.5};
+constexpr Colour kLatticeLine{0.35, 0.2, 0.5};
 
 /// What a view looks along is left out: coordinates `across` and `up` are shown.
 struct Aspect {
@@ -130,7 +130,7 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view,
     for (const auto& p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
-  if (in_lattice(answer)) line(answer.plan.tips.colwise(), kLattice, 1.5);
+  if (in_lattice(answer)) line(answer.plan.tips.colwise(), kLatticeLine, 1.5);
   line(tip_path(answer), kTip, 3);
   for (const arm::Goal& goal : answer.goals)
     canvas.diamond(frame.at(tip_of(answer.robot, goal)), 10, kGoal);
@@ -151,7 +151,7 @@ std::vector<Key> keys_of(const ArmAnswer& answer) {
     keys.push_back(line_key("way of the tip", kTip, 3));
   }
   if (in_lattice(answer) && answer.plan.tips.cols() > 1)
-    keys.push_back(line_key("lattice path", kLattice, 1.5));
+    keys.push_back(line_key("lattice path", kLatticeLine, 1.5));
   keys.push_back(area_key("base", pale(kBase, 0.5)));
   if (!answer.scene.obstacles.empty()) keys.push_back(area_key("obstacle", pale(kObstacle, 0.5)));
   return keys;

@@ -169,6 +169,7 @@ struct TourCommand {
   TourStops stops = {};  ///< without a file
   bool open = false;
   std::optional<int> capacity = {};
+  std::optional<double> cover = {};  ///< a width, as MapOptions::radius; then there are no stops
   std::optional<End> start = {}, goal = {};
   int generations = 20;
 };

@@ -11,9 +11,11 @@
 #include "tools/options/commands.h"
 #include "tools/record/problem.h"
 #include "tools/record/recorded.h"
+#include "tools/tour/cover_problem.h"
 #include "tools/tour/stops_file.h"
 #include "tools/tour/tour_answer.h"
 #include "tools/tour/tour_kind.h"
+#include "tools/tour/tour_legs.h"
 #include "tools/tour/tour_picture.h"
 #include "tools/tour/tsplib_problem.h"
 
@@ -96,16 +98,7 @@ class TourProblem : public Problem {
     if (!answer_.goal) record.goal = Json();
     add_parameters(record.parameters, command_);
     record.elapsed_ms = answer_.elapsed_ms;
-    std::vector<Point> path;
-    for (const TourLeg& leg : tour.legs) {
-      const std::vector<Point> told = in_metres() ? metres_of(leg) : leg.path;
-      path.insert(path.end(), told.begin() + (path.empty() ? 0 : 1), told.end());
-    }
-    if (path.empty() && !tour.order.empty()) {
-      const Place& only = place_at(tour.order.front());
-      path = {in_metres() ? only.asked : only.at()};
-    }
-    record.path = coordinates(path);
+    record.path = coordinates(tour_path(answer_, in_metres()));
     if (!command_.run.json)
       for (const LeftOut& out : tour.left_out)
         if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
@@ -175,25 +168,6 @@ class TourProblem : public Problem {
     const auto gap = tour.gap();
     return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
   }
-  /// In metres; from stop to stop as these were given.
-  std::vector<Point> metres_of(const TourLeg& leg) const {
-    std::vector<Point> path = answer_.map.to_world(leg.path);
-    path.front() = place_at(leg.from).asked;
-    path.back() = place_at(leg.to).asked;
-    return path;
-  }
-  Json legs_json() const {
-    Json legs = Json::array();
-    for (const TourLeg& leg : answer_.tour.legs) {
-      legs.push_back({{"from", leg.from},
-                      {"to", leg.to},
-                      {"length", number(leg.length)},
-                      {"path", points(leg.path)}});
-      if (answer_.tour.cost) legs.back()["cost"] = number(leg.cost);
-      if (in_metres()) legs.back()["path_world"] = points(metres_of(leg));
-    }
-    return legs;
-  }
   Json answer_of(const MapEnds& ends, const Record& record, const Json& findings) const {
     const TourResult& tour = answer_.tour;
     const bool found = record.has_path();
@@ -212,7 +186,7 @@ class TourProblem : public Problem {
     if (!given.after.empty()) json["after"] = given.after;
     if (!given.loads.empty()) json["loads"] = given.loads;
     json.update(order_json(tour));
-    json["legs"] = found ? legs_json() : Json();
+    json["legs"] = found ? legs_json(answer_, in_metres()) : Json();
     json["length"] = number(record.result.length);
     if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
     if (answer_.map.costs) json["cost"] = optional_number(tour.cost);
@@ -253,6 +227,11 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   }
   choose_ants(command);
   if (tsplib) return tsplib_problem(std::move(command));
+  if (!value_at(result, "start").is_null()) command.start = recorded_end(result, "start");
+  if (result.contains("cover")) {
+    read_recorded_cover(result, command);
+    return cover_problem(std::move(command));
+  }
   const Json& list = value_at(result, "stops");
   if (!list.is_array() || list.empty()) throw UsageError("\"stops\" is no list of stops");
   command.stops.points = recorded_ends(result, "stops");
@@ -266,8 +245,7 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   if (result.contains("parameters") && result["parameters"].contains("capacity"))
     command.capacity = static_cast<int>(
         recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
-  for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
-    if (!value_at(result, key).is_null()) *end = recorded_end(result, key);
+  if (!value_at(result, "goal").is_null()) command.goal = recorded_end(result, "goal");
   return std::make_unique<TourProblem>(std::move(command));
 }
 
@@ -342,6 +320,7 @@ Json order_json(const TourResult& tour) {
 
 int run_command(const TourCommand& command) {
   if (is_tsplib(command.run.map.file)) return run(*tsplib_problem(command));
+  if (command.cover) return run(*cover_problem(command));
   TourProblem problem(command);
   return run(problem);
 }

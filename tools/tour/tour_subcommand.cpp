@@ -25,8 +25,8 @@ constexpr const char* kTourOutputs =
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
   for (const char* option :
-       {"--stops", "--start", "--goal", "--capacity", "--frame", "--radius", "--unknown-free",
-        "--prepare", "--prepared", "--corners", "--cost", "--inflation"})
+       {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame", "--radius",
+        "--unknown-free", "--prepare", "--prepared", "--corners", "--cost", "--inflation"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
@@ -35,12 +35,23 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
     throw UsageError("-o " + *picture + ": pictures are of tours on maps; give .json or .csv");
 }
 
+/// @throws UsageError where an option of stops is given with --cover.
+void check_cover(const OptionTable& table, const RunOptions& run) {
+  for (const char* option :
+       {"--stops", "--goal", "--capacity", "--cost", "--inflation", "--target-gap", "--preset"})
+    if (table.given(option))
+      throw UsageError(std::string(option) + " is for tours of stops; leave it or --cover out");
+  if ((!run.algorithm.empty() && run.algorithm != kLegAlgorithm) || !run.settings.empty())
+    throw UsageError("--algorithm and --set are for tours of stops; leave them or --cover out");
+}
+
 }  // namespace
 
 Subcommand add_tour(CLI::App& app) {
   struct Text : TourCommand {
     std::string start_text, goal_text;
     int capacity_given = 0;
+    double cover_given = 0;
   };
   auto text = std::make_shared<Text>();
   OptionTable table(
@@ -52,6 +63,10 @@ Subcommand add_tour(CLI::App& app) {
       "with decimals, or metres with --frame world; with \"name\", \"after\" (names that come "
       "before) and \"load\"",
       {".tsv", ".json", ".geojson"});
+  table.real("--cover", text->cover_given, 0, kNoLimit,
+             "In place of stops: cover the map with a tool that works on WIDTH cells (metres with "
+             "--frame world), by swaths side by side; its centre keeps --radius",
+             "WIDTH");
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
   table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
   table.text("--goal", text->goal_text,
@@ -87,7 +102,9 @@ Subcommand add_tour(CLI::App& app) {
                     {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
                      "from the depot to the last stop"},
                     {"lasius tour maps/grid30a.map --stops stops.tsv --algorithm mmas --ants 10",
-                     "by a published colony"}},
+                     "by a published colony"},
+                    {"lasius tour maps/grid30a.map --cover 2 --start 0,0 -o cover.png",
+                     "cover the map in strips of two cells"}},
        .exits = {{kFound, "a tour was found; stops that it leaves out are named"},
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
@@ -108,8 +125,11 @@ Subcommand add_tour(CLI::App& app) {
               "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
         if (is_tsplib(run.map.file))
           check_tsplib(table, run);
+        else if (table.given("--cover"))
+          check_cover(table, run);
         else
           require("", "--stops", tour.stops_file);
+        if (table.given("--cover")) tour.cover = text->cover_given;
         if (table.given("--capacity")) tour.capacity = text->capacity_given;
         const SearchOptions asked = run;
         run.algorithm = kLegAlgorithm;

@@ -1,0 +1,189 @@
+#include "lasius/tour/cover.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/base/poller.h"
+#include "core/tour/cover/cover_ground.h"
+#include "core/tour/cover/swath_order.h"
+#include "core/tour/cover/swaths.h"
+#include "core/tour/map_pricer.h"
+#include "core/tour/order/bound.h"
+#include "core/tour/tour_steps.h"
+#include "lasius/error.h"
+
+namespace lasius {
+
+namespace {
+
+using tour::Cost;
+using tour::Costs;
+using tour::CoverGround;
+using tour::Swath;
+using tour::SwathPricer;
+
+constexpr int kMostSwaths = 10'000;
+constexpr int kPrepared = 15;     // swaths for which preparing pays
+constexpr int kMostBound = 4000;  // stops, whose bound takes a matrix of 64 MB
+constexpr int kRounds = 1;
+constexpr double kShareOfSwaths = 0.3, kShareOfOrder = 0.6;  // of the time to a deadline
+
+void check(const Grid& grid, const CoverRequest& request) {
+  const int longest = std::max(grid.width(), grid.height());
+  const auto refuse = [](const std::string& problem, const std::string& remedy) {
+    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+  };
+  if (!(request.width > 0) || !(request.width <= longest))
+    refuse("the width to cover at a time is " + number_text(request.width) + " cells",
+           "give more than 0 and at most the map's " + number_text(longest));
+  if (std::min(grid.width(), grid.height()) / request.width > kMostSwaths)
+    refuse("a width of " + number_text(request.width) + " cells asks for more than " +
+               number_text(kMostSwaths) + " swaths",
+           "give a larger one, or parts of the map");
+  if (request.generations < 0)
+    refuse("generations are " + number_text(request.generations), "give 0 or more");
+}
+
+StopCondition share_of(const StopCondition& stop, double share) {
+  StopCondition part = stop;
+  if (stop.deadline == Clock::time_point::max()) return part;
+  const auto now = stop.now();
+  part.deadline = deadline_in(share * std::chrono::duration<double>(stop.deadline - now), now);
+  return part;
+}
+
+// Shares of area, by what swaths and the whole tour come near.
+void measure(const CoverGround& ground, const std::vector<Swath>& swaths, CoverResult& result) {
+  tour::SwathCounts counts(ground);
+  for (const Swath& swath : swaths) counts.add(swath);
+  const std::int64_t swept = counts.covered(), twice = counts.covered(2);
+  for (const TourLeg& leg : result.tour.legs)
+    for (std::size_t i = 1; i < leg.path.size(); ++i) counts.add({leg.path[i - 1], leg.path[i]});
+  const auto share = [](std::int64_t part, std::int64_t of) {
+    return of > 0 ? static_cast<double>(part) / static_cast<double>(of) : 0;
+  };
+  result.covered = share(counts.covered(), ground.wanted_samples());
+  result.overlap = share(twice, swept);
+}
+
+void order_swaths(const Planner& planner, const CoverRequest& request, CoverResult& result,
+                  const TourObserver& observer) {
+  const int swaths = result.swaths(), n = static_cast<int>(result.stops.size());
+  TourResult& found = result.tour;
+  tour::MapPricer legs(planner, result.stops, request.stop);
+  std::vector<Cost> matrix;
+  if (tour::priced_at_once(planner, n))
+    if (const auto lengths =
+            planner.distances(result.stops, result.stops, request.threads, request.stop))
+      for (const double length : *lengths) matrix.push_back(tour::grains(length));
+  const bool known = !matrix.empty();
+  SwathPricer pricer(swaths, known ? Costs(n, matrix.data()) : Costs(n, legs));
+  // What is known of all costs: they themselves, or at most they.
+  const auto all_costs = [&] {
+    std::vector<Cost> all;
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b) all.push_back(pricer.lower(a, b));
+    return all;
+  };
+  std::vector<Cost> bounds;
+  if (known) bounds = all_costs();
+  const Costs costs = known ? Costs(n, bounds.data()) : Costs(n, pricer);
+  const tour::Ends ends{request.open, request.start ? n - 1 : -1, -1};
+  const std::int64_t apart = std::int64_t{n - swaths - request.open} * SwathPricer::kApart;
+  const auto cells = [&](std::int64_t cost) {
+    return result.swept +
+           static_cast<double>(std::max<std::int64_t>(0, cost - apart)) / tour::kGrains;
+  };
+  tour::OrderOptions options{.seed = request.seed,
+                             .generations = request.generations,
+                             .stop = share_of(request.stop, kShareOfOrder)};
+  if (observer)
+    options.observer = [&](std::span<const int> order, std::int64_t cost) {
+      return observer(order, cells(cost));
+    };
+  const tour::OrderFound order = find_order(costs, ends, result.stops, options);
+  found.order = whole_swaths(order.order, pricer, request.open);
+  if (known && order.optimal) {
+    found.lower_bound = cells(order.cost);
+  } else if (n <= kMostBound) {
+    if (!known) bounds = all_costs();
+    Poller poller(request.stop);
+    found.lower_bound =
+        cells(tour_bound(Costs(n, bounds.data()), ends, result.stops, order.cost, kRounds, poller));
+  }
+  found.priced = known ? std::int64_t{n} * (n - 1) / 2 - swaths : legs.priced();
+  found.status = status_after(order.cause, request.stop);
+}
+
+}  // namespace
+
+CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
+                       const TourObserver& observer) {
+  check(unprepared.grid(), request);
+  CoverResult result;
+  TourResult& found = result.tour;
+  if (request.start && !unprepared.clear_at(*request.start)) {
+    found.status = Status::invalid;
+    found.error =
+        "the start at " + pair_text(request.start->x, request.start->y) + " is outside or blocked";
+    return result;
+  }
+  found.status = Status::interrupted;
+  const tour::ToolLines lines(unprepared.grid(), unprepared.robot().radius);
+  StopCondition token = request.stop;
+  token.deadline = Clock::time_point::max();
+  Poller poller(token);
+  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start, poller);
+  if (!ground) return result;
+  result.resolution = ground->spacing();
+  if (ground->free_samples() > 0)
+    result.unreachable = 1 - static_cast<double>(ground->wanted_samples()) /
+                                 static_cast<double>(ground->free_samples());
+  std::optional<tour::SwathPlan> plan;
+  if (ground->place()) {
+    plan = tour::SwathMaker(unprepared, lines, *ground)
+               .best(request.threads, share_of(request.stop, kShareOfSwaths));
+    if (!plan) return result;
+  }
+  if (!plan || plan->swaths.empty()) {
+    found.status = Status::invalid;
+    found.error = "the tool has no place on the map";
+    return result;
+  }
+  result.angle = plan->heading.degrees;
+  if (plan->swaths.size() > kMostSwaths)
+    throw Error(ErrorCode::invalid_parameter,
+                "a width of " + number_text(request.width) + " cells asks for " +
+                    number_text(static_cast<int>(plan->swaths.size())) + " swaths, more than " +
+                    number_text(kMostSwaths),
+                "give a larger one, or parts of the map");
+  for (const Swath& swath : plan->swaths) {
+    result.stops.push_back(swath.from);
+    result.stops.push_back(swath.to);
+    result.swept += swath.length();
+  }
+  if (request.start) result.stops.push_back(*request.start);
+  // A disc's graph too: most legs are short, and found in it at once.
+  const bool prepares =
+      result.swaths() >= kPrepared && unprepared.preparation().state == Preparation::State::none;
+  const Planner planner =
+      prepares ? unprepared.prepared({.threads = request.threads, .stop = request.stop})
+               : unprepared;
+  if (request.stop.token.stop_requested()) {
+    result.stops.clear();
+    return result;
+  }
+  order_swaths(planner, request, result, observer);
+  plan_legs(planner, result.stops, request.open, request.threads, found);
+  if (found.lower_bound) found.lower_bound = std::min(found.length, *found.lower_bound);
+  constexpr double kRounding = 1e-9;
+  found.optimal = found.gap() && *found.gap() <= kRounding && found.status == Status::solved;
+  measure(*ground, plan->swaths, result);
+  return result;
+}
+
+}  // namespace lasius

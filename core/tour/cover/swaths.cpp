@@ -1,0 +1,196 @@
+#include "core/tour/cover/swaths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/tour/cover/sweep_cells.h"
+
+namespace lasius::tour {
+
+namespace {
+
+constexpr double kRounding = 1e-6;  // of a count of swaths
+constexpr double kDearness = 3;     // of what is left, against a swath
+
+double distance(Point a, Point b) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+// Half the sum of the ways from each end to the nearest end of another swath.
+double ways_between(const std::vector<Swath>& swaths) {
+  struct End {
+    Point at;
+    std::size_t swath;
+  };
+  if (swaths.size() < 2) return 0;
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < swaths.size(); ++i) {
+    ends.push_back({swaths[i].from, i});
+    ends.push_back({swaths[i].to, i});
+  }
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    if (a.at.x != b.at.x) return a.at.x < b.at.x;
+    return a.at.y != b.at.y ? a.at.y < b.at.y : a.swath < b.swath;
+  });
+  double sum = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto look = [&](const End& other) {
+      if (std::abs(other.at.x - ends[i].at.x) >= nearest) return false;
+      if (other.swath != ends[i].swath) nearest = std::min(nearest, distance(other.at, ends[i].at));
+      return true;
+    };
+    for (std::size_t j = i; j-- > 0 && look(ends[j]);) {
+    }
+    for (std::size_t j = i + 1; j < ends.size() && look(ends[j]); ++j) {
+    }
+    sum += nearest;
+  }
+  return sum / 2;
+}
+
+}  // namespace
+
+double Swath::length() const noexcept { return distance(from, to); }
+
+void SwathCounts::add(const Swath& swath, int by) {
+  ground_.each_row_near(swath.from, swath.to, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i <= last; ++i)
+      counts_[i] = static_cast<std::uint16_t>(counts_[i] + by);
+  });
+}
+
+std::int64_t SwathCounts::covered(int at_least) const noexcept {
+  std::int64_t sum = 0;
+  for (std::int64_t i = 0; i < ground_.samples(); ++i)
+    sum += ground_.wanted(i) && counts_[i] >= at_least;
+  return sum;
+}
+
+std::int64_t SwathCounts::gain(const Swath& swath) const {
+  std::int64_t sum = 0;
+  ground_.each_row_near(swath.from, swath.to, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i <= last; ++i) sum += open(i);
+  });
+  return sum;
+}
+
+bool SwathMaker::reached(const Swath& swath) const {
+  return planner_.clear_at(swath.to) && planner_.joined_at(*ground_.place(), swath.from);
+}
+
+void SwathMaker::add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const {
+  std::vector<Stretch> places;
+  lines_.on_line(heading, c, places);
+  for (const Stretch& place : places)
+    swaths.push_back({heading.at(place.from, c), heading.at(place.to, c)});
+}
+
+std::vector<Swath> SwathMaker::fitted(const Heading& heading) const {
+  const double beside = std::min(lines_.radius(), width_ / 2);
+  std::vector<Swath> swaths;
+  std::vector<Stretch> places;
+  for (const SweepCell& cell : sweep_cells(lines_, heading, width_)) {
+    const double from = cell.from - (cell.wall_before ? beside : 0);
+    const double to = cell.to + (cell.wall_behind ? beside : 0);
+    const int count = std::max(1, static_cast<int>(std::ceil((to - from) / width_ - kRounding)));
+    const double drawn_in = std::min(ToolLines::kDrawnIn, (cell.to - cell.from) / 2);
+    std::size_t slice = 0;
+    for (int i = 0; i < count; ++i) {
+      const double c = std::clamp(from + (i + 0.5) * ((to - from) / count), cell.from + drawn_in,
+                                  cell.to - drawn_in);
+      while (slice + 1 < cell.slices.size() &&
+             std::abs(cell.slices[slice + 1].c - c) <= std::abs(cell.slices[slice].c - c))
+        ++slice;
+      // The stretch of this line that goes on where the slice beside it is.
+      const Stretch& beside_it = cell.slices[slice].stretch;
+      lines_.on_line(heading, c, places);
+      double most = 0;
+      Stretch chosen;
+      for (const Stretch& place : places) {
+        const double shared =
+            std::min(place.to, beside_it.to) - std::max(place.from, beside_it.from);
+        if (shared > most) most = shared, chosen = place;
+      }
+      if (most > 0) swaths.push_back({heading.at(chosen.from, c), heading.at(chosen.to, c)});
+    }
+  }
+  return swaths;
+}
+
+std::vector<Swath> SwathMaker::anywhere(const Heading& heading) const {
+  Stretch extent = lines_.extent(heading);
+  // Where the tool has any place.
+  std::vector<Stretch> places;
+  const double step = std::min(1.0, width_ / 8);
+  const auto none = [&](double c) {
+    lines_.on_line(heading, c, places);
+    return places.empty();
+  };
+  while (extent.length() > step && none(extent.from + step / 2)) extent.from += step;
+  while (extent.length() > step && none(extent.to - step / 2)) extent.to -= step;
+  const double beside = std::min(lines_.radius(), width_ / 2);
+  extent = {extent.from - beside, extent.to + beside};
+  const int count = std::max(1, static_cast<int>(std::ceil(extent.length() / width_ - kRounding)));
+  std::vector<Swath> swaths;
+  for (int i = 0; i < count; ++i)
+    add_line(heading, extent.from + (i + 0.5) * (extent.length() / count), swaths);
+  return swaths;
+}
+
+std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
+                                          const StopCondition& stop) const {
+  const auto stopped = [&] { return stop.poll() != StopCondition::Cause::none; };
+  if (stopped()) return std::nullopt;
+  SwathPlan plan{.heading = heading,
+                 .swaths = laid == Laid::fitted ? fitted(heading) : anywhere(heading)};
+  std::erase_if(plan.swaths, [&](const Swath& swath) { return !reached(swath); });
+  if (stopped()) return std::nullopt;
+  SwathCounts counts(ground_);
+  for (const Swath& swath : plan.swaths) counts.add(swath);
+  fill_gaps(
+      lines_, ground_, heading, [&](const Swath& swath) { return reached(swath); }, counts,
+      plan.swaths);
+  if (stopped()) return std::nullopt;
+  cut_back(ground_, counts, plan.swaths);
+  plan.estimate = ways_between(plan.swaths) +
+                  kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
+  for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
+  return plan;
+}
+
+std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop) const {
+  const std::vector<Heading>& all = headings();
+  std::vector<std::optional<SwathPlan>> plans(2 * all.size());
+  StopCondition token = stop;
+  token.deadline = Clock::time_point::max();
+  parallel_for(static_cast<int>(plans.size()), thread_count(threads), [&](int i, int) {
+    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, i == 0 ? token : stop);
+  });
+  std::optional<SwathPlan>* least = nullptr;
+  for (auto& plan : plans)
+    if (plan && !plan->swaths.empty() && (least == nullptr || plan->estimate < (*least)->estimate))
+      least = &plan;
+  if (least == nullptr) least = &plans.front();
+  if (*least && lines_.radius() > 0) drop_apart((*least)->swaths, threads);
+  return std::move(*least);
+}
+
+// Of a disc: what it cannot come to from a place of the region.
+void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads) const {
+  std::vector<char> apart(swaths.size(), 0);
+  parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
+    apart[i] = !reaches(planner_, *ground_.place(), swaths[i].from) ||
+               !reaches(planner_, *ground_.place(), swaths[i].to);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < swaths.size(); ++i)
+    if (apart[i] == 0) swaths[kept++] = swaths[i];
+  swaths.resize(kept);
+}
+
+}  // namespace lasius::tour

@@ -1,0 +1,91 @@
+// Swaths that cover a map, by one heading or the best of several.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/tour/cover/cover_ground.h"
+#include "core/tour/cover/tool_lines.h"
+#include "lasius/geometry.h"
+#include "lasius/planner.h"
+#include "lasius/stop.h"
+
+namespace lasius::tour {
+
+struct Swath {
+  Point from, to;
+  double length() const noexcept;
+};
+
+/// Swaths, all in the region of the ground.
+struct SwathPlan {
+  Heading heading;
+  std::vector<Swath> swaths;
+  /// Of the tour: the swaths, from each end the way to the nearest of another, and the area that is
+  /// left, as if it took three swaths to cover it. Cells.
+  double estimate = 0;
+};
+
+enum class Laid {
+  fitted,    ///< evenly in each cell of the decomposition, a half width from its walls
+  anywhere,  ///< evenly over the whole map
+};
+
+/// What plans of several headings share.
+class SwathMaker {
+ public:
+  /// Holds references.
+  SwathMaker(const Planner& planner, const ToolLines& lines, const CoverGround& ground)
+      : planner_(planner), lines_(lines), ground_(ground), width_(2 * ground.half_width()) {}
+
+  /// Empty if stopped.
+  std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop) const;
+  /// The plan of least estimate, on threads that do not matter to it. The first one is made
+  /// whatever the deadline; empty if stopped by the token before.
+  std::optional<SwathPlan> best(int threads, const StopCondition& stop) const;
+
+ private:
+  std::vector<Swath> fitted(const Heading& heading) const;
+  std::vector<Swath> anywhere(const Heading& heading) const;
+  void add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const;
+  bool reached(const Swath& swath) const;
+  void drop_apart(std::vector<Swath>& swaths, int threads) const;
+
+  const Planner& planner_;
+  const ToolLines& lines_;
+  const CoverGround& ground_;
+  double width_;
+};
+
+/// How often each sample is within half a width of a swath.
+class SwathCounts {
+ public:
+  explicit SwathCounts(const CoverGround& ground)
+      : ground_(ground), counts_(static_cast<std::size_t>(ground.samples()), 0) {}
+
+  void add(const Swath& swath, int by = 1);
+  int of(std::int64_t sample) const noexcept { return counts_[sample]; }
+  bool open(std::int64_t sample) const noexcept {
+    return counts_[sample] == 0 && ground_.wanted(sample);
+  }
+  /// Wanted samples that at least so many swaths cover.
+  std::int64_t covered(int at_least = 1) const noexcept;
+  /// Those of a swath that none covers.
+  std::int64_t gain(const Swath& swath) const;
+
+ private:
+  const CoverGround& ground_;
+  std::vector<std::uint16_t> counts_;
+};
+
+/// Adds swaths along the heading and across it for what is not covered, the most worthwhile first,
+/// as long as they cover a tenth of what as much length can.
+void fill_gaps(const ToolLines& lines, const CoverGround& ground, const Heading& heading,
+               const std::function<bool(const Swath&)>& reached, SwathCounts& counts,
+               std::vector<Swath>& swaths);
+/// Cuts swaths back to what they alone cover, the shortest first; drops those that are left none.
+void cut_back(const CoverGround& ground, SwathCounts& counts, std::vector<Swath>& swaths);
+
+}  // namespace lasius::tour

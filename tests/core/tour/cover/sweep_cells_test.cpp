@@ -1,0 +1,83 @@
+#include "core/tour/cover/sweep_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/tour/cover/swath_order.h"
+#include "lasius/generate.h"
+#include "tests/oracle/disc_paths.h"
+
+namespace lasius::tour {
+namespace {
+
+TEST(ToolLines, HaveAllPlacesThatKeepTheRadius) {
+  const Grid grid = generate(MapKind::blobs, {.width = 24, .height = 18, .seed = 3});
+  std::vector<Stretch> places;
+  int inside = 0;
+  for (const double radius : {0.0, 0.4, 1.5}) {
+    const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
+    const ToolLines lines(grid, radius);
+    for (const Heading& heading : headings()) {
+      const Stretch extent = lines.extent(heading);
+      for (double c = extent.from + 0.37; c < extent.to; c += 1.9) {
+        lines.on_line(heading, c, places);
+        for (double t = -40; t < 40; t += 0.31) {
+          const Point p = heading.at(t, c);
+          if (p.x <= 0 || p.y <= 0 || p.x >= grid.width() || p.y >= grid.height()) continue;
+          const double room = judge.clearance(p);
+          const bool in = std::any_of(places.begin(), places.end(), [&](const Stretch& one) {
+            return one.from <= t && t <= one.to;
+          });
+          inside += in;
+          // Near the ends of stretches either will do.
+          if (in) {
+            EXPECT_GE(room, radius - 1e-9);
+          } else {
+            EXPECT_LE(room, radius + 0.02);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 1000);
+}
+
+TEST(SweepCells, PartAndJoinAroundAnObstacle) {
+  Grid grid(20, 12);
+  grid.fill({8, 4, 5, 3}, true);
+  const auto cells = sweep_cells(ToolLines(grid, 0), headings()[0], 2);
+  ASSERT_EQ(cells.size(), 4u);  // above, left, right, below
+  const double from[] = {0, 4, 4, 7}, to[] = {4, 7, 7, 12};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_DOUBLE_EQ(cells[i].from, from[i]);
+    EXPECT_DOUBLE_EQ(cells[i].to, to[i]);
+    EXPECT_EQ(cells[i].wall_before, i == 0);
+    EXPECT_EQ(cells[i].wall_behind, i == 3);
+  }
+  EXPECT_EQ(cells[1].slices.front().stretch.to, 8);
+  EXPECT_EQ(cells[2].slices.front().stretch.from, 13);
+  // Where the free space leaps there is a new one, too: a door in a wall.
+  Grid doors(20, 12);
+  doors.fill({0, 6, 20, 1}, true);
+  doors.set_blocked({3, 6}, false);
+  const auto through = sweep_cells(ToolLines(doors, 0), headings()[0], 2);
+  ASSERT_EQ(through.size(), 3u);
+  EXPECT_TRUE(through[0].wall_behind && through[2].wall_before);
+  EXPECT_FALSE(through[1].wall_before || through[1].wall_behind);
+}
+
+TEST(SwathOrder, KeepsTheEndsOfASwathTogether) {
+  const std::vector<Cost> matrix(49, 5);
+  const SwathPricer swaths(3, Costs(7, matrix.data()));
+  EXPECT_TRUE(swaths.joined(0, 1) && swaths.joined(5, 4));
+  EXPECT_FALSE(swaths.joined(1, 2) || swaths.joined(6, 6));
+  using Order = std::vector<int>;
+  EXPECT_EQ(whole_swaths({1, 3, 2, 5, 4, 6, 0}, swaths, false), (Order{3, 2, 5, 4, 6, 0, 1}));
+  EXPECT_EQ(whole_swaths({6, 1, 0, 3, 2, 5, 4}, swaths, true), (Order{6, 1, 0, 3, 2, 5, 4}));
+  EXPECT_EQ(whole_swaths({6, 1, 3, 0, 2, 5, 4}, swaths, false), (Order{6, 1, 0, 3, 2, 5, 4}));
+}
+
+}  // namespace
+}  // namespace lasius::tour
