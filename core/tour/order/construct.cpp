@@ -28,12 +28,16 @@ struct Fragments {
 
 }  // namespace
 
-std::vector<int> greedy_order(const Costs& costs, const Candidates& candidates) {
+std::vector<int> savings_order(const Costs& costs, const Candidates& candidates) {
   const int n = costs.size();
-  std::vector<std::tuple<Cost, int, int>> edges;
-  for (int v = 0; v < n; ++v)
+  std::vector<Cost> away(n, 0);  // from the first stop; by the bound: a pricer would price all
+  for (int v = 1; v < n; ++v) away[v] = costs.lower(0, v);
+  std::vector<std::tuple<std::int64_t, int, int>> edges;
+  for (int v = 1; v < n; ++v)
     for (const auto& leg : candidates.of(v))
-      edges.emplace_back(leg.cost, std::min(v, leg.to), std::max(v, leg.to));
+      if (leg.to != 0)
+        edges.emplace_back(std::int64_t{leg.cost} - away[v] - away[leg.to], std::min(v, leg.to),
+                           std::max(v, leg.to));
   std::sort(edges.begin(), edges.end());
   Fragments parts(n);
   for (const auto& [cost, a, b] : edges)

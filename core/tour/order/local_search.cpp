@@ -1,18 +1,13 @@
 #include "core/tour/order/local_search.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace lasius::tour {
 
 namespace {
 
-constexpr int kBreadth[] = {5, 3, 1};
 constexpr int kLongestKicked = 30;
-
-struct Step {
-  int to, end;  // the candidate, and which of its neighbours it leaves
-  std::int64_t gain;
-};
 
 }  // namespace
 
@@ -48,58 +43,74 @@ bool LocalSearch::improve(ArrayTour& tour, Poller& poller) {
 }
 
 bool LocalSearch::improve_at(ArrayTour& tour, int stop) {
-  t_[0] = stop;
-  for (const bool forward : {true, false}) {
-    t_[1] = forward ? tour.next(stop) : tour.previous(stop);
-    if (deepen(tour, 1, forward ? tour.to_next(stop) : tour.to_previous(stop))) return true;
-  }
-  return false;
+  return improve_behind<true>(tour, stop) || improve_behind<false>(tour, stop);
 }
 
-// t_[0 .. 2 level) are ends of `level` edges taken out; `gain` is theirs less that of those put in.
-bool LocalSearch::deepen(ArrayTour& tour, int level, std::int64_t gain) {
-  const int from = t_[2 * level - 1];
-  Step steps[2 * kBreadth[0] + 2];
-  int count = 0;
-  const int breadth = kBreadth[level - 1];
-  for (const auto& [to, cost] : candidates_->of(from)) {
-    const std::int64_t left = gain - cost;
-    if (left <= 0) break;
+// The cheapest exchange that takes out the edge from `stop` to the next, or the one before it, and
+// then all is mirrored: edges t0 t1, t2 t3 and t4 t5 go, t1 t2, t3 t4 and the last stop t0 come.
+template <bool kForward>
+bool LocalSearch::improve_behind(ArrayTour& tour, int stop) {
+  const auto next = [&](int v) { return kForward ? tour.next(v) : tour.previous(v); };
+  const auto previous = [&](int v) { return kForward ? tour.previous(v) : tour.next(v); };
+  const auto to_next = [&](int v) { return kForward ? tour.to_next(v) : tour.to_previous(v); };
+  const auto to_previous = [&](int v) { return kForward ? tour.to_previous(v) : tour.to_next(v); };
+  const int t0 = stop, t1 = next(t0), first = tour.place(t1);
+  const auto steps_to = [&](int v) {  // from t1
+    const int steps = kForward ? tour.place(v) - first : first - tour.place(v);
+    return steps < 0 ? steps + tour.size() : steps;
+  };
+  std::int64_t best = 0;
+  int edges = 0;
+  const auto offer = [&](std::int64_t gain, std::initializer_list<int> ends) {
+    const int last = *(ends.end() - 1);
+    // The bound first: a leg that it rules out need not be priced.
+    if (gain - costs_->lower(t0, last) <= best || gain - (*costs_)(t0, last) <= best) return;
+    best = gain - (*costs_)(t0, last);
+    edges = static_cast<int>(ends.size()) / 2;
+    std::copy(ends.begin(), ends.end(), t_);
+  };
+  for (const auto& [t2, cost2] : candidates_->of(t1)) {
+    const std::int64_t gain2 = to_next(t0) - cost2;
+    if (gain2 <= 0) break;
     ++work_;
-    const int next = tour.next(to), previous = tour.previous(to);
-    if (next == from || previous == from) continue;
-    for (const int end : {next, previous}) {
-      bool out = false;  // is that edge taken out already?
-      for (std::ptrdiff_t i = 0; i < level && !out; ++i)
-        out =
-            (t_[2 * i] == to && t_[2 * i + 1] == end) || (t_[2 * i] == end && t_[2 * i + 1] == to);
-      if (out) continue;
-      const Step step{to, end, left + (end == next ? tour.to_next(to) : tour.to_previous(to))};
-      if (count == breadth && step.gain <= steps[count - 1].gain) continue;
-      int at = count < breadth ? count++ : count - 1;
-      for (; at > 0 && steps[at - 1].gain < step.gain; --at) steps[at] = steps[at - 1];
-      steps[at] = step;
+    const int steps2 = steps_to(t2);
+    if (t2 == t0) continue;
+    if (steps2 > 1) {  // t1 .. t3 is passed backward
+      const int t3 = previous(t2);
+      const std::int64_t gain3 = gain2 + to_previous(t2);
+      offer(gain3, {t0, t1, t2, t3});
+      for (const auto& [t4, cost4] : candidates_->of(t3)) {
+        const std::int64_t gain4 = gain3 - cost4;
+        if (gain4 <= best || depth_ < 3) break;
+        ++work_;
+        const int steps4 = steps_to(t4);
+        if (steps4 < steps2 - 2)
+          offer(gain4 + to_next(t4), {t0, t1, t2, t3, t4, next(t4)});
+        else if (steps4 > steps2)
+          offer(gain4 + to_previous(t4), {t0, t1, t2, t3, t4, previous(t4)});
+      }
+    }
+    if (depth_ < 3) continue;
+    const int t3 = next(t2);  // t1 .. t2 is a circle, which the third edge opens
+    const std::int64_t gain3 = gain2 + to_next(t2);
+    for (const auto& [t4, cost4] : candidates_->of(t3)) {
+      const std::int64_t gain4 = gain3 - cost4;
+      if (gain4 <= best) break;
+      ++work_;
+      const int steps4 = steps_to(t4);
+      if (steps4 >= steps2) continue;
+      offer(gain4 + to_next(t4), {t0, t1, t2, t3, t4, next(t4)});
+      if (steps4 > 0) offer(gain4 + to_previous(t4), {t0, t1, t2, t3, t4, previous(t4)});
     }
   }
-  for (int i = 0; i < count; ++i) {
-    int* const taken = t_ + std::ptrdiff_t{2} * level;
-    taken[0] = steps[i].to;
-    taken[1] = steps[i].end;
-    const int end = steps[i].end;
-    // The bound first: a leg that it rules out need not be priced.
-    if (end != t_[0] && steps[i].gain > costs_->lower(end, t_[0]) &&
-        steps[i].gain > (*costs_)(end, t_[0]) && close(tour, level + 1))
-      return true;
-    if (level + 1 < kDepth && level + 1 < depth_ && deepen(tour, level + 1, steps[i].gain))
-      return true;
-  }
-  return false;
+  if (edges > 0) exchange(tour, edges);
+  return edges > 0;
 }
 
-bool LocalSearch::close(ArrayTour& tour, int edges) {
+void LocalSearch::exchange(ArrayTour& tour, int edges) {
   Exchange exchange;
   exchange.cuts = edges;
-  int by_place[kDepth + 1], end_of[2 * kDepth + 2];
+  int by_place[kDepth], end_of[2 * kDepth];
   for (int i = 0; i < edges; ++i) {
     const int* const taken = t_ + std::ptrdiff_t{2} * i;
     const int a = taken[0], b = taken[1];
@@ -124,10 +135,8 @@ bool LocalSearch::close(ArrayTour& tour, int edges) {
     exchange.partner[b] = a;
   }
   work_ += 4;
-  if (!ArrayTour::whole(exchange)) return false;
   tour.apply(exchange);
   for (int i = 2 * edges; i-- > 0;) queue(t_[i]);
-  return true;
 }
 
 bool LocalSearch::kick(ArrayTour& tour, std::int64_t times, kernels::RandomStream& random,
@@ -137,27 +146,23 @@ bool LocalSearch::kick(ArrayTour& tour, std::int64_t times, kernels::RandomStrea
   const int longest = std::min(kLongestKicked, (n - 1) / 3);
   tour.keep();
   for (std::int64_t i = 0; i < times; ++i) {
-    int places[4];
-    places[0] = random.below(n);
-    for (int j = 1; j < 4; ++j) places[j] = (places[j - 1] + 1 + random.below(longest)) % n;
-    int first = 0;
-    while (first < 3 && places[first + 1] > places[first]) ++first;
-    first = first == 3 ? 0 : first + 1;
+    // A B C becomes A C B, or A B C D becomes A D C B, in each its own direction.
+    const int cuts = random.chance(0.5) ? 3 : 4;
+    int places[4] = {random.below(n)};
+    for (int j = 1; j < cuts; ++j) places[j] = (places[j - 1] + 1 + random.below(longest)) % n;
+    int first = 0;  // of the places as they rise
+    while (first + 1 < cuts && places[first + 1] > places[first]) ++first;
+    first = first + 1 == cuts ? 0 : first + 1;
     Exchange exchange;
-    exchange.cuts = 4;
-    int number[4];
-    for (int j = 0; j < 4; ++j) {
-      number[(first + j) % 4] = j;
-      exchange.cut[j] = places[(first + j) % 4];
+    exchange.cuts = cuts;
+    for (int j = 0; j < cuts; ++j) {
+      exchange.cut[j] = places[(first + j) % cuts];
+      // What ends at a cut goes on with the segment that began two cuts before it, of four; of
+      // three with the one that begins at the next.
+      const int behind = 2 * ((j + (cuts == 4 ? 2 : 1)) % cuts) + 1;
+      exchange.partner[2 * j] = behind;
+      exchange.partner[behind] = 2 * j;
     }
-    // A B C D A becomes A D C B A, in each its own direction: the ends are those at a cut's left
-    // (2j) and right (2j + 1); B, C, D begin behind cuts 0, 1, 2.
-    const auto join = [&](int left, int right) {
-      const int behind = 2 * number[left], before = 2 * number[right] + 1;
-      exchange.partner[behind] = before;
-      exchange.partner[before] = behind;
-    };
-    join(0, 2), join(3, 1), join(2, 0), join(1, 3);
     const std::int64_t before = tour.cost();
     for (const int place : exchange.cut_span())
       queue(tour.at(place)), queue(tour.at(tour.after(place)));

@@ -1,5 +1,5 @@
-// Or-opt: exchanges of up to three edges, one after another along candidates, and kicks out of what
-// they cannot improve.
+// Exchanges of up to three edges along candidates, all of them, and kicks out of what these cannot
+// improve.
 #pragma once
 
 #include <vector>
@@ -21,15 +21,17 @@ class LocalSearch {
 
   /// Exchanges edges until none of that depth is cheaper, beginning at all stops; false if stopped.
   bool improve(ArrayTour& tour, Poller& poller);
-  /// So often: swaps the outer two of three segments of up to 30 stops at a random place, improves
-  /// there, and goes back where the tour became dearer. False if stopped.
+  /// So often: lets two segments of up to 30 stops change places, beside one another or on both
+  /// sides of a third, at a random place, improves there, and goes back where the tour became
+  /// dearer. False if stopped.
   bool kick(ArrayTour& tour, std::int64_t times, kernels::RandomStream& random, Poller& poller);
 
  private:
   bool run(ArrayTour& tour, Poller& poller);
   bool improve_at(ArrayTour& tour, int stop);
-  bool deepen(ArrayTour& tour, int level, std::int64_t gain);
-  bool close(ArrayTour& tour, int edges);
+  template <bool kForward>
+  bool improve_behind(ArrayTour& tour, int stop);
+  void exchange(ArrayTour& tour, int edges);
   void queue(int stop);
 
   int depth_;
@@ -37,12 +39,14 @@ class LocalSearch {
   const Candidates* candidates_;
   std::vector<int> waiting_;
   std::vector<char> waits_;
-  int t_[2 * kDepth + 2];
+  int t_[2 * kDepth];  // ends of edges that go; between them, and round, those that come
   std::int64_t work_ = 0;
 };
 
-/// A tour along cheap edges: greedy over the candidates, loose ends joined by the nearest.
-std::vector<int> greedy_order(const Costs& costs, const Candidates& candidates);
+/// A tour along the edges that save most of a way by the first stop (Clarke & Wright 1964), which
+/// in corridors that branch is a shortest: greedy over the candidates, loose ends joined by the
+/// nearest.
+std::vector<int> savings_order(const Costs& costs, const Candidates& candidates);
 /// A tour that goes on to a candidate by chance, with probability in proportion to 1 / cost^2.
 std::vector<int> random_order(const Costs& costs, const Candidates& candidates,
                               kernels::RandomStream& random);

@@ -1,6 +1,7 @@
 #include "core/tour/order/search.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "core/base/number_text.h"
@@ -17,7 +18,8 @@ namespace lasius::tour {
 namespace {
 
 constexpr int kCandidates = 8;
-constexpr int kAnts = 10;
+// Few tours converge soon, many to better ones: each colony has twice as many as the one before.
+constexpr int kFirstAnts = 10, kMostAnts = 40;
 constexpr double kKicksOfAnt = 0.3;  // a stop
 constexpr int kPatience = 3;         // generations without change
 
@@ -37,7 +39,7 @@ class Colony {
   void run() {
     const int n = costs_.size();
     const std::int64_t kicks = options_.kicks < 0 ? n : options_.kicks;
-    best_.emplace(costs_, greedy_order(costs_, candidates_));
+    best_.emplace(costs_, savings_order(costs_, candidates_));
     kernels::RandomStream random(options_.seed, 0, 0, kUse);
     const bool done = local_.improve(*best_, poller_);
     if (!offer(*best_) || !done) return;
@@ -74,7 +76,8 @@ class Colony {
 
   bool begin(std::uint32_t colony) {
     ants_.assign(1, *best_);
-    for (std::uint32_t i = 1; i < kAnts; ++i) {
+    const int ants = colony > 2 ? kMostAnts : kFirstAnts << (colony - 1);
+    for (std::uint32_t i = 1; static_cast<int>(i) < ants; ++i) {
       if (generations_ == options_.generations) return false;
       kernels::RandomStream random(options_.seed, i, colony, kUse);
       ants_.emplace_back(costs_, random_order(costs_, candidates_, random));
@@ -86,15 +89,16 @@ class Colony {
   }
 
   bool evolve(std::uint32_t colony, std::int64_t kicks) {
-    kernels::RandomStream random(options_.seed, kAnts, colony, kUse);
+    const int ants = static_cast<int>(ants_.size());
+    kernels::RandomStream random(options_.seed, kMostAnts, colony, kUse);
+    std::vector<int> cycle(ants_.size());
     for (int idle = 0; idle < kPatience; ++idle) {
       if (generations_++ == options_.generations) return false;
-      int cycle[kAnts];
-      for (int i = 0; i < kAnts; ++i) cycle[i] = i;
-      for (int i = kAnts; i > 1; --i) std::swap(cycle[i - 1], cycle[random.below(i)]);
-      for (int i = 0; i < kAnts; ++i) {
+      std::iota(cycle.begin(), cycle.end(), 0);
+      for (int i = ants; i > 1; --i) std::swap(cycle[i - 1], cycle[random.below(i)]);
+      for (int i = 0; i < ants; ++i) {
         ArrayTour& ant = ants_[cycle[i]];
-        if (recombiner_.improve(ant, ants_[cycle[(i + 1) % kAnts]], random, poller_)) {
+        if (recombiner_.improve(ant, ants_[cycle[(i + 1) % ants]], random, poller_)) {
           idle = -1;
           if (!offer(ant)) return false;
         }

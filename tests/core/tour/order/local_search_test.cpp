@@ -1,0 +1,97 @@
+#include "core/tour/order/local_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/tour/order/search.h"
+#include "tests/core/tour/order/instances.h"
+
+namespace lasius::tour {
+namespace {
+
+constexpr int kStops = 14;
+
+// Is any tour cheaper that has all edges but two or three: the pieces between three cuts in any
+// order and direction?
+bool cheaper_by_three_edges(const Costs& costs, const std::vector<int>& order) {
+  const std::int64_t now = cost_of(costs, order, false);
+  const auto n = static_cast<std::ptrdiff_t>(order.size());
+  for (std::ptrdiff_t i = 1; i < n; ++i)
+    for (std::ptrdiff_t j = i + 1; j <= n; ++j)
+      for (int way = 0; way < 8; ++way) {
+        std::vector<int> b(order.begin() + i, order.begin() + j), c(order.begin() + j, order.end());
+        if ((way & 1) != 0) std::reverse(b.begin(), b.end());
+        if ((way & 2) != 0) std::reverse(c.begin(), c.end());
+        if ((way & 4) != 0) std::swap(b, c);
+        std::vector<int> other(order.begin(), order.begin() + i);
+        other.insert(other.end(), b.begin(), b.end());
+        other.insert(other.end(), c.begin(), c.end());
+        if (cost_of(costs, other, false) < now) return true;
+      }
+  return false;
+}
+
+TEST(TourLocalSearch, LeavesNoCheaperExchangeOfThreeEdges) {
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    const Instance stops = random_instance(kStops, seed, seed % 2 == 0);
+    const Costs costs = stops.costs();
+    const Candidates candidates(costs, {}, kStops - 1);
+    const StopCondition never;
+    Poller poller(never);
+    kernels::RandomStream random(seed, 0, 0);
+    ArrayTour tour(costs, random_order(costs, candidates, random));
+    LocalSearch search(costs, candidates);
+    // Again: what a change makes cheaper may begin at a stop that it did not touch.
+    for (std::int64_t before = -1; before != tour.cost();) {
+      before = tour.cost();
+      EXPECT_TRUE(search.improve(tour, poller));
+    }
+    EXPECT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
+    EXPECT_FALSE(cheaper_by_three_edges(costs, tour.order())) << "seed " << seed;
+  }
+}
+
+TEST(TourLocalSearch, KicksKeepATourAndNeverMakeItDearer) {
+  for (const int size : {8, 9, 10, 40}) {
+    const Instance stops = random_instance(size, 3);
+    const Costs costs = stops.costs();
+    const Candidates candidates(costs, stops.places, 8);
+    const StopCondition never;
+    Poller poller(never);
+    kernels::RandomStream random(1, 0, 0);
+    ArrayTour tour(costs, savings_order(costs, candidates));
+    LocalSearch search(costs, candidates);
+    for (int i = 0; i < 300; ++i) {
+      const std::int64_t before = tour.cost();
+      ASSERT_TRUE(search.kick(tour, 1, random, poller));
+      ASSERT_LE(tour.cost(), before);
+      ASSERT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
+      std::vector<int> sorted = tour.order();
+      std::sort(sorted.begin(), sorted.end());
+      for (int v = 0; v < size; ++v) ASSERT_EQ(sorted[v], v);
+    }
+  }
+}
+
+// In corridors that branch a tour passes each twice, and no tour is shorter.
+TEST(TourLocalSearch, PassesEachCorridorTwice) {
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    kernels::RandomStream random(seed, 0, 0);
+    constexpr int kSize = 150;
+    std::vector<Cost> matrix(std::size_t{kSize} * kSize, 0);
+    std::int64_t all = 0;
+    for (int v = 1; v < kSize; ++v) {
+      const int from = std::max(0, v - 1 - random.below(6)), length = 1 + random.below(1000);
+      all += length;
+      for (int w = 0; w < v; ++w)
+        matrix[v * kSize + w] = matrix[w * kSize + v] = matrix[from * kSize + w] + length;
+    }
+    OrderOptions options;
+    options.generations = 0;
+    EXPECT_EQ(find_order({kSize, matrix.data()}, {}, {}, options).cost, 2 * all) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace lasius::tour
