@@ -28,7 +28,7 @@ struct Request {
   /// Points that the path goes through on its way, in this order: it is planned from each to the
   /// next, and joined. A goal tolerance is of the goal alone, a target gap of every leg.
   std::vector<Point> via = {};
-  static constexpr int kMostAlternatives = 100;
+  static constexpr int kMostAlternatives = 100;  ///< of one request
   /// Of `exact` for a point, without a target gap and points on the way: so many other ways are
   /// wanted as well, see Result::alternatives. At most kMostAlternatives.
   int alternatives = 0;

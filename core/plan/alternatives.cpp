@@ -48,7 +48,7 @@ void add_alternatives(const PlanningMap& map, const Request& request, const Plac
       memory.prepared.search(map.grid, *map.graph, from, to, {}, request.stop, answer);
     else
       memory.exact.search(map.grid, from, to, {}, request.stop, answer);
-    stopped = answer.end != ExactEnd::proven;
+    stopped = stopped || answer.end != ExactEnd::proven;
     return stopped ? kInfinity : answer.length;
   };
   exact::TautRow out, back;

@@ -144,9 +144,8 @@ class Result(SearchResult):
 
     def __post_init__(self) -> None:
         self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
-        self.alternatives = tuple(
-            other if isinstance(other, Alternative) else Alternative(*other) for other in self.alternatives
-        )
+        told: Tuple[Any, ...] = self.alternatives
+        self.alternatives = tuple(other if isinstance(other, Alternative) else Alternative(*other) for other in told)
 
     @explained
     def poses(self, spacing: float, *, map: Optional[Map] = None) -> FloatArray:

@@ -308,6 +308,19 @@ def test_a_workspace_is_used_again_and_by_one_call_at_a_time(planner):
     assert planner.plan(START, GOAL, workspace=workspace).optimal
 
 
+def test_alternatives(planner):
+    result = planner.plan(START, GOAL, alternatives=2)
+    first, second = result.alternatives
+    assert result.length < first.length < second.length <= 1.3 * result.length
+    for other in result.alternatives:
+        assert np.array_equal(other.path[[0, -1]], result.path[[0, -1]])
+        assert np.hypot(*np.diff(other.path, axis=0).T).sum() == pytest.approx(other.length, abs=1e-9)
+    assert pickle.loads(pickle.dumps(result)) == result and result != planner.plan(START, GOAL)
+    for bad in ({"params": "as"}, {"target_gap": 0.1}, {"via": [(200, 100)]}):
+        with pytest.raises(lasius.InvalidParameter, match="alternatives are asked for"):
+            planner.plan(START, GOAL, alternatives=1, **bad)
+
+
 def test_prepared_and_edited(planner, tmp_path):
     prepared = planner.prepared(threads=1)
     assert prepared.preparation.state == "ready" and prepared.preparation.edges > 0

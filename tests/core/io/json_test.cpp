@@ -32,6 +32,7 @@ void expect_kept(const Result& result) {
   expect_same(result, read);
   EXPECT_EQ(result.own_rules, read.own_rules);
   EXPECT_EQ(result.limit, read.limit);
+  EXPECT_EQ(result.alternatives, read.alternatives);
 }
 
 TEST(Json, KeepsTheParametersOfEveryAlgorithm) {
@@ -77,6 +78,7 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.lower_bound = 0.3;
   result.own_rules = true;
   result.way_out = Point{1.0 / 3, 4};
+  result.alternatives = {{{{0.1, 2}, {1.0 / 3, 4}}, 0.1 + 0.7}, {{{5, 6}}, 1e300}};
   result.error = "a \"quote\", \\ and \n";
   result.fault = Fault::trapped;  // the last of them
   const std::string text = result_to_json(result);
@@ -91,7 +93,7 @@ TEST(Json, ReadsWhatTheProgramPrints) {
   const std::string saved =
       R"({"format": "lasius-plan/1", "algorithm": "fan2004", "seed": 7, "threads": 2,
           "parameters": {"ants": 5, "polish": "taut", "target_gap": 0.5, "radius": 2,
-                         "time_limit": null, "unknown": "free", "goal_tolerance": 2, "frame": "cell"},
+                         "alternatives": 2, "time_limit": null, "unknown": "free", "goal_tolerance": 2, "frame": "cell"},
           "goal_reached": [2.0, 0.5], "way_out": [0.75, 0.5],
           "status": "solved", "error": null, "length": 1.5, "path": [[0.5, 0.5], [2, 0.5]],
           "iterations": 0, "best": [], "mean": [], "arrived": [], "lower_bound": null,

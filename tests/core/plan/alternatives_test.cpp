@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lasius/batch.h"
+#include "lasius/cost_planner.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
@@ -302,6 +303,27 @@ TEST(Alternatives, EndAtPointsAndWhereATargetAllows) {
   EXPECT_TRUE(Planner(grid).plan(request).alternatives.empty());
 }
 
+TEST(Alternatives, AStopLeavesThoseFoundAndSaysSo) {
+  const Planner planner(generate(MapKind::blobs, {400, 200, -1, 61}));
+  Request request = ask({14, 14}, {380, 179}, 5);
+  const Result whole = planner.plan(request);
+  ASSERT_GT(whole.alternatives.size(), 1);
+  int cut = 0;
+  for (int polls = 0;; ++polls) {
+    const CountingTime time(polls);
+    request.stop = time.is_up();
+    const Result result = planner.plan(request);
+    if (result.status == Status::solved) {
+      EXPECT_EQ(result.alternatives, whole.alternatives);
+      break;
+    }
+    EXPECT_EQ(result.status, Status::limit);
+    ASSERT_LE(result.alternatives.size(), whole.alternatives.size());
+    if (result.optimal) ++cut;
+  }
+  EXPECT_GT(cut, 0);
+}
+
 TEST(Alternatives, AreRefusedWhereThereAreNone) {
   const Grid grid(10, 10);
   const Request one = ask({1, 1}, {8, 8}, 1);
@@ -326,6 +348,7 @@ TEST(Alternatives, AreRefusedWhereThereAreNone) {
             "alternatives are asked for of a path through points");
   EXPECT_EQ(refusal(Planner(grid), ask({1, 1}, {8, 8}, -1), {}), "alternatives is -1");
   EXPECT_EQ(refusal(Planner(grid), ask({1, 1}, {8, 8}, 101), {}), "alternatives is 101");
+  EXPECT_THROW(CostPlanner(Planner(grid), CostField(10, 10)).plan(one), Error);
   const std::vector<Request> requests{one};
   EXPECT_THROW(plan_batch(Planner(grid), requests, Params("mmas")), Error);
 }
