@@ -1,6 +1,7 @@
 #include "core/vehicle/edge_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 

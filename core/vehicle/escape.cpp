@@ -106,13 +106,13 @@ class Escape {
         const Segment line{.begin = {}, .length = length, .gear = gear};
         go(at, {line});
         for (int side = 1; side < 8 && vehicle_.sideways; ++side)
-          go(at, {{.begin = {}, .length = length, .gear = gear, .angle = side * kPi / 4}});
+          go(at, {Segment{.begin = {}, .length = length, .gear = gear, .angle = side * kPi / 4}});
         // On an arc of this curvature no corner falls by more than the room.
         const double around = space_.outline().around();
         const double gentle = std::min(2 * turn / around, most);
         for (const double bent : {gentle, -gentle}) {
           if (most > 0)
-            go(at, {{.begin = {}, .curvature = bent, .length = 3 * length, .gear = gear}});
+            go(at, {Segment{.begin = {}, .curvature = bent, .length = 3 * length, .gear = gear}});
         }
         for (const double angle : {turn, -turn, turn / 2, -turn / 2}) {
           if (vehicle_.rotate_in_place) aside(at, {.begin = {}, .gear = 0, .angle = angle}, line);

@@ -8,7 +8,6 @@
 
 #include "lasius/cost_planner.h"
 #include "lasius/map_io.h"
-#include "tools/command_line/option_table.h"
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
 
@@ -41,8 +40,5 @@ std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_un
 void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);
 /// @throws Error(file_broken) where a layer is not the one that the result records.
 void check_layers(const LoadedCosts& costs, const Json& result);
-
-/// --cost and --inflation.
-void add_cost_options(OptionTable& table, CostLayers& to);
 
 }  // namespace lasius::tool

@@ -25,6 +25,33 @@ void add_prepare(OptionTable& table, MapOptions& to, const char* help) {
   });
 }
 
+void add_cost_options(OptionTable& table, CostLayers& to) {
+  table.repeatable(
+      "--cost",
+      "A layer of costs of the map's size: PNG or PGM (grey / largest grey), PFM, .npy "
+      "(the value itself, at least 0), or a ROS map's .yaml where that places it (occupancy / "
+      "100; 100 blocks the cell). Times the factor (default 1) it is added to the "
+      "weight 1 of each cell (repeatable)",
+      "FILE[*FACTOR]", [&to](const std::string& text) {
+        const auto star = text.rfind('*');
+        CostLayers::Layer layer{.file = text.substr(0, star)};
+        if (layer.file.empty())
+          throw UsageError("--cost " + text + " names no file; as in terrain.pgm*2");
+        if (star != text.npos)
+          layer.factor = real_value("--cost", text.substr(star + 1), 0, CostField::kMost);
+        to.layers.push_back(std::move(layer));
+      });
+  table.add(
+      "--inflation",
+      "Costs near what is blocked, as Nav2 has them: WEIGHT (default 2) times "
+      "exp(-SCALING (d - r)) up to the distance d = RADIUS, r: --radius, at least 1 cell; in cells "
+      "(metres and per metre with --frame world)",
+      "RADIUS,SCALING[,WEIGHT]", [&to](const std::string& text) {
+        const auto numbers = reals_value("--inflation", text, 2, 3);
+        to.inflation = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 2};
+      });
+}
+
 void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help) {
   add_search_options(table, to, help);
   add_parameter(table, "--neighbours", to, "Moves from a cell", "4|8|16|16k|24|32");

@@ -19,6 +19,8 @@ PlanCommand plan_command(RunOptions& run, const std::string& start, const std::s
 
 /// `--prepare [graph|labels]`.
 void add_prepare(OptionTable& table, MapOptions& to, const char* help);
+/// --cost and --inflation.
+void add_cost_options(OptionTable& table, CostLayers& to);
 void add_world_options(OptionTable& table, WorldOptions& to);
 /// @throws UsageError where an option of polygon worlds is given with a bitmap.
 void refuse_world_options(const OptionTable& table);

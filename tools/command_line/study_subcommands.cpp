@@ -4,7 +4,7 @@
 #include <memory>
 #include <tuple>
 
-#include "tools/bitmap/cost_layers.h"
+#include "tools/command_line/map_options.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"

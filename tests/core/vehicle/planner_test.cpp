@@ -104,6 +104,27 @@ TEST(VehiclePlanner, PathsTouchNothing) {
   }
 }
 
+// So hard that all of the lattice is looked at: forwards alone, among blocks.
+TEST(VehiclePlanner, LooksAtAllOfTheLatticeWhereThatIsHard) {
+  const Part box = rectangle(6, 6, 4);
+  Vehicle forward = car(box, 8);
+  forward.reverse = false;
+  const Grid grid = blobs(2, 45);
+  const Planner planner(grid, forward);
+  std::mt19937_64 random(2);
+  int hard = 0;
+  for (int i = 0; i < 27; ++i) {
+    Request request{.start = random_free(planner.space(), random), .goals = {}};
+    request.goals.push_back(random_free(planner.space(), random));
+    const Result result = planner.plan(request);
+    if (result.expanded < 20000 || result.goal < 0) continue;
+    ++hard;
+    check(grid, forward, {box}, request, result);
+    EXPECT_EQ(planner.plan(request).segments, result.segments);
+  }
+  EXPECT_EQ(hard, 2);
+}
+
 TEST(VehiclePlanner, DrivesToAnySide) {
   // A lane in which it cannot turn, and whose bend it takes aside.
   Grid grid(60, 60);
