@@ -20,9 +20,9 @@ constexpr int kBoundCandidates = 10;
 constexpr int kMostTurns = 300;
 // Trees without gain before steps are halved: so many stops in all, within limits; half as many in
 // later rounds. In corridors a bound is lost where steps become short too soon.
-constexpr int kPatience = 100'000, kLeastPatience = 50, kMostPatience = 500;
-constexpr Sum kNear = 100'000;  // of the tour: a gap that no round is worth
-constexpr Sum kLeastGain = 20;  // a round that closes less of the gap is the last
+constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
+constexpr Sum kGapNotWorth = 100'000;  // of the tour: a gap that no round is worth
+constexpr Sum kLeastGain = 20;         // a round that closes less of the gap is the last
 
 class Ascent {
  public:
@@ -61,7 +61,7 @@ class Ascent {
         if (bound == before && more == known) break;
       }
       if ((bound + kScale - 1) / kScale >= upper) break;
-      if (upper * kScale - bound <= upper * kScale / kNear) break;
+      if (upper * kScale - bound <= upper * kScale / kGapNotWorth) break;
       if (more.empty() && (upper * kScale - bound) / kLeastGain > bound - earlier) break;
       candidates_.add(costs_, more);
     }
@@ -134,8 +134,7 @@ class Ascent {
   // Steps of lambda (upper - value) / |g|^2 along g; lambda is halved after some without gain.
   void ascend(Sum upper, int round) {
     const int n = costs_.size();
-    const int patience =
-        std::clamp(kPatience / n, kLeastPatience, kMostPatience) / (round == 0 ? 1 : 2);
+    const int patience = std::clamp(kIdleStops / n, kLeastIdle, kMostIdle) / (round == 0 ? 1 : 2);
     Sum greatest = -kFar;
     int idle = 0;
     best_ = price_;
