@@ -11,6 +11,7 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/tour/map_pricer.h"
+#include "core/tour/order/bound.h"
 #include "core/tour/order/search.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/error.h"
@@ -82,9 +83,29 @@ Marks textbook(const TourInstance& instance, peers::TourMethod method, std::uint
   return marks;
 }
 
+// What the best tour is above the bound, which is given the time of a mark.
+void write_bound(const TourInstance& instance, std::int64_t best, const TourBenchOptions& options,
+                 Table& table) {
+  constexpr int kRounds = 10;
+  std::vector<double> figures;
+  for (const double share : kShares) {
+    const TourTime time(share * options.seconds);
+    const StopCondition stop = time.stop();
+    Poller poller(stop, 1 << 14);
+    const std::int64_t bound = tour::tour_bound({instance.size(), instance.matrix.data()}, {},
+                                                instance.places, best, kRounds, poller);
+    figures.push_back(bound > 0
+                          ? 100.0 * static_cast<double>(best - bound) / static_cast<double>(bound)
+                          : kUnknown);
+  }
+  figures.push_back(kUnknown);
+  table.row(instance.name + ", the best above the bound", figures);
+}
+
 // Rows of one instance: contenders, each the means over the seeds of what it is above the best.
 void write_rows(const TourInstance& instance,
-                const std::vector<std::pair<std::string, std::vector<Marks>>>& runs, Table& table) {
+                const std::vector<std::pair<std::string, std::vector<Marks>>>& runs,
+                const TourBenchOptions& options, Table& table) {
   std::int64_t best = instance.known;
   for (const auto& [name, marks] : runs)
     for (const Marks& one : marks)
@@ -103,6 +124,7 @@ void write_rows(const TourInstance& instance,
     }
     table.row(instance.name + ", " + name, figures);
   }
+  write_bound(instance, best, options, table);
 }
 
 std::vector<std::pair<std::string, std::vector<Marks>>> matrix_runs(
@@ -166,7 +188,7 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
         searched({instance.size(), pricer}, instance, static_cast<std::uint64_t>(seed), time));
     legs = pricer.priced();
   }
-  write_rows(instance, runs, table);
+  write_rows(instance, runs, options, table);
   const double all = 0.5 * options.stops * (options.stops - 1);
   notes += set.name + ": prepared in " + short_number(prepared) + " s; the matrix takes " +
            short_number(priced) + " s; of all legs " +
@@ -187,7 +209,7 @@ void run_tours(const TourBenchOptions& options) {
       columns);
   for (const std::string& file : options.files) {
     const TourInstance instance = tsplib_instance(file);
-    write_rows(instance, matrix_runs(instance, options), table);
+    write_rows(instance, matrix_runs(instance, options), options, table);
   }
   MapOptions maps = options.maps;
   if (options.files.empty() && maps.maps.empty() && maps.sides.empty() && maps.noise.empty())

@@ -18,6 +18,11 @@ constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
 constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
 constexpr int kBoundCandidates = 10;
 constexpr int kMostTurns = 300;
+// Trees without gain before steps are halved: so many stops in all, within limits; half as many in
+// later rounds. In corridors a bound is lost where steps become short too soon.
+constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
+constexpr Sum kGapNotWorth = 100'000;  // of the tour: a gap that no round is worth
+constexpr Sum kLeastGain = 20;         // a round that closes less of the gap is the last
 
 class Ascent {
  public:
@@ -39,6 +44,7 @@ class Ascent {
   Sum run(Sum upper, int rounds) {
     Sum bound = 0;
     for (int round = 0; round < rounds && !poller_.stopped(); ++round) {
+      const Sum earlier = bound;
       ascend(upper * kScale, round);
       price_ = best_;
       std::vector<std::pair<int, int>> more;
@@ -54,7 +60,9 @@ class Ascent {
         bound = std::max(bound, dense_tree(more));
         if (bound == before && more == known) break;
       }
-      if ((bound + kScale - 1) / kScale >= upper || more.empty()) break;
+      if ((bound + kScale - 1) / kScale >= upper) break;
+      if (upper * kScale - bound <= upper * kScale / kGapNotWorth) break;
+      if (more.empty() && (upper * kScale - bound) / kLeastGain > bound - earlier) break;
       candidates_.add(costs_, more);
     }
     return bound;
@@ -123,16 +131,14 @@ class Ascent {
     return value;
   }
 
-  // Steps of lambda (upper - value) / |g|^2 along .7 g + .3 of the last g; lambda is halved after
-  // some steps without gain. Later rounds begin with shorter steps.
+  // Steps of lambda (upper - value) / |g|^2 along g; lambda is halved after some without gain.
   void ascend(Sum upper, int round) {
     const int n = costs_.size();
-    const int patience = std::max(20, std::min(100, n));
-    std::vector<int> last(n, 0);
+    const int patience = std::clamp(kIdleStops / n, kLeastIdle, kMostIdle) / (round == 0 ? 1 : 2);
     Sum greatest = -kFar;
     int idle = 0;
     best_ = price_;
-    for (double lambda = round == 0 ? 2 : 0.5; lambda > 1e-3;) {
+    for (double lambda = round == 0 ? 2 : 1; lambda > 1e-3;) {
       const Sum value = sparse_tree();
       if (value >= kFar || poller_.stop_after(16 * static_cast<Sum>(n))) return;
       if (value > greatest) {
@@ -153,8 +159,7 @@ class Ascent {
       const double step = lambda * static_cast<double>(upper - value) / squares;
       for (int v = 0; v < n; ++v) {
         const int g = degree_[v] - 2;
-        price_[v] += static_cast<Sum>(step * (0.7 * g + 0.3 * last[v]));
-        last[v] = g;
+        price_[v] += static_cast<Sum>(step * g);
       }
     }
   }

@@ -76,5 +76,26 @@ TEST(TourBound, IsAsGreatWhereBoundsOfLegsArePoor) {
   EXPECT_GE(100 * bound, 90 * best);
 }
 
+// Corridors that branch, whose tours pass each twice: short steps of the ascent are too few there.
+TEST(TourBound, IsWithinAPerCentInCorridors) {
+  constexpr int kSize = 80;
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+    kernels::RandomStream random(seed, 0, 0);
+    std::vector<Cost> matrix(std::size_t{kSize} * kSize, 0);
+    std::int64_t best = 0;
+    for (int v = 1; v < kSize; ++v) {
+      const int from = std::max(0, v - 1 - random.below(6)), length = 1 + random.below(10'000);
+      best += 2 * length;
+      for (int w = 0; w < v; ++w)
+        matrix[v * kSize + w] = matrix[w * kSize + v] = matrix[from * kSize + w] + length;
+    }
+    const StopCondition never;
+    Poller poller(never);
+    const auto bound = tour_bound({kSize, matrix.data()}, {}, {}, best, 10, poller);
+    EXPECT_LE(bound, best);
+    EXPECT_GE(100 * bound, 99 * best) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace lasius::tour
