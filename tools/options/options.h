@@ -156,6 +156,7 @@ struct TourStops {
   std::vector<std::string> names = {};       ///< empty text: without a name
   std::vector<std::vector<int>> after = {};  ///< stops that come before each
   std::vector<int> loads = {};
+  std::vector<std::string> groups = {};  ///< of which one stop is visited; empty text: none
 };
 
 struct TourCommand {
@@ -169,6 +170,8 @@ struct TourCommand {
   bool open = false;
   std::optional<int> capacity = {};
   std::optional<End> start = {}, goal = {};
+  std::vector<End> robots = {};        ///< where each of several begins
+  std::optional<int> most_stops = {};  ///< of a robot
   int generations = 20;
 };
 

@@ -38,8 +38,11 @@ std::string advice(const Record& run) {
 }
 
 void write_path(std::ostream& out, const Record& run, const char* between) {
-  for (std::size_t i = 0; i < run.path.size(); ++i)
+  auto part = run.parts.begin();
+  for (std::size_t i = 0; i < run.path.size(); ++i) {
+    for (; part != run.parts.end() && *part * run.axes == i; ++part) out << "\n";
     out << to_text(run.path[i]) << ((i + 1) % run.axes == 0 ? "\n" : between);
+  }
 }
 
 }  // namespace

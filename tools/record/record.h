@@ -46,6 +46,7 @@ struct Record {
   double scale = 1;                       ///< how many units a length of the result's is
   std::vector<double> path = {};          ///< as it is shown, point by point
   std::size_t axes = 2;                   ///< numbers a point
+  std::vector<std::size_t> parts = {};    ///< points at which another path begins
   std::vector<std::string> remarks = {};  ///< what else people are to know
 
   bool has_path() const;

@@ -11,7 +11,6 @@
 namespace lasius::tool {
 namespace {
 
-using vehicle::Pose;
 using vehicle::Segment;
 
 double length_of(const DrivenPath::Piece& piece) {
@@ -19,7 +18,7 @@ double length_of(const DrivenPath::Piece& piece) {
                       : std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y);
 }
 
-double turned(const Pose& from, const Pose& to) {
+double turned(const vehicle::Pose& from, const vehicle::Pose& to) {
   return std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
 }
 
@@ -40,7 +39,7 @@ DrivenPath driven(std::span<const Segment> segments) {
   return path;
 }
 
-DrivenPath driven(std::span<const Pose> poses) {
+DrivenPath driven(std::span<const vehicle::Pose> poses) {
   DrivenPath path{.pieces = {}, .sampled = true};
   if (poses.size() == 1) path.pieces.push_back({poses[0], poses[0], Segment{.begin = poses[0]}});
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -55,9 +54,9 @@ std::optional<VehicleFault> contact_fault(const Grid& grid, const vehicle::Space
                                           const DrivenPath& path) {
   double along = 0;
   for (const DrivenPath::Piece& piece : path.pieces) {
-    const std::array<Pose, 2> ends{piece.from, piece.to};
+    const std::array<vehicle::Pose, 2> ends{piece.from, piece.to};
     const auto met = piece.motion ? space.first_contact(std::span(&*piece.motion, 1))
-                                  : space.first_contact(std::span<const Pose>(ends));
+                                  : space.first_contact(std::span<const vehicle::Pose>(ends));
     const double length = length_of(piece);
     if (met) {
       const double driven = !piece.motion             ? met->at * length
@@ -96,7 +95,7 @@ std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const 
       return found;
     };
     if (!path.sampled && i > 0) {
-      const Pose& before = path.pieces[i - 1].to;
+      const vehicle::Pose& before = path.pieces[i - 1].to;
       const double jump = std::hypot(piece.from.x - before.x, piece.from.y - before.y);
       constexpr double kJump = 1e-6;
       if (jump > kJump || std::abs(turned(before, piece.from)) > kJump)
