@@ -97,6 +97,7 @@ void tell_no_order(const PartialOrder& given, const tour::Ends& ends, const tour
 StopCondition earlier(StopCondition stop, double share) {
   if (stop.deadline == Clock::time_point::max()) return stop;
   const auto now = stop.now();
+  if (stop.deadline <= now) return stop;
   stop.deadline = deadline_in(share * std::chrono::duration<double>(stop.deadline - now), now);
   return stop;
 }
