@@ -36,7 +36,7 @@ from .maps import (
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
-from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
+from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
 
 __all__ = [
@@ -72,6 +72,7 @@ __all__ = [
     "Result",
     "SearchResult",
     "SpeedLimits",
+    "RobotTour",
     "TourResult",
     "Vehicle",
     "VehiclePlanner",
