@@ -398,7 +398,7 @@ class Tour(ProgramTest):
         self.assertLess(result["order"].index(12), result["order"].index(1))
         self.ended(self.replay_of(result), 0)
         self.refused(self.run_program("tour", "box.tsp", "--stops", "box.tsv"), 2, "--stops is for maps")
-        self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures and poses are of tours on maps")
+        self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures, poses and pages are of tours on maps")
 
     def test_on_a_map_of_ours(self):
         self.write("s.tsv", "0 0\n29 29\n29 0\n15 15\n0 29\n")

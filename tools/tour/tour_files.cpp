@@ -4,8 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/poses_file.h"
+#include "tools/bitmap/sheet.h"
 #include "tools/console/values.h"
+#include "tools/report/report.h"
 
 namespace lasius::tool {
 namespace {
@@ -85,6 +88,16 @@ void write_robot_table(std::ostream& out, const TourAnswer& answer, bool metres)
     for (const Point p : path) out << robot << "," << to_text(p.x) << "," << to_text(p.y) << "\n";
     ++robot;
   }
+}
+
+void write_tour_page(std::ostream& out, const Record& record, const TourAnswer& answer,
+                     const RunOptions& run) {
+  std::vector<Cell> cells;
+  for (const Place& stop : answer.stops) cells.push_back(stop.cell);
+  const LoadedMap& map = answer.map;
+  Json content = run_json(record, "tour", "tour, " + map_title(map, run, record.algorithm.name));
+  content["map"] = map_view_json(map, shown_of(map, cells));
+  write_report_page(out, content);
 }
 
 void write_tour_poses(std::ostream& out, const TourAnswer& answer, const RunOptions& run) {

@@ -7,6 +7,7 @@
 
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
+#include "tools/record/record.h"
 #include "tools/tour/tour_answer.h"
 
 namespace lasius::tool {
@@ -24,6 +25,10 @@ std::string robots_text(const TourResult& tour);
 
 /// robot,x,y or robot,x_m,y_m: the paths of several robots, counted from 0.
 void write_robot_table(std::ostream& out, const TourAnswer& answer, bool metres);
+
+/// The page of a tour: a view "tour" with what map_view_json says of the map.
+void write_tour_page(std::ostream& out, const Record& record, const TourAnswer& answer,
+                     const RunOptions& run);
 
 /// The poses along the tour as nav_msgs/Path; of several robots a document each, in their order.
 void write_tour_poses(std::ostream& out, const TourAnswer& answer, const RunOptions& run);

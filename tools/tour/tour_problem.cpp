@@ -132,7 +132,8 @@ class TourProblem : public Problem {
                 [&](auto& file) {
                   write_tour_picture(file, run.algorithm.name, command_.run, answer_);
                 },
-            .yaml = [&](std::ostream& out) { write_tour_poses(out, answer_, command_.run); }};
+            .yaml = [&](std::ostream& out) { write_tour_poses(out, answer_, command_.run); },
+            .page = [&](std::ostream& out) { write_tour_page(out, run, answer_, command_.run); }};
   }
   SearchOptions& options() override { return command_.run; }
 

@@ -15,8 +15,8 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 6> kTourEndings{".json", ".csv",  ".svg",
-                                                       ".png",  ".yaml", ".yml"};
+constexpr std::array<std::string_view, 7> kTourEndings{".json", ".csv", ".svg", ".png",
+                                                       ".yaml", ".yml", ".html"};
 
 constexpr const char* kTourOutputs =
     "Write a file, by its ending (repeatable):\n"
@@ -25,7 +25,8 @@ constexpr const char* kTourOutputs =
     "column robot; of TSPLIB the order\n"
     ".svg, .png  the map, the tour, and its stops by their places in it\n"
     ".yaml, .yml  the poses along the tour as ROS nav_msgs/Path, as plan writes them; of several "
-    "robots a document each";
+    "robots a document each\n"
+    ".html  a page of the map, the tour, and its legs, that needs nothing else";
 
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
@@ -35,11 +36,12 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
-  const auto picture = std::ranges::find_if(
-      run.outputs, [](const auto& file) { return is_picture(file) || is_yaml(file); });
+  const auto picture = std::ranges::find_if(run.outputs, [](const auto& file) {
+    return is_picture(file) || is_yaml(file) || is_page(file);
+  });
   if (picture != run.outputs.end())
     throw UsageError("-o " + *picture +
-                     ": pictures and poses are of tours on maps; give .json or .csv");
+                     ": pictures, poses and pages are of tours on maps; give .json or .csv");
 }
 
 /// @throws UsageError for what does not go with the number of robots.
