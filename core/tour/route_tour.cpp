@@ -5,6 +5,10 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/tour/routes/exact_routes.h"
+#include "core/tour/routes/find_routes.h"
+#include "core/tour/routes/route_bound.h"
+#include "core/tour/visited.h"
 #include "lasius/error.h"
 
 namespace lasius {

@@ -8,6 +8,7 @@
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
+#include "core/tour/routes/exact_routes.h"
 #include "lasius/error.h"
 
 namespace lasius {

@@ -9,6 +9,7 @@
 #include "core/tour/order/bound.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
+#include "core/tour/visited.h"
 #include "lasius/error.h"
 
 namespace lasius {

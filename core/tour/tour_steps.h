@@ -18,14 +18,6 @@ inline bool by_ants(const TourRequest& request) { return request.ants.algorithm(
 /// Where the stops are.
 std::vector<Point> points_of(const TourRequest& request);
 
-/// The stops that a tour can visit, by their index in the request; names the others in `tour`, but
-/// for those whose task can be done elsewhere.
-std::vector<int> visited(const Planner& planner, const TourRequest& request,
-                         std::span<const Point> points, TourResult& tour);
-
-/// Where robots begin and end, by their index.
-std::vector<int> ends_of(const TourRequest& request);
-
 constexpr double kOrderShare = 0.6;  ///< of the time to a deadline, for the order
 /// A stop condition with this share of the time to its deadline.
 StopCondition earlier(StopCondition stop, double share);

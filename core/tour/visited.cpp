@@ -1,10 +1,10 @@
-// Which of the stops a tour can visit.
+#include "core/tour/visited.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "core/base/number_text.h"
-#include "core/tour/tour_steps.h"
 
 namespace lasius {
 

@@ -1,7 +1,8 @@
-#include <algorithm>
-#include <limits>
+#include "core/tour/routes/best_members.h"
 
-#include "core/tour/routes/routes.h"
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace lasius::tour {
 

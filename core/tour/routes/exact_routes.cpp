@@ -1,8 +1,8 @@
+#include "core/tour/routes/exact_routes.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
-
-#include "core/tour/routes/routes.h"
 
 namespace lasius::tour {
 

@@ -1,7 +1,11 @@
+#include "core/tour/routes/find_routes.h"
+
 #include <algorithm>
 #include <numeric>
 
 #include "core/tour/order/search.h"
+#include "core/tour/routes/best_members.h"
+#include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/route_state.h"
 #include "kernels/base/power.h"
 #include "kernels/base/random_stream.h"

@@ -1,7 +1,7 @@
+#include "core/tour/routes/route_bound.h"
+
 #include <algorithm>
 #include <limits>
-
-#include "core/tour/routes/routes.h"
 
 namespace lasius::tour {
 

@@ -64,7 +64,7 @@ function tables(sheet, tours) {
             ...(isNumber(cost) ? [numberText(cost, 3)] : [])];
   }));
   const columns = [...(several ? ["robot"] : []), "leg", "from", "to", `length, ${unit || "cells"}`, ...(isNumber(result.cost) ? ["cost"] : [])];
-  const card = sheet.card("rest", "Legs");
+  const card = sheet.card("right", "Legs");
   if (rows.length)
     card.append(element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCsv("legs.csv", columns, rows) }, "Legs as CSV")),
                 dataTable(columns, rows, "The legs in their order"));

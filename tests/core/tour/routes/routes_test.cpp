@@ -1,11 +1,13 @@
-#include "core/tour/routes/routes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "core/base/poller.h"
+#include "core/tour/routes/best_members.h"
+#include "core/tour/routes/find_routes.h"
+#include "core/tour/routes/route_bound.h"
 #include "core/tour/routes/route_state.h"
 #include "tests/core/tour/order/instances.h"
 
