@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/base/poller.h"
-#include "core/tour/routes/best_members.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
 #include "core/tour/routes/route_state.h"
@@ -186,29 +185,6 @@ TEST(Routes, AreFoundBySearch) {
   EXPECT_EQ(cases, 30);
   EXPECT_GE(near, 22);
   EXPECT_GE(best, 56);
-}
-
-TEST(Routes, ChooseTheCheapestStopsOfAnOrder) {
-  for (std::uint32_t seed = 1; seed <= 20; ++seed)
-    for (const int from : {-1, 9}) {
-      const Instance instance = random_instance(11, seed, true);
-      const std::vector<std::vector<int>> layers = {{0, 1, 2}, {3}, {4, 5}, {6, 7, 8}};
-      std::vector<const std::vector<int>*> told;
-      for (const auto& layer : layers) told.push_back(&layer);
-      const bool ring = from < 0;
-      const int to = ring ? -1 : 10;
-      const auto sum = [&](const std::vector<int>& stops) {
-        std::int64_t cost = cost_of(instance.costs(), stops, !ring);
-        if (!ring)
-          cost += instance.costs()(from, stops.front()) + instance.costs()(stops.back(), to);
-        return cost;
-      };
-      std::int64_t least = kNoCost;
-      for (const int a : layers[0])
-        for (const int c : layers[2])
-          for (const int d : layers[3]) least = std::min(least, sum({a, 3, c, d}));
-      EXPECT_EQ(sum(best_members(instance.costs(), told, ring, from, to)), least);
-    }
 }
 
 // Knows all legs by their bounds, which are half, until they are priced.
