@@ -109,13 +109,14 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to
 /// the others are left out: the tour is over the stops that are joined to the start or goal, else
 /// over the region that has most stops. Legs are priced when they are asked for; what is kept of
-/// them stays below 64 MB; up to 100 stops, and on prepared maps where it is quick, all are priced
-/// at once. A planner for a point that is not prepared is prepared for 30 stops and more, in the
-/// memory that PrepareOptions allow. Of stops that are left out, what comes behind them still comes
-/// behind what is before them. Of a task with several stops those that cannot be visited are left
-/// out in silence, as long as there is another. With tasks of several stops or robots at most 2000
-/// stops; up to 12 tasks (and 5e8 steps) the answer is a shortest one. Where no order keeps what is
-/// given the tour is unreachable (proven), or no_path (none was found).
+/// them stays below 64 MB; up to 100 stops (500 of groups and robots), and on prepared maps where
+/// it is quick, all are priced at once. A planner for a point that is not prepared is prepared for
+/// 30 stops and more, in the memory that PrepareOptions allow. Of stops that are left out, what
+/// comes behind them still comes behind what is before them. Of a task with several stops those
+/// that cannot be visited are left out in silence, as long as there is another. With tasks of
+/// several stops or robots at most 2000 stops; up to 12 tasks (and 5e8 steps) the answer is a
+/// shortest one. Where no order keeps what is given the tour is unreachable (proven), or no_path
+/// (none was found).
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
 /// that come before themselves, where a number is out of range, and where groups or robots are
 /// asked for together with an order given in part or ants, several robots with a start or goal.

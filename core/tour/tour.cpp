@@ -21,6 +21,7 @@ using tour::Costs;
 using tour::PartialOrder;
 
 constexpr int kPricedAtOnce = 100;  // stops
+constexpr int kRoutedAtOnce = 500;  // of groups and robots, whose search and bound ask for most
 // On a prepared map all are priced by one search a stop: up to so many, whose searches are of so
 // many edges a stop; the legs that a search for an order asks for would take as long.
 constexpr int kSearchedAtOnce = 1500;
@@ -63,7 +64,8 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                         planner.robot().radius == 0 && n <= kSearchedAtOnce &&
                         prepared.edges <= kEdgesOfStop * n;
   const bool ants = by_ants(request);
-  if (n <= kPricedAtOnce || searched || (ants && n <= tour::kMostForAnts)) {
+  if (n <= (is_routed(request) ? kRoutedAtOnce : kPricedAtOnce) || searched ||
+      (ants && n <= tour::kMostForAnts)) {
     if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
       if (!ants && (n <= tour::kMostBySubsets || is_routed(request))) exact_lengths = *lengths;

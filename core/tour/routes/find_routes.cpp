@@ -19,6 +19,7 @@ constexpr int kNear = 10;       // tasks beside which a task is put
 constexpr int kMostTaken = 30;  // tasks a step, a third of all at most
 constexpr double kHot = 0.5;    // mean legs: the first temperature of a generation
 constexpr double kLog2 = 0.69314718055994531;
+constexpr int kGenerationsOfOne = 5;  // of the tour that robots share
 constexpr int kStepsOfGeneration = 2000, kStepsOfTask = 20;
 
 class RouteSearch {
@@ -40,6 +41,7 @@ class RouteSearch {
     std::iota(all.begin(), all.end(), 0);
     put_in(all, false);
     best_ = now_;
+    if (problem_.routes.size() > 1) share_one_tour();
     const bool polished = polish();
     bool more = offer() && polished;
     const std::int64_t steps = kStepsOfGeneration + std::int64_t{kStepsOfTask} * n;
@@ -187,16 +189,10 @@ class RouteSearch {
       stops.push_back(*end);
       *end = static_cast<int>(stops.size()) - 1;
     }
-    const int n = static_cast<int>(stops.size());
-    std::vector<Cost> matrix(static_cast<std::size_t>(n) * n, 0);
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < a; ++b)
-        matrix[a * n + b] = matrix[b * n + a] = costs_(stops[a], stops[b]);
-    const OrderOptions options{.seed = options_.seed, .generations = 0, .stop = options_.stop};
-    const OrderFound found = find_order({n, matrix.data()}, ends, {}, options);
-    if (found.order.size() != stops.size()) return;
+    const std::vector<int> found = ordered(stops, ends, 0);
+    if (found.size() != stops.size()) return;
     RouteState before = now_;
-    for (const int i : found.order)
+    for (const int i : found)
       if (i < static_cast<int>(tasks.size())) {
         order.push_back(tasks[i]);
         done_by.push_back(stops[i]);
@@ -207,6 +203,55 @@ class RouteSearch {
       now_ = std::move(before);
       set_members(route, tasks);
     }
+  }
+
+  // An order of these stops, by their places.
+  std::vector<int> ordered(const std::vector<int>& stops, const Ends& ends, int generations) const {
+    const int n = static_cast<int>(stops.size());
+    std::vector<Cost> matrix(static_cast<std::size_t>(n) * n, 0);
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < a; ++b)
+        matrix[a * n + b] = matrix[b * n + a] = costs_(stops[a], stops[b]);
+    const OrderOptions options{
+        .seed = options_.seed, .generations = generations, .stop = options_.stop};
+    return find_order({n, matrix.data()}, ends, {}, options).order;
+  }
+
+  // One tour over all tasks and starts, as another beginning: open ones are cut before each start;
+  // of closed ones one robot goes it alone.
+  void share_one_tour() {
+    const int n = problem_.size(), routes = static_cast<int>(problem_.routes.size());
+    std::vector<int> stops;
+    for (int task = 0; task < n; ++task) stops.push_back(best_.stop(task));
+    for (const Ends& ends : problem_.routes) stops.push_back(ends.start);
+    std::vector<int> tour = ordered(stops, {}, std::min(options_.generations, kGenerationsOfOne));
+    if (tour.size() != stops.size()) return;
+    const bool open = problem_.routes.front().open;
+    for (int turn = 0; turn < (open ? 2 : routes); ++turn) {
+      std::vector<std::vector<int>> shares(routes);
+      const int first = n + (open ? 0 : turn);
+      std::rotate(tour.begin(), std::find(tour.begin(), tour.end(), first), tour.end());
+      int robot = first - n;
+      for (const int v : tour) {
+        if (v < n)
+          shares[robot].push_back(v);
+        else if (open)
+          robot = v - n;
+      }
+      const auto full = [&](const auto& share) {
+        return static_cast<int>(share.size()) > problem_.room();
+      };
+      if (open) std::reverse(tour.begin(), tour.end());
+      if (std::any_of(shares.begin(), shares.end(), full)) continue;
+      now_ = RouteState(problem_, costs_);
+      for (int r = 0; r < routes; ++r) {
+        std::vector<int> own;
+        for (const int task : shares[r]) own.push_back(stops[task]);
+        now_.set(r, shares[r], own);
+      }
+      if (now_.cost() < best_.cost()) best_ = now_;
+    }
+    now_ = best_;
   }
 
   bool offer() {

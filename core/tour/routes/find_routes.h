@@ -21,9 +21,11 @@ struct RouteOptions {
 
 /// Cheap routes: exact ones where exact_routes gives them. Else tasks are taken out, at random,
 /// along a route or near to each other, and put back where they are cheapest, each by the stop that
-/// is cheapest there (Smith & Imeson 2017, GLNS, without its adaptive choices); solutions that are
-/// little dearer than the best are kept. Between generations find_order orders each route's stops
-/// anew, and best_members chooses them anew. Deterministic, but for when it is stopped.
+/// is cheapest there (Smith & Imeson 2017, GLNS, without its adaptive choices); dearer
+/// solutions are accepted at a temperature that falls in each generation. Several routes begin with
+/// shares of one tour over all, where these are cheaper. Between generations find_order orders each
+/// route's stops anew, and best_members chooses them anew. Deterministic, but for when it is
+/// stopped.
 RoutesFound find_routes(const RouteProblem& problem, const Costs& costs,
                         const RouteOptions& options);
 
