@@ -33,6 +33,13 @@ struct TourRequest {
   std::vector<int> load = {};  ///< that each stop adds to what is carried, or takes off; or empty
   /// At no stop is more carried, from 0 before the first one; none: any load. It may fall below 0.
   std::optional<std::int64_t> capacity = {};
+  /// To each stop the task that is done there, a number from 0, or -1: one of its own; or empty:
+  /// all have their own. Of a task one stop is visited.
+  std::vector<int> group = {};
+  /// Stops where robots begin, one a robot, in place of `start`: the sum of their tours is to be
+  /// short, and one may stay where it is. None: one robot, `tours` stays empty.
+  std::vector<int> robots = {};
+  int most_stops = 0;      ///< that a robot visits, its start aside; 0: any
   std::uint64_t seed = 1;  ///< of the search for the order
   /// Of the tours that recombine, of more than 12 stops; 0: local search and its kicks alone. Where
   /// the order is given in part: each 1000 steps, and 10 a stop, unless there is a deadline.
@@ -62,14 +69,27 @@ struct TourLeg {
 struct LeftOut {
   int stop = 0;     ///< its index
   std::string why;  ///< in a sentence
+  int group = -1;   ///< a task whose stops are all left out; `stop` is the first of them
+};
+
+/// What one of several robots does.
+struct RobotTour {
+  int start = 0;           ///< stop
+  std::vector<int> order;  ///< stops, the start first
+  int first_leg = 0;       ///< among all legs
+  int legs = 0;            ///< that follow from there; none: it stays
+  double length = 0;       ///< sum of the legs', cells
+  double cost = 0;         ///< over costs
 };
 
 /// What is answered.
 struct TourResult {
-  Status status = Status::no_path;    ///< as Result::status
-  std::string error;                  ///< where there is no tour, but for a stop; else empty
-  std::vector<int> order;             ///< stops; of a closed tour the first is not told again
-  std::vector<TourLeg> legs;          ///< in that order, of a closed tour with the way back
+  Status status = Status::no_path;  ///< as Result::status
+  std::string error;                ///< where there is no tour, but for a stop; else empty
+  /// Stops; of a closed tour the first is not told again; of several robots one after another.
+  std::vector<int> order;
+  std::vector<TourLeg> legs;          ///< in that order, of closed tours with the way back
+  std::vector<RobotTour> tours;       ///< of several robots, by the request's
   double length = 0;                  ///< sum of the legs', cells
   std::optional<double> cost = {};    ///< over costs, the sum of the legs'; then the bound is of it
   std::optional<double> lower_bound;  ///< no tour over these stops is shorter
@@ -89,13 +109,17 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to
 /// the others are left out: the tour is over the stops that are joined to the start or goal, else
 /// over the region that has most stops. Legs are priced when they are asked for; what is kept of
-/// them stays below 64 MB; up to 100 stops, and on prepared maps where it is quick, all are priced
-/// at once. A planner for a point that is not prepared is prepared for 30 stops and more, in the
-/// memory that PrepareOptions allow. Of stops that are left out, what comes behind them still comes
-/// behind what is before them. Where no order keeps what is given the tour is unreachable (proven),
-/// or no_path (none was found).
+/// them stays below 64 MB; up to 100 stops (500 of groups and robots), and on prepared maps where
+/// it is quick, all are priced at once. A planner for a point that is not prepared is prepared for
+/// 30 stops and more, in the memory that PrepareOptions allow. Of stops that are left out, what
+/// comes behind them still comes behind what is before them. Of a task with several stops those
+/// that cannot be visited are left out in silence, as long as there is another. With tasks of
+/// several stops or robots at most 2000 stops; up to 12 tasks (and 5e8 steps) the answer is a
+/// shortest one. Where no order keeps what is given the tour is unreachable (proven), or no_path
+/// (none was found).
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
-/// that come before themselves, and where a number is out of range.
+/// that come before themselves, where a number is out of range, and where groups or robots are
+/// asked for together with an order given in part or ants, several robots with a start or goal.
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
                                    const TourObserver& observer = {});
 
@@ -109,7 +133,8 @@ LASIUS_EXPORT TourResult plan_tour(const CostPlanner& planner, const TourRequest
 
 /// The same of a problem of TSPLIB: lengths are by its rounding, `request.stops` is not read, the
 /// result has no legs. One of sequential ordering is open, from its first place to its last, and
-/// has its own order alone; a bound is told where the tour is proven.
+/// has its own order alone; a bound is told where the tour is proven. It has no groups and no
+/// robots.
 LASIUS_EXPORT TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                                    const TourObserver& observer = {});
 

@@ -6,7 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/tour/map_pricer.h"
-#include "core/tour/tour_steps.h"
+#include "core/tour/route_tour.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -19,6 +19,7 @@ using tour::Costs;
 constexpr int kMostOverCosts = 200;   // stops, whose pairs are all priced
 constexpr double kGapOfLegs = 0.002;  // unless the tour's target is larger
 constexpr double kShareOfLegs = 0.7;  // of the time to a deadline
+constexpr double kAnyGap = 1e9;       // a leg's, where the time is up
 
 struct Leg {
   bool known = false;
@@ -28,65 +29,79 @@ struct Leg {
 
 class LegsOverCosts {
  public:
-  LegsOverCosts(const CostPlanner& planner, std::span<const Point> places,
-                const TourRequest& request)
-      : planner_(planner), places_(places), n_(static_cast<int>(places.size())) {
+  LegsOverCosts(const CostPlanner& planner, const TourStops& stops, const TourRequest& request)
+      : planner_(planner), places_(stops.places), n_(stops.size()) {
     options_.params = Params("exact");
     gap_ = std::max(kGapOfLegs, request.target_gap / 2);
     legs_.resize(static_cast<std::size_t>(n_) * n_);
-    StopCondition stop = request.stop;
-    if (stop.deadline != Clock::time_point::max()) {
-      const auto now = stop.now();
-      stop.deadline =
-          deadline_in(kShareOfLegs * std::chrono::duration<double>(stop.deadline - now), now);
-    }
+    const StopCondition stop = earlier(request.stop, kShareOfLegs);
+    std::vector<int> task_of(n_, -1);
+    for (int task = 0; task < stops.routes.size(); ++task)
+      for (const int stop_of : stops.routes.tasks[task]) task_of[stop_of] = task;
     std::vector<std::pair<int, int>> pairs;
     for (int a = 0; a < n_; ++a)
-      for (int b = a + 1; b < n_; ++b) pairs.emplace_back(a, b);
+      for (int b = a + 1; b < n_; ++b)
+        if (task_of[a] < 0 || task_of[a] != task_of[b]) pairs.emplace_back(a, b);
     std::atomic<int> priced{0};
+    std::atomic<bool> cut{false};
     parallel_for(static_cast<int>(pairs.size()), thread_count(request.threads), [&](int i, int) {
-      if (stop.poll() != StopCondition::Cause::none) return;
-      plan(pairs[i].first, pairs[i].second, stop);
+      if (stop.poll() != StopCondition::Cause::none) {
+        cut = true;
+        return;
+      }
+      plan(pairs[i].first, pairs[i].second, gap_, stop);
       if (legs_[index(pairs[i].first, pairs[i].second)].known) ++priced;
     });
     priced_ = priced;
+    cut_ = cut || stop.poll() != StopCondition::Cause::none;
     double most = 1;
     for (const Leg& leg : legs_) most = std::max(most, leg.cost);
     scale_ = std::min(tour::kGrains, 0.5 * tour::kLargest / most);
     matrix_.assign(legs_.size(), 0);
     lower_ = matrix_;
-    for (const auto& [a, b] : pairs) {
-      const Leg& leg = legs_[index(a, b)];
-      // Those that are not priced are dear, the longer the dearer.
-      const double apart = std::sqrt((places_[a].x - places_[b].x) * (places_[a].x - places_[b].x) +
-                                     (places_[a].y - places_[b].y) * (places_[a].y - places_[b].y));
-      const Cost cost = leg.known ? grains(leg.cost) : tour::kLargest / 2 + tour::grains(apart);
-      matrix_[index(a, b)] = matrix_[index(b, a)] = cost;
-      lower_[index(a, b)] = lower_[index(b, a)] = leg.known ? grains(leg.lower) : 0;
-    }
+    for (int a = 0; a < n_; ++a)
+      for (int b = a + 1; b < n_; ++b) set_costs(a, b);
   }
 
   Costs costs() const { return {n_, matrix_.data()}; }
   Costs lower() const { return {n_, lower_.data()}; }
   double scale() const noexcept { return scale_; }
   int priced() const noexcept { return priced_; }
+  /// Whether the time was up before all legs were priced.
+  bool cut() const noexcept { return cut_; }
 
-  /// Planned, whatever stops the search.
-  const Leg& leg(int a, int b) {
-    const int from = std::min(a, b), to = std::max(a, b);
-    if (!legs_[index(from, to)].known) plan(from, to, {});
-    return legs_[index(from, to)];
+  /// Plans those that are not known, some path each, whatever stops the search.
+  void complete(std::span<const std::pair<int, int>> legs, int threads) {
+    std::vector<std::pair<int, int>> missing;
+    for (const auto& [a, b] : legs)
+      if (!leg(a, b).known) missing.emplace_back(std::min(a, b), std::max(a, b));
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    parallel_for(static_cast<int>(missing.size()), thread_count(threads),
+                 [&](int i, int) { plan(missing[i].first, missing[i].second, kAnyGap, {}); });
   }
+  /// From the lower stop to the higher.
+  const Leg& leg(int a, int b) const { return legs_[index(std::min(a, b), std::max(a, b))]; }
 
  private:
+  void set_costs(int a, int b) {
+    const Leg& leg = legs_[index(a, b)];
+    // Those that are not priced are dear, the longer the dearer.
+    const double apart = std::sqrt((places_[a].x - places_[b].x) * (places_[a].x - places_[b].x) +
+                                   (places_[a].y - places_[b].y) * (places_[a].y - places_[b].y));
+    const Cost cost = leg.known ? grains(leg.cost) : tour::kLargest / 2 + tour::grains(apart);
+    matrix_[index(a, b)] = matrix_[index(b, a)] = cost;
+    lower_[index(a, b)] = lower_[index(b, a)] = leg.known ? grains(leg.lower) : 0;
+  }
+
   std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * n_ + b; }
   /// Rounded down, by what costs may be off too.
   Cost grains(double cost) const {
     return static_cast<Cost>(std::floor(cost * (1 - 1e-9) * scale_));
   }
-  void plan(int a, int b, const StopCondition& stop) {
+  void plan(int a, int b, double gap, const StopCondition& stop) {
     CostResult found = planner_.plan(
-        {.stop = stop, .target_gap = gap_, .start_point = places_[a], .goal_point = places_[b]},
+        {.stop = stop, .target_gap = gap, .start_point = places_[a], .goal_point = places_[b]},
         options_);
     if (found.path.empty() || !std::isfinite(found.cost)) return;
     legs_[index(a, b)] = {true, found.cost,
@@ -97,6 +112,7 @@ class LegsOverCosts {
   const CostPlanner& planner_;
   std::span<const Point> places_;
   int n_, priced_ = 0;
+  bool cut_ = false;
   CostOptions options_;
   double gap_ = 0, scale_ = 1;
   std::vector<Leg> legs_;
@@ -119,31 +135,37 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
     tour.status = Status::interrupted;
     return tour;
   }
-  LegsOverCosts legs(planner, stops.places, request);
+  LegsOverCosts legs(planner, stops, request);
   tour.priced = legs.priced();
   const Costs costs = legs.costs(), lower = legs.lower();
-  const auto [found, bound] = order_and_bound(costs, lower, stops.ends, stops.places, stops.given,
-                                              request, legs.scale(), observer, stops.indices, tour);
-  if (found.order.empty()) {
-    tell_no_order(stops.given, stops.ends, found, stops.indices, by_ants(request), tour);
-    return tour;
-  }
+  const Orders found = orders_and_bound(costs, lower, stops, request, legs.scale(), observer, tour);
+  if (found.orders.empty()) return tour;
   tour.status = status_after(found.cause, request.stop);
-  if (tour.status == Status::solved && legs.priced() < n * (n - 1) / 2)
-    tour.status = Status::limit;  // which cut the legs' pricing short
-  for (const int v : found.order) tour.order.push_back(stops.indices[v]);
-  tour.cost = 0;
-  const int count = n == 1 ? 0 : request.open ? n - 1 : n;
-  for (int i = 0; i < count; ++i) {
-    const int a = found.order[i], b = found.order[(i + 1) % n];
+  if (tour.status == Status::solved && legs.cut()) tour.status = Status::limit;
+  set_orders(request, stops, found, tour);
+  std::vector<std::pair<int, int>> places;
+  for (const TourLeg& leg : tour.legs)
+    places.emplace_back(stops.place_of(leg.from), stops.place_of(leg.to));
+  legs.complete(places, request.threads);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    TourLeg& told = tour.legs[i];
+    const auto& [a, b] = places[i];
     const Leg& leg = legs.leg(a, b);
-    tour.legs.push_back({stops.indices[a], stops.indices[b], leg.length, leg.path, leg.cost});
-    if (a > b) std::ranges::reverse(tour.legs.back().path);
-    tour.length += leg.length;
-    *tour.cost += leg.cost;
+    if (!leg.known) {
+      TourResult none;
+      none.status = Status::no_path;
+      none.error = "no path was found from stop " + number_text(told.from) + " to stop " +
+                   number_text(told.to);
+      none.left_out = std::move(tour.left_out);
+      return none;
+    }
+    told = {told.from, told.to, leg.length, leg.path, leg.cost};
+    if (a > b) std::reverse(told.path.begin(), told.path.end());
   }
-  if (bound > 0 || *tour.cost == 0)
-    tour.lower_bound = std::min(*tour.cost, static_cast<double>(bound) / legs.scale());
+  tour.cost = 0;
+  sum_up(tour);
+  if (found.bound > 0 || *tour.cost == 0)
+    tour.lower_bound = std::min(*tour.cost, static_cast<double>(found.bound) / legs.scale());
   tour.optimal = tour.gap() && *tour.gap() <= 1e-9 && tour.status == Status::solved;
   return tour;
 }

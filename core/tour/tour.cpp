@@ -7,7 +7,9 @@
 #include "core/tour/ants/ant_colony.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/subset_dp.h"
-#include "core/tour/tour_steps.h"
+#include "core/tour/route_tour.h"
+#include "core/tour/routes/exact_routes.h"
+#include "lasius/error.h"
 
 namespace lasius {
 
@@ -17,6 +19,8 @@ using tour::Before;
 using tour::Cost;
 using tour::Costs;
 using tour::PartialOrder;
+
+constexpr int kRoutedAtOnce = 500;  // of groups and robots, whose search and bound ask for most
 
 }  // namespace
 
@@ -31,8 +35,9 @@ std::optional<double> TourResult::gap() const {
 TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
                      const TourObserver& observer) {
   TourResult tour;
-  const auto [points, indices, places, ends, given] = stops_of(unprepared, request, tour);
-  const int n = static_cast<int>(indices.size());
+  const TourStops stops = stops_of(unprepared, request, tour);
+  const std::vector<Point>& places = stops.places;
+  const int n = stops.size();
   if (n == 0) return tour;
 
   const Planner planner = tour::prepared_for(unprepared, n, request.threads, request.stop);
@@ -45,33 +50,37 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   std::vector<Cost> matrix;
   std::vector<double> exact_lengths;
   const bool ants = by_ants(request);
-  if (tour::priced_at_once(planner, n) || (ants && n <= tour::kMostForAnts)) {
+  if (tour::priced_at_once(planner, n) || (is_routed(request) && n <= kRoutedAtOnce) ||
+      (ants && n <= tour::kMostForAnts)) {
     if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
-      if (n <= tour::kMostBySubsets && !ants) exact_lengths = *lengths;
+      if (!ants && (n <= tour::kMostBySubsets || is_routed(request))) exact_lengths = *lengths;
       tour.priced = std::int64_t{n} * (n - 1) / 2;
     }
   }
   const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
 
-  auto [found, bound] = order_and_bound(costs, costs, ends, places, given, request, tour::kGrains,
-                                        observer, indices, tour);
+  Orders found = orders_and_bound(costs, costs, stops, request, tour::kGrains, observer, tour);
   if (matrix.empty()) tour.priced = pricer.priced();
-  if (found.order.empty()) {
-    tell_no_order(given, ends, found, indices, ants, tour);
-    return tour;
+  if (found.orders.empty()) return tour;
+  bool proven = found.optimal && !exact_lengths.empty();
+  if (proven && is_routed(request)) {  // not by whole numbers
+    Poller poller(request.stop);
+    auto exact = exact_routes(stops.routes, n, exact_lengths, poller);
+    proven = exact.has_value();
+    if (exact) found.orders = std::move(*exact);
+  } else if (proven) {
+    found.orders = {tour::subset_order(n, exact_lengths, stops.ends, stops.given)};
   }
-  const bool proven = !exact_lengths.empty();
-  if (proven)  // not by whole numbers
-    found.order = tour::subset_order(n, exact_lengths, ends, given);
 
   tour.status = status_after(found.cause, request.stop);
-  for (const int v : found.order) tour.order.push_back(indices[v]);
-  plan_legs(planner, points, request.open, request.threads, tour);
+  set_orders(request, stops, found, tour);
+  plan_legs(planner, stops.points, request.threads, tour);
+  sum_up(tour);
   if (proven)
     tour.lower_bound = tour.length;
-  else if (bound > 0 || tour.length == 0)
-    tour.lower_bound = std::min(tour.length, static_cast<double>(bound) / tour::kGrains);
+  else if (found.bound > 0 || tour.length == 0)
+    tour.lower_bound = std::min(tour.length, static_cast<double>(found.bound) / tour::kGrains);
   constexpr double kRounding = 1e-9;
   tour.optimal = tour.gap() && *tour.gap() <= kRounding && tour.status == Status::solved;
   return tour;
@@ -80,6 +89,9 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
 TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                      const TourObserver& observer) {
   check(request, problem.size);
+  if (is_routed(request))
+    throw Error(ErrorCode::invalid_parameter, "problems of TSPLIB have no groups and no robots",
+                "leave them out");
   const int n = problem.size;
   const Costs costs(n, problem.matrix.data());
   std::vector<int> all(n);

@@ -9,6 +9,8 @@
 #include "core/tour/ants/ant_colony.h"
 #include "core/tour/order/bound.h"
 #include "core/tour/order/subset_dp.h"
+#include "core/tour/route_tour.h"
+#include "core/tour/visited.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -21,14 +23,8 @@ using tour::PartialOrder;
 namespace {
 
 constexpr int kBoundRounds = 10;
-constexpr double kOrderShare = 0.6, kGivenOrderShare = 0.8;
-constexpr double kMostTarget = 1e6;  // of a target, in bounds
-
-// As it was given.
-std::string stop_name(const TourRequest& request, int i) {
-  if (!request.points.empty()) return pair_text(request.points[i].x, request.points[i].y);
-  return pair_text(request.stops[i].x, request.stops[i].y);
-}
+constexpr double kGivenOrderShare = 0.8;  // of the time to a deadline
+constexpr double kMostTarget = 1e6;       // of a target, in bounds
 
 std::vector<Before> relation_of(const std::vector<std::vector<int>>& after) {
   std::vector<Before> relation;
@@ -44,42 +40,6 @@ std::vector<Point> points_of(const TourRequest& request) {
   std::vector<Point> points;
   for (const Cell c : request.stops) points.push_back(centre(c));
   return points;
-}
-
-// The stops that a tour visits, by their index in the request.
-std::vector<int> visited(const Planner& planner, const TourRequest& request,
-                         std::span<const Point> points, TourResult& tour) {
-  const int n = static_cast<int>(points.size());
-  std::vector<std::vector<int>> regions;
-  std::vector<int> region_of(n, -1);
-  for (int i = 0; i < n; ++i) {
-    const Point p = points[i];
-    if (!planner.clear_at(p)) continue;
-    const auto joined = [&](const auto& r) { return planner.joined_at(points[r.front()], p); };
-    const auto region = std::find_if(regions.begin(), regions.end(), joined);
-    region_of[i] = static_cast<int>(region - regions.begin());
-    if (region == regions.end())
-      regions.push_back({i});
-    else
-      region->push_back(i);
-  }
-  int chosen = 0;
-  for (int r = 1; r < static_cast<int>(regions.size()); ++r)
-    if (regions[r].size() > regions[chosen].size()) chosen = r;
-  if (request.goal && region_of[*request.goal] >= 0) chosen = region_of[*request.goal];
-  if (request.start && region_of[*request.start] >= 0) chosen = region_of[*request.start];
-  for (int i = 0; i < n; ++i) {
-    if (region_of[i] == chosen && !regions.empty()) continue;
-    const Point p = points[i];
-    const Grid& map = planner.grid();
-    const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
-    tour.left_out.push_back({i, "stop " + number_text(i) + " at " + stop_name(request, i) +
-                                    (!inside            ? " is outside the map"
-                                     : region_of[i] < 0 ? " is blocked"
-                                                        : " cannot be reached from the others")});
-    if (i == request.start || i == request.goal) tour.error = tour.left_out.back().why;
-  }
-  return regions.empty() ? std::vector<int>{} : regions[chosen];
 }
 
 // What is given of the order of some of the stops, by their places among these.
@@ -107,20 +67,19 @@ Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
                                                    : Status::solved;
 }
 
-void plan_legs(const Planner& planner, std::span<const Point> points, bool open, int threads,
+void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
                TourResult& tour) {
-  const auto n = static_cast<int>(tour.order.size());
-  tour.legs.resize(n == 1 ? 0 : open ? n - 1 : n);
   std::vector<Workspace> workspaces(thread_count(threads));
   const Params exact("exact");
   parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
                [&](int i, int thread) {
-                 const int a = tour.order[i], b = tour.order[(i + 1) % n];
-                 Result leg = planner.plan({.start_point = points[a], .goal_point = points[b]},
-                                           exact, &workspaces[thread]);
-                 tour.legs[i] = {a, b, leg.length, std::move(leg.path)};
+                 TourLeg& leg = tour.legs[i];
+                 Result planned = planner.plan(
+                     {.start_point = points[leg.from], .goal_point = points[leg.to]}, exact,
+                     &workspaces[thread]);
+                 leg.length = planned.length;
+                 leg.path = std::move(planned.path);
                });
-  for (const TourLeg& leg : tour.legs) tour.length += leg.length;
 }
 
 // Why no order whatever keeps what is given, where an end or a stop alone shows it; else empty.
@@ -152,22 +111,24 @@ void tell_no_order(const PartialOrder& given, const tour::Ends& ends, const tour
   if (ants) tour.error = "no ant has come to all stops";
 }
 
+StopCondition earlier(StopCondition stop, double share) {
+  if (stop.deadline == Clock::time_point::max()) return stop;
+  const auto now = stop.now();
+  if (stop.deadline <= now) return stop;
+  stop.deadline = deadline_in(share * std::chrono::duration<double>(stop.deadline - now), now);
+  return stop;
+}
+
 // An order and its bound. `scale` is how many of a cost make a length; `named` the stops' indices.
 Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends& ends,
                         std::span<const Point> places, const PartialOrder& given,
                         const TourRequest& request, double scale, const TourObserver& observer,
                         std::span<const int> named, TourResult& tour, bool symmetric) {
-  tour::OrderOptions options{.seed = request.seed,
-                             .generations = request.generations,
-                             .given = &given,
-                             .stop = request.stop};
-  if (request.stop.deadline != Clock::time_point::max()) {
-    const auto now = request.stop.now();
-    options.stop.deadline =
-        deadline_in((given.any_order() ? kOrderShare : kGivenOrderShare) *
-                        std::chrono::duration<double>(request.stop.deadline - now),
-                    now);
-  }
+  tour::OrderOptions options{
+      .seed = request.seed,
+      .generations = request.generations,
+      .given = &given,
+      .stop = earlier(request.stop, given.any_order() ? kOrderShare : kGivenOrderShare)};
   std::vector<int> told;
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
@@ -247,19 +208,18 @@ void check(const TourRequest& request, int n) {
   if (!(request.target_gap >= 0))
     throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
                 "give 0 or more");
+  check_routes(request, n);
 }
 
 TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour) {
-  TourStops stops{
-      .points = points_of(request), .indices = {}, .places = {}, .ends = {}, .given = {}};
+  TourStops stops{.points = points_of(request)};
   const std::vector<Point>& points = stops.points;
   check(request, static_cast<int>(points.size()));
   std::vector<int> indices = visited(planner, request, points, tour);
   if (indices.empty() || !tour.error.empty()) {
-    const auto bad = [&](const std::optional<int>& end) {
-      return end && !planner.clear_at(points[*end]);
-    };
-    const bool apart = !tour.error.empty() && !bad(request.start) && !bad(request.goal);
+    const auto clear = [&](int end) { return planner.clear_at(points[end]); };
+    const std::vector<int> ends = ends_of(request);
+    const bool apart = !tour.error.empty() && std::all_of(ends.begin(), ends.end(), clear);
     tour.status = apart ? Status::unreachable : Status::invalid;
     if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
     return stops;
@@ -272,6 +232,7 @@ TourStops stops_of(const Planner& planner, const TourRequest& request, TourResul
   stops.ends = {request.open, inner(request.start), inner(request.goal)};
   stops.given = given_order(request, indices, static_cast<int>(points.size()));
   stops.indices = std::move(indices);
+  if (is_routed(request)) add_routes(request, stops, tour);
   return stops;
 }
 

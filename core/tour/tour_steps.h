@@ -1,12 +1,14 @@
 // What the plans of all tours have in common, whatever their legs cost.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/tour/order/partial_order.h"
 #include "core/tour/order/search.h"
+#include "core/tour/routes/routes.h"
 #include "lasius/tour.h"
 
 namespace lasius {
@@ -16,9 +18,9 @@ inline bool by_ants(const TourRequest& request) { return request.ants.algorithm(
 /// Where the stops are.
 std::vector<Point> points_of(const TourRequest& request);
 
-/// The stops that a tour visits, by their index in the request; names the others in `tour`.
-std::vector<int> visited(const Planner& planner, const TourRequest& request,
-                         std::span<const Point> points, TourResult& tour);
+constexpr double kOrderShare = 0.6;  ///< of the time to a deadline, for the order
+/// A stop condition with this share of the time to its deadline.
+StopCondition earlier(StopCondition stop, double share);
 
 /// What is given of the order of some of `all` stops, by their places among these.
 tour::PartialOrder given_order(const TourRequest& request, const std::vector<int>& indices,
@@ -32,9 +34,9 @@ void tell_no_order(const tour::PartialOrder& given, const tour::Ends& ends,
                    const tour::OrderFound& found, std::span<const int> named, bool ants,
                    TourResult& tour);
 
-/// The legs of a tour's order, and its length. Never cut short: once there is an order, what stops
-/// the search leaves it its legs.
-void plan_legs(const Planner& planner, std::span<const Point> points, bool open, int threads,
+/// The paths of a tour's legs. Never cut short: once there is an order, what stops the search leaves
+/// it its legs.
+void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
                TourResult& tour);
 
 struct Ordered {
@@ -56,12 +58,18 @@ void check(const TourRequest& request, int n);
 
 /// A tour's stops on a map.
 struct TourStops {
-  std::vector<Point> points;  ///< of all
-  std::vector<int> indices;   ///< of those that are visited; none where there is no tour
-  std::vector<Point> places;  ///< of these
-  tour::Ends ends;            ///< likewise
-  tour::PartialOrder given;   ///< likewise
+  std::vector<Point> points = {};  ///< of all
+  std::vector<int> indices = {};   ///< of those to visit; none where there is no tour
+  std::vector<Point> places = {};  ///< of these
+  tour::Ends ends = {};            ///< likewise
+  tour::PartialOrder given = {};   ///< likewise
+  tour::RouteProblem routes = {};  ///< of these, where is_routed(request)
   int size() const noexcept { return static_cast<int>(indices.size()); }
+  /// Of a stop that is visited. They rise.
+  int place_of(int stop) const {
+    return static_cast<int>(std::lower_bound(indices.begin(), indices.end(), stop) -
+                            indices.begin());
+  }
 };
 /// Where there is none to visit, or an end cannot be, `tour` says why. @throws as check
 TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour);

@@ -11,21 +11,27 @@ namespace {
 
 /// The fields of lasius.TourResult.
 py::tuple fields(const TourResult& tour) {
-  std::vector<double> lengths;
+  std::vector<double> lengths, costs;
   std::vector<Point> points;
   std::vector<std::int64_t> offsets{0};
   for (const TourLeg& leg : tour.legs) {
     lengths.push_back(leg.length);
+    if (tour.cost) costs.push_back(leg.cost);
     points.insert(points.end(), leg.path.begin(), leg.path.end());
     offsets.push_back(static_cast<std::int64_t>(points.size()));
   }
   py::dict left_out;
   for (const LeftOut& out : tour.left_out) left_out[py::int_(out.stop)] = out.why;
+  py::list tours;
+  for (const RobotTour& robot : tour.tours)
+    tours.append(py::make_tuple(robot.start, to_array(robot.order),
+                                py::make_tuple(robot.first_leg, robot.first_leg + robot.legs),
+                                robot.length, tour.cost ? robot.cost : NAN));
   const double length = tour.order.empty() ? NAN : tour.length;
   return py::make_tuple(text(to_string(tour.status)), tour.error, to_array(tour.order), length,
                         tour.lower_bound, tour.gap(), tour.optimal, left_out, tour.priced,
                         to_array(lengths), to_array(std::span<const Point>(points)),
-                        to_array(offsets));
+                        to_array(offsets), tour.cost.value_or(NAN), to_array(costs), tours);
 }
 
 TourObserver observer_of(Call& call, const py::object& callback) {
@@ -59,11 +65,13 @@ py::tuple cover(const Planner& planner, double width, bool open,
                                        found.overlap, found.unreachable, found.resolution));
 }
 
-py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points, bool open,
-               std::optional<int> start, std::optional<int> goal,
+py::tuple tour(const Planner& planner, const CostPlanner* over, const IntRows& cells,
+               const Rows& points, bool open, std::optional<int> start, std::optional<int> goal,
                std::vector<std::vector<int>> after, std::vector<int> load,
-               std::optional<std::int64_t> capacity, std::uint64_t seed, int generations,
-               double target_gap, int threads, std::optional<double> time_limit,
+               std::optional<std::int64_t> capacity, std::vector<int> group,
+               std::vector<int> robots, int most_stops, const std::string& algorithm,
+               const std::vector<std::pair<std::string, std::string>>& settings, std::uint64_t seed,
+               int generations, double target_gap, int threads, std::optional<double> time_limit,
                const py::object& callback) {
   Call call(time_limit);
   TourRequest request;
@@ -75,13 +83,21 @@ py::tuple tour(const Planner& planner, const IntRows& cells, const Rows& points,
   request.after = std::move(after);
   request.load = std::move(load);
   request.capacity = capacity;
+  request.group = std::move(group);
+  request.robots = std::move(robots);
+  request.most_stops = most_stops;
+  request.ants = tour::AntParams(algorithm);
+  for (const auto& [name, value] : settings) tour::set_parameter(request.ants, name, value);
   request.seed = seed;
   request.generations = generations;
   request.target_gap = target_gap;
   request.threads = threads;
   request.stop = call.condition();
   const TourObserver observer = observer_of(call, callback);
-  const TourResult found = call.run([&] { return plan_tour(planner, request, observer); });
+  const TourResult found = call.run([&] {
+    return over != nullptr ? plan_tour(*over, request, observer)
+                           : plan_tour(planner, request, observer);
+  });
   return py::make_tuple(call.error(), fields(found));
 }
 

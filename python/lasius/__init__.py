@@ -36,7 +36,7 @@ from .maps import (
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
-from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, TourResult, Way, curves_of
+from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
 
 __all__ = [
@@ -74,6 +74,7 @@ __all__ = [
     "Result",
     "SearchResult",
     "SpeedLimits",
+    "RobotTour",
     "TourResult",
     "Vehicle",
     "VehiclePlanner",

@@ -342,6 +342,7 @@ def vehicle_timed_poses(
 ) -> npt.NDArray[np.float64]: ...
 def tour(
     planner: Planner,
+    over: Optional[CostPlanner],
     cells: npt.NDArray[np.int32],
     points: npt.NDArray[np.float64],
     open: bool,
@@ -350,6 +351,11 @@ def tour(
     after: List[List[int]],
     load: List[int],
     capacity: Optional[int],
+    group: List[int],
+    robots: List[int],
+    most_stops: int,
+    algorithm: str,
+    settings: List[Tuple[str, str]],
     seed: int,
     generations: int,
     target_gap: float,

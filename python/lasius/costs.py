@@ -16,7 +16,7 @@ from .errors import finish
 from .parameters import Params, chosen
 from .planner import Planner
 from .progress import Shown, watched
-from .results import Result, answer
+from .results import Result, TourResult, answer
 
 
 class Inflation(NamedTuple):
@@ -201,3 +201,13 @@ class CostPlanner:
         result = answer(CostResult, search, *found, *others)
         result.gap = gap
         return result if error is None else finish(error, result)
+
+    def tour(self, stops: npt.ArrayLike, **options: Any) -> TourResult:
+        """Orders many stops so that all legs together cost least, as `Planner.tour`, whose options it takes.
+
+        >>> planner = CostPlanner(lasius.Grid(np.zeros((20, 30), np.uint8), free=0), np.full((20, 30), 2.0))
+        >>> run = planner.tour([[2, 2], [14, 2], [8, 2]], open=True)
+        >>> run.length, run.cost
+        (12.0, 24.0)
+        """
+        return self._planner.tour(stops, costs=self, **options)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Hashable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,10 +14,13 @@ from .arguments import explained
 from .arrays import Cell, End, IntArray, flags_of, int_rows, unmasked
 from .errors import finish, invalid, made
 from .maps import Map
-from .parameters import OptionalParams, Params, chosen, whole
+from .parameters import OptionalParams, Params, chosen, text_of, whole
 from .progress import Shown, counted, watched
-from .results import BatchResult, CoverResult, Result, TourResult, answer, batch_result
+from .results import BatchResult, CoverResult, Result, RobotTour, TourResult, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
+
+if TYPE_CHECKING:
+    from .costs import CostField, CostPlanner, Inflation
 
 Observer = Callable[[Progress], Any]
 
@@ -250,6 +253,13 @@ class Planner:
         after: Optional[Mapping[int, Sequence[int]]] = None,
         load: Optional[Sequence[int]] = None,
         capacity: Optional[int] = None,
+        group: Optional[Sequence[Hashable]] = None,
+        robots: Optional[Sequence[int]] = None,
+        most_stops: int = 0,
+        costs: Union[None, CostField, CostPlanner, npt.ArrayLike] = None,
+        inflation: Optional[Inflation] = None,
+        algorithm: str = "exact",
+        settings: Optional[Mapping[str, Any]] = None,
         seed: int = 1,
         generations: int = 20,
         target_gap: float = 0.0,
@@ -267,6 +277,10 @@ class Planner:
         [0, 1, 2, 3]
         >>> planner.tour([[2.25, 2.0], [14.5, 2.0]], open=True).length
         12.25
+        >>> planner.tour([[2, 2], [14, 7], [14, 2], [2, 7]], group=["a", "b", "b", None]).length
+        30.0
+        >>> [robot.order.tolist() for robot in planner.tour([[2, 2], [14, 7], [13, 7], [2, 3]], robots=[0, 1]).tours]
+        [[0, 3], [1, 2]]
 
         Args:
             stops: integers (n, 2), cells (x, y), or floats, points as (12.5, 5.5), the centre of cell (12, 5). Those that
@@ -277,6 +291,13 @@ class Planner:
             after: by stop, the stops that come before it; a circle is refused.
             load: what each stop adds to what is carried, whole numbers, n of them.
             capacity: the most that is carried behind any stop; None: any load.
+            group: what each stop's group is called, n of them; of a group one stop is visited. None: no group.
+            robots: stops where robots begin, one each, in place of `start`: the sum of their tours is short.
+            most_stops: that a robot visits, its start aside; 0: any.
+            costs: for legs and an order of least cost: weights (height, width), a CostField or a CostPlanner of this map.
+            inflation: costs near what is blocked, as Nav2's (radius, scaling[, weight[, inscribed]]), on top of `costs`.
+            algorithm: "exact", or "as", "eas", "ras", "mmas", "acs": ants, in their native problem.
+            settings: the ants' parameters by name, as {"ants": 10, "local_search": "two-edges"}.
             seed: of the search, above 12 stops; up to that the order is a shortest.
             generations: of tours that recombine, above 12 stops; 0: local search and its kicks alone.
             target_gap: ends the search at this certified gap, a fraction.
@@ -296,10 +317,36 @@ class Planner:
                 raise invalid(f"after: there is no stop {stop}", f"give indices of stops, 0 to {len(before) - 1}")
             before[stop] = list(earlier)
         error, fields = _lasius.tour(
-            self._raw, cells, points, open, start, goal, before, [] if load is None else list(load), capacity,
+            self._raw, self._over(costs, inflation), cells, points, open, start, goal, before,
+            [] if load is None else list(load), capacity, numbered(group), [] if robots is None else list(robots),
+            most_stops, algorithm, [(name, text_of(value)) for name, value in (settings or {}).items()],
             whole("seed", seed), generations, target_gap, whole("threads", threads), time_limit, observer,
         )
-        return finish(error, TourResult(*fields))
+        found = TourResult(*fields)
+        found.tours = [RobotTour(start, order, range(*legs), *sums) for start, order, legs, *sums in fields[-1]]
+        return finish(error, found)
+
+    def _over(
+        self, costs: Union[None, CostField, CostPlanner, npt.ArrayLike], inflation: Optional[Inflation]
+    ) -> Optional[_lasius.CostPlanner]:
+        """The planner over costs, if there are any."""
+        from .costs import CostField, CostPlanner, Inflation
+
+        if costs is None and inflation is None:
+            return None
+        if isinstance(costs, CostPlanner):
+            if inflation is not None:
+                raise invalid("inflation is given with a CostPlanner, which has its costs", "give a CostField")
+            if costs.planner.grid != self.grid or costs.planner.radius != self.radius:
+                raise invalid("the CostPlanner is of another map or radius", "give one of this planner's")
+            return costs._raw
+        if inflation is not None:
+            given = CostField(self.grid) if costs is None else CostField.of(
+                costs.weights if isinstance(costs, CostField) else costs)
+            radius, scaling, weight, inscribed = Inflation(*inflation)
+            given.inflate(self.grid, radius, scaling, weight=weight, inscribed=inscribed)
+            costs = given
+        return CostPlanner(self, costs if isinstance(costs, CostField) else CostField.of(np.asarray(costs)))._raw
 
     def cover(
         self,
@@ -467,6 +514,12 @@ def plan(
     25.0
     """
     return Planner(grid, radius=radius).plan(start, goal, params, **options)
+
+
+def numbered(group: Optional[Sequence[Hashable]]) -> List[int]:
+    """Groups as whole numbers, by their first stop; -1: none."""
+    known: Dict[Hashable, int] = {}
+    return [-1 if name is None else known.setdefault(name, len(known)) for name in ([] if group is None else group)]
 
 
 def tour(grid: Grid, stops: npt.ArrayLike, *, radius: float = 0.0, **options: Any) -> TourResult:

@@ -244,22 +244,36 @@ def batch_result(error: Optional[BaseException], columns: Tuple[Any, ...]) -> Ba
     return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))
 
 
+@dataclass(eq=False)
+class RobotTour(Record):
+    """What one of several robots does."""
+
+    start: int  #: stop
+    order: IntArray  #: its stops, the start first
+    legs: range  #: places of its legs among all; empty where it stays
+    length: float  #: sum of these, in cells
+    cost: float  #: the same over costs; else NaN
+
+
 @dataclass(eq=False, repr=False)
 class TourResult(Record):
     """A tour; lengths in cells."""
 
     status: str  #: "solved", "limit", "interrupted", "unreachable", "no_path" or "invalid"
     error: str  #: why there is no tour, in a sentence
-    order: IntArray  #: stops by their index; of a closed tour the first is not told again; empty without a tour
+    order: IntArray  #: stops by their index, of robots one after another; closed: the first not again; empty without a tour
     length: float  #: sum of the legs'; NaN without a tour
-    lower_bound: Optional[float]  #: certified: no tour over these stops is shorter
-    gap: Optional[float]  #: certified, (length - lower_bound) / lower_bound, a fraction
+    lower_bound: Optional[float]  #: certified: no tour over these stops is shorter, over costs cheaper
+    gap: Optional[float]  #: certified, (length - lower_bound) / lower_bound, a fraction; over costs of `cost`
     optimal: bool  #: proven shortest, where lengths are told apart by thousandths of a cell
     left_out: Dict[int, str]  #: stops that no tour visits, each with the reason
     priced: int  #: legs planned to find the order and the bound
     lengths: FloatArray  #: of the legs in order, of a closed tour with the way back
     points: FloatArray  #: (m, 2), the vertices of all legs, one after another
     offsets: LongArray  #: (legs + 1), where each leg begins in `points`
+    cost: float  #: over costs, sum of the legs'; else NaN
+    costs: FloatArray  #: of the legs, over costs; else empty
+    tours: List[RobotTour]  #: of robots, in their order; else empty
 
     def leg(self, place: int) -> FloatArray:
         """The path of the leg from stop `order[place]`, (n, 2), a view of `points`."""

@@ -10,6 +10,7 @@ const maps = process.env.LASIUS_MAPS_DIR;
 const map = (name) => path.join(maps, name);
 const kFan = [map("fan400x200.map"), "--start", "14,14", "--goal", "380,179"];
 const kChanges = "5 30 20 1 40 blocked\n10 move 6 6 0.5 150 60 150 120\n20 200 60 3 60 blocked\n90 200 60 3 30 free\n";
+const kStops = "x\ty\tname\n20\t20\tdoor\n100\t30\tshelf\n200\t100\tdesk\n300\t150\t\n0\t17\tclosed\n";
 const kWithArm = process.env.LASIUS_WITH_ARM === "1", kWithPolygon = process.env.LASIUS_WITH_POLYGON === "1";
 
 const kReports = {
@@ -18,12 +19,14 @@ const kReports = {
   genetic: ["plan", map("grid20a.map"), "--start", "0,0", "--goal", "19,19", "--algorithm", "grid-ga", "--iterations", "20"],
   none: ["plan", map("fan400x200.map"), "--start", "14,14", "--goal", "0,17", "--algorithm", "acs", "--iterations", "2"],
   drive: ["drive", ...kFan, "--changes", "changes.txt"],
+  tour: ["tour", map("fan400x200.map"), "--stops", "stops.tsv", "--start", "14,14", "--start", "380,179"],
+  ants: ["tour", map("fan400x200.map"), "--stops", "stops.tsv", "--algorithm", "mmas", "--iterations", "5"],
   ...(kWithPolygon ? { polygon: ["plan", map("maklink200.geojson"), "--algorithm", "maklink-acs", "--iterations", "50"] } : {}),
   ...(kWithArm ? { arm: ["arm", map("arms/industrial6.json"), "--scene", map("arms/cell.json"), "--start", "-0.9,0.3,0.4,0,0.4,0",
                          "--goal", "0.45,0.4,0.5"] } : {}),
   study: ["study", "terminal-index", "--seeds", "1", "--maps", maps],
 };
-const kPlayed = Object.keys(kReports).filter((kind) => !["exact", "none", "study"].includes(kind));
+const kPlayed = Object.keys(kReports).filter((kind) => !["exact", "none", "study", "tour", "ants"].includes(kind));
 const file = (kind) => path.join(folder, `${kind}.html`);
 
 function run(...words) {
@@ -50,6 +53,7 @@ const position = async (tab) => Number(await slider(tab).inputValue());
 
 before(() => {
   writeFileSync(path.join(folder, "changes.txt"), kChanges);
+  writeFileSync(path.join(folder, "stops.tsv"), kStops);
   for (const [kind, words] of Object.entries(kReports)) run(...words, "-q", "-o", file(kind));
 });
 after(end);

@@ -105,3 +105,57 @@ def test_points() -> None:
     run = planner.tour([[0.25, 2.0], [12.5, 2.0], [30.0, 2.0]], open=True, start=0)
     assert (run.order.tolist(), run.length) == ([0, 1, 2], 29.75)
     assert planner.tour([[0.25, 2.0], [40.0, 2.0]]).left_out.keys() == {1}
+
+
+def test_one_stop_of_each_group(planner, stops):
+    group = ["a", "b", None, "a", 7, "b", None, 7]
+    run = planner.tour(stops[:8], group=group, open=True)
+    told = [group[stop] for stop in run.order]
+    assert sorted(map(str, told)) == ["7", "None", "None", "a", "b"] and run.optimal and run.tours == []
+    least = min(planner.tour(stops[[a, b, 2, c, 6]], open=True).length for a in (0, 3) for b in (1, 5) for c in (4, 7))
+    assert run.length == pytest.approx(least, abs=1e-9)
+    for wrong, words in (({"group": ["a"]}, "group has 1 entries"), ({"group": group, "load": [0] * 8}, "no order given"),
+                         ({"group": group, "algorithm": "as"}, "ants know no tours with groups")):
+        with pytest.raises(lasius.InvalidParameter, match=words):
+            planner.tour(stops[:8], **wrong)
+
+
+def test_robots(planner, stops):
+    run = planner.tour(stops[:9], robots=[3, 0], most_stops=4)
+    assert [robot.start for robot in run.tours] == [3, 0]
+    assert [len(robot.order) for robot in run.tours] == [len(robot.legs) for robot in run.tours]
+    assert max(len(robot.order) for robot in run.tours) == 5 and sorted(run.order) == list(range(9))
+    assert np.array_equal(np.concatenate([robot.order for robot in run.tours]), run.order)
+    for robot in run.tours:
+        assert robot.length == pytest.approx(run.lengths[robot.legs.start : robot.legs.stop].sum())
+        assert np.isnan(robot.cost)
+    assert pickle.loads(pickle.dumps(run)) == run and run.optimal
+    assert planner.tour(stops[:9], robots=[3, 0]).length <= run.length
+    for wrong, words in (({"robots": [9]}, "no stop 9"), ({"robots": [1, 1]}, "two robots begin"),
+                         ({"robots": [1], "start": 1}, "no other start"), ({"most_stops": 2}, "but no robots")):
+        with pytest.raises(lasius.InvalidParameter, match=words):
+            planner.tour(stops[:9], **wrong)
+
+
+def test_over_costs(planner, stops):
+    weights = np.ones(planner.grid.to_array(free=1).shape)
+    weights[:, weights.shape[1] // 2 :] = 3
+    some = stops[:6]
+    runs = [planner.tour(some, costs=weights), planner.tour(some, costs=lasius.CostField.of(weights)),
+            lasius.CostPlanner(planner, weights).tour(some), lasius.tour(planner.grid, some, costs=weights)]
+    assert all(run == runs[0] for run in runs) and runs[0].status == "solved"
+    assert runs[0].cost == pytest.approx(runs[0].costs.sum()) and runs[0].lower_bound <= runs[0].cost
+    near = planner.tour(some, inflation=(3.0, 0.5), robots=[0, 1])
+    assert near.cost > near.length and sum(robot.cost for robot in near.tours) == pytest.approx(near.cost)
+    with pytest.raises(lasius.InvalidParameter, match="another map"):
+        planner.tour(some, costs=lasius.CostPlanner(planner.grid, weights, radius=0.4))
+    assert len(planner.tour(some).costs) == 0 and np.isnan(planner.tour(some).cost)
+
+
+def test_ants(planner, stops):
+    run = planner.tour(stops, algorithm="mmas", settings={"ants": 5, "iterations": 3, "local_search": "two-edges"})
+    assert sorted(run.order) == list(range(40)) and run.length >= run.lower_bound
+    for wrong, words in (({"algorithm": "mmass"}, "mmas"), ({"settings": {"ants": 3}}, "ants"),
+                         ({"algorithm": "as", "settings": {"antz": 3}}, "did you mean")):
+        with pytest.raises(lasius.InvalidParameter, match=words):
+            planner.tour(stops, **wrong)

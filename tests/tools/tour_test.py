@@ -136,13 +136,10 @@ class Tour(ProgramTest):
         self.refused(self.tour(stops="none.tsv"), 3, "none.tsv", "cannot be opened", ".geojson")
 
     def test_usage(self):
-        self.write("group.geojson", json.dumps({"type": "Feature", "properties": {"group": 1}, "geometry": {
-            "type": "Point", "coordinates": [1, 2]}}))
         for run, *words in (
                 (self.run_program("tour", "free.map"), "--stops is required"),
                 (self.tour("--capacity", "2"), "--capacity 2: no stop has a load"),
                 (self.tour("--capacity", "-1"), "--capacity"),
-                (self.tour(stops="group.geojson"), "\"group\" is not planned yet"),
                 (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
                 (self.tour("--algorithm", "fan2004"), "fan2004 plans", "not over stops"),
                 (self.tour("--algorithm", "mmas", "--set", "greedy=0.5"), "mmas has no parameter \"greedy\""),
@@ -361,6 +358,8 @@ class Tour(ProgramTest):
         self.assertEqual(len(self.rows("a.csv")), 5)
         self.assertEqual(list(self.rows("a.csv")[0]), ["x", "y"])
         self.assertGreater(min(self.png_size("a.png")), 200)
+        self.tour("-o", "ants.svg", "--algorithm", "mmas", "--iterations", "2")
+        self.holds(self.words("ants.svg"), "tour, mmas on free.map")
         self.holds(self.words("a.svg"), "tour of 4 stops, length 34.00 cells, proven shortest",
                    "stop, by its place in the tour")
         self.write("s.tsv", "x y\n0 0\n3 2\n9 5\n")
@@ -399,7 +398,7 @@ class Tour(ProgramTest):
         self.assertLess(result["order"].index(12), result["order"].index(1))
         self.ended(self.replay_of(result), 0)
         self.refused(self.run_program("tour", "box.tsp", "--stops", "box.tsv"), 2, "--stops is for maps")
-        self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures are of tours on maps")
+        self.refused(self.run_program("tour", "box.tsp", "-o", "a.png"), 2, "pictures, poses and pages are of tours on maps")
 
     def test_on_a_map_of_ours(self):
         self.write("s.tsv", "0 0\n29 29\n29 0\n15 15\n0 29\n")

@@ -94,7 +94,11 @@ Page Sheet::page(std::string title) const {
 }
 
 std::string map_title(const LoadedMap& map, const RunOptions& run) {
-  return run.params.algorithm() + " on " + file_name(map.file) + ", " + std::to_string(map.width) +
+  return map_title(map, run, run.params.algorithm());
+}
+
+std::string map_title(const LoadedMap& map, const RunOptions& run, std::string_view algorithm) {
+  return std::string(algorithm) + " on " + file_name(map.file) + ", " + std::to_string(map.width) +
          " x " + std::to_string(map.height) + " cells, seed " + std::to_string(run.params.seed);
 }
 
@@ -193,10 +197,10 @@ std::vector<Key> keys_of_plan(const Sheet& sheet, const Answer& answer) {
 }
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
-               double width, double rim) {
+               double width, double rim, Colour colour) {
   const auto points = sheet.axes(box).at(path);
   if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
-  canvas.polyline(points, kPath, width);
+  canvas.polyline(points, colour, width);
 }
 
 }  // namespace lasius::tool

@@ -40,6 +40,8 @@ struct Sheet {
 
 /// What is drawn on: "on" a map of so many cells, and the seed.
 std::string map_title(const LoadedMap& map, const RunOptions& run);
+/// The same of another algorithm than that of paths.
+std::string map_title(const LoadedMap& map, const RunOptions& run, std::string_view algorithm);
 
 /// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
 /// they vanish.
@@ -57,6 +59,6 @@ void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer&
 /// What draw_plan draws beside start and goal.
 std::vector<Key> keys_of_plan(const Sheet& sheet, const Answer& answer);
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
-               double width, double rim);
+               double width, double rim, Colour colour = kPath);
 
 }  // namespace lasius::tool

@@ -157,6 +157,7 @@ struct TourStops {
   std::vector<std::string> names = {};       ///< empty text: without a name
   std::vector<std::vector<int>> after = {};  ///< stops that come before each
   std::vector<int> loads = {};
+  std::vector<std::string> groups = {};  ///< of which one stop is visited; empty text: none
 };
 
 struct TourCommand {
@@ -171,6 +172,8 @@ struct TourCommand {
   std::optional<int> capacity = {};
   std::optional<double> cover = {};  ///< a width, as MapOptions::radius; then there are no stops
   std::optional<End> start = {}, goal = {};
+  std::vector<End> robots = {};        ///< where each of several begins
+  std::optional<int> most_stops = {};  ///< of a robot
   int generations = 20;
 };
 

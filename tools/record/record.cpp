@@ -37,10 +37,14 @@ std::string advice(const Record& run) {
   return text;
 }
 
+/// `parts`: vertices before which an empty line stands.
 void write_path(std::ostream& out, const std::vector<double>& path, std::size_t axes,
-                const char* between) {
-  for (std::size_t i = 0; i < path.size(); ++i)
+                const char* between, std::span<const std::size_t> parts = {}) {
+  auto part = parts.begin();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    for (; part != parts.end() && *part * axes == i; ++part) out << "\n";
     out << to_text(path[i]) << ((i + 1) % axes == 0 ? "\n" : between);
+  }
 }
 
 }  // namespace
@@ -118,7 +122,7 @@ std::string plain_text(const Record& run) {
   out << to_string(run.result.status) << "\n";
   if (!run.has_path()) return out.str();
   out << to_text(run.scale * run.result.length) << "\n";
-  write_path(out, run.path, run.axes, " ");
+  write_path(out, run.path, run.axes, " ", run.parts);
   for (const Record::Other& other : run.others) {
     out << "\n" << to_text(run.scale * other.length) << "\n";
     write_path(out, other.path, run.axes, " ");
@@ -130,7 +134,7 @@ void write_csv(std::ostream& out, const Record& run) {
   const std::string m = run.unit.empty() ? "" : "_" + run.unit;
   if (!run.most_iterations) {
     out << "x" << m << ",y" << m << "\n";
-    return write_path(out, run.path, run.axes, ",");
+    return write_path(out, run.path, run.axes, ",", run.parts);
   }
   const SearchResult& result = run.result;
   out << "iteration,best" << m << ",mean" << m << ",arrived\n";

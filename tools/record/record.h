@@ -51,6 +51,7 @@ struct Record {
   };
   std::vector<Other> others = {};         ///< ways beside it
   std::size_t axes = 2;                   ///< numbers a point
+  std::vector<std::size_t> parts = {};    ///< points at which another path begins
   std::vector<std::string> remarks = {};  ///< what else people are to know
 
   bool has_path() const;

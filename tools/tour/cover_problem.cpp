@@ -15,7 +15,7 @@
 #include "tools/record/recorded.h"
 #include "tools/tour/cover_picture.h"
 #include "tools/tour/tour_answer.h"
-#include "tools/tour/tour_legs.h"
+#include "tools/tour/tour_files.h"
 #include "tools/tour/tsplib_problem.h"
 
 namespace lasius::tool {
@@ -81,7 +81,7 @@ class CoverProblem : public Problem {
     record.goal = Json();
     add_parameters(record.parameters, command_);
     record.elapsed_ms = answer_.elapsed_ms;
-    record.path = coordinates(tour_path(answer_, in_metres()));
+    for (const auto& path : tour_paths(answer_, in_metres())) record.path = coordinates(path);
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
     if (wants_json(command_.run)) record.answer = answer_of(ends, record);
     return record;

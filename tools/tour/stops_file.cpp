@@ -35,6 +35,7 @@ struct Details {
   std::string name = {};
   std::vector<std::string> after = {};
   std::optional<int> load = {};
+  std::string group = {};
 };
 
 class Reader {
@@ -68,12 +69,6 @@ class Reader {
     throw Error(ErrorCode::file_broken, {.file = file_, .line = line}, problem, remedy);
   }
 
-  void refuse_group(std::string_view name) const {
-    if (name == "group")
-      throw UsageError(file_ +
-                       ": \"group\" is not planned yet: tours have no groups; leave it out");
-  }
-
   // `whole`: both were written as whole numbers.
   void add(Point p, bool whole, Details details, At at) {
     if (stops_.points.size() == kMostStops)
@@ -105,7 +100,7 @@ class Reader {
   void read_table() {
     std::vector<std::string> header;
     std::size_t x = 0, y = 1;
-    std::optional<std::size_t> name, after, loads;
+    std::optional<std::size_t> name, after, loads, group;
     bool tabs = false;
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
@@ -125,7 +120,7 @@ class Reader {
           name = column(header, "name", at);
           after = column(header, "after", at);
           loads = column(header, "load", at);
-          for (const auto& one : header) refuse_group(one);
+          group = column(header, "group", at);
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
@@ -141,6 +136,7 @@ class Reader {
       if (after) details.after = names_in(fields[*after]);
       if (loads && !fields[*loads].empty())
         details.load = load(number("load", fields[*loads], at), fields[*loads], at);
+      if (group) details.group = fields[*group];
       add({number("x", fields[x], at), number("y", fields[y], at)},
           parse_whole(fields[x]) && parse_whole(fields[y]), std::move(details), at);
     }
@@ -215,7 +211,6 @@ class Reader {
 
   Details details_of(const Json& object, const std::string& path) const {
     Details details;
-    for (const auto& item : object.items()) refuse_group(item.key());
     const auto given = [&](const char* key) -> const Json* {
       return object.contains(key) && !object[key].is_null() ? &object[key] : nullptr;
     };
@@ -223,9 +218,10 @@ class Reader {
       if (value.is_string()) return value.get<std::string>();
       if (value.is_number_integer()) return value.dump();
       fail({.path = path}, std::string("\"") + key + "\" is " + value.dump(),
-           "give a stop's name, or with \"after\" a list of names");
+           "give a name, or with \"after\" a list of names");
     };
     if (const Json* name = given("name")) details.name = bare(text_of(*name, "name"));
+    if (const Json* group = given("group")) details.group = bare(text_of(*group, "group"));
     if (const Json* after = given("after")) {
       if (after->is_array())
         for (const Json& one : *after) details.after.push_back(bare(text_of(one, "after")));
@@ -276,6 +272,8 @@ class Reader {
       for (const Details& one : details_) stops_.names.push_back(one.name);
     if (any([](const Details& one) { return one.load.has_value(); }))
       for (const Details& one : details_) stops_.loads.push_back(one.load.value_or(0));
+    if (any([](const Details& one) { return !one.group.empty(); }))
+      for (const Details& one : details_) stops_.groups.push_back(one.group);
     if (!any([](const Details& one) { return !one.after.empty(); })) return;
     std::map<std::string_view, std::vector<int>> named;
     std::vector<std::string_view> known;

@@ -5,6 +5,7 @@
 #include "tools/bitmap/sheet.h"
 #include "tools/console/values.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
 
@@ -14,12 +15,16 @@ namespace {
 constexpr Colour kStop{0.1, 0.32, 0.62};
 constexpr Colour kLeftOut{0.45, 0.47, 0.5};
 constexpr std::size_t kMostNumbered = 150;
+constexpr std::size_t kMostKeys = 8;  // of robots
 
 std::string caption(const Sheet& sheet, const TourAnswer& answer) {
   const TourResult& tour = answer.tour;
   if (tour.order.empty()) return no_path_text(tour.status);
-  std::string text = "tour of " + counted(static_cast<std::int64_t>(tour.order.size()), "stop") +
-                     ", length " + sheet.length(tour.length);
+  std::string text =
+      (tour.tours.empty() ? "tour of "
+                          : counted(static_cast<std::int64_t>(tour.tours.size()), "robot") + ", ") +
+      counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", length " +
+      sheet.length(tour.length);
   if (tour.optimal)
     text += ", proven shortest";
   else if (tour.lower_bound)
@@ -38,18 +43,35 @@ void draw_stops(Canvas& canvas, const Box& box, const Sheet& sheet, const TourAn
   for (const LeftOut& out : answer.tour.left_out)
     if (sheet.grid.contains(answer.stops[static_cast<std::size_t>(out.stop)].cell))
       canvas.disc(at(out.stop), 4, kLeftOut);
-  const auto& order = answer.tour.order;
-  for (const int stop : order) canvas.disc(at(stop), 4, kStop);
-  if (order.size() > kMostNumbered) return;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Point p = at(order[i]);
-    canvas.text({p.x + 6, p.y - 5}, std::to_string(i + 1), 11, Align::left, kInk, true);
-  }
+  for (const int stop : answer.tour.order) canvas.disc(at(stop), 4, kStop);
+  if (answer.tour.order.size() > kMostNumbered) return;
+  const auto number = [&](const std::vector<int>& order) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Point p = at(order[i]);
+      canvas.text({p.x + 6, p.y - 5}, std::to_string(i + 1), 11, Align::left, kInk, true);
+    }
+  };
+  if (answer.tour.tours.empty()) number(answer.tour.order);
+  for (const RobotTour& robot : answer.tour.tours) number(robot.order);
+}
+
+// That of the first robot is the colour of all paths.
+Colour colour_of(std::size_t robot) { return robot == 0 ? kPath : palette(robot); }
+
+void draw_legs(Canvas& canvas, const Box& box, const Sheet& sheet, const TourResult& tour) {
+  const auto draw = [&](int first, int count, Colour colour) {
+    for (int i = first; i < first + count; ++i)
+      draw_path(canvas, box, sheet, tour.legs[static_cast<std::size_t>(i)].path, 2.5, 1, colour);
+  };
+  if (tour.tours.empty()) return draw(0, static_cast<int>(tour.legs.size()), kPath);
+  for (std::size_t r = 0; r < tour.tours.size(); ++r)
+    draw(tour.tours[r].first_leg, tour.tours[r].legs, colour_of(r));
 }
 
 }  // namespace
 
-void write_tour_picture(const std::string& file, const RunOptions& run, const TourAnswer& answer) {
+void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
+                        const TourAnswer& answer) {
   std::vector<Cell> cells;
   for (const Place& stop : answer.stops) cells.push_back(stop.cell);
   const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, cells)};
@@ -58,16 +80,21 @@ void write_tour_picture(const std::string& file, const RunOptions& run, const To
   };
   const auto draw = [&](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, free_ground);
-    for (const TourLeg& leg : answer.tour.legs) draw_path(canvas, box, sheet, leg.path, 2.5, 1);
+    draw_legs(canvas, box, sheet, answer.tour);
     draw_marks(canvas, box, sheet, marked(answer.start), marked(answer.goal), false);
+    for (const int robot : answer.robots)
+      draw_marks(canvas, box, sheet, marked(robot), marked({}), false);
     draw_stops(canvas, box, sheet, answer);
   };
-  Page page = sheet.page("tour, " + map_title(answer.map, run));
+  Page page = sheet.page("tour, " + map_title(answer.map, run, algorithm));
   if (!answer.goal) page.legend.erase(page.legend.begin() + 1);
-  if (!answer.start) page.legend.erase(page.legend.begin());
+  if (!answer.start && answer.robots.empty()) page.legend.erase(page.legend.begin());
   if (!answer.tour.order.empty()) {
     const bool numbered = answer.tour.order.size() <= kMostNumbered;
-    page.legend.push_back(line_key("tour", kPath, 2.5));
+    const std::size_t robots = answer.tour.tours.size();
+    if (robots == 0) page.legend.push_back(line_key("tour", kPath, 2.5));
+    for (std::size_t r = 0; r < std::min(robots, kMostKeys); ++r)
+      page.legend.push_back(line_key("robot " + std::to_string(r + 1), colour_of(r), 2.5));
     page.legend.push_back(disc_key(numbered ? "stop, by its place in the tour" : "stop", kStop));
   }
   if (!answer.tour.left_out.empty()) page.legend.push_back(disc_key("stop left out", kLeftOut));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "tools/bitmap/answer.h"
@@ -11,11 +12,10 @@
 #include "tools/options/commands.h"
 #include "tools/record/problem.h"
 #include "tools/record/recorded.h"
-#include "tools/tour/cover_problem.h"
 #include "tools/tour/stops_file.h"
 #include "tools/tour/tour_answer.h"
+#include "tools/tour/tour_files.h"
 #include "tools/tour/tour_kind.h"
-#include "tools/tour/tour_legs.h"
 #include "tools/tour/tour_picture.h"
 #include "tools/tour/tsplib_problem.h"
 
@@ -42,6 +42,7 @@ class TourProblem : public Problem {
       answer_.stops.push_back(lasius::tool::end_place(answer_.map, stop, run.frame));
     answer_.start = index_of(command_.start);
     answer_.goal = index_of(command_.goal);
+    for (const End& robot : command_.robots) answer_.robots.push_back(*index_of(robot));
     note_map(answer_.map, run);
     return std::nullopt;
   }
@@ -59,6 +60,8 @@ class TourProblem : public Problem {
     request.load = command_.stops.loads;
     if (!request.after.empty()) request.after.resize(request.points.size());
     if (!request.load.empty()) request.load.resize(request.points.size());
+    request.group = groups();
+    request.robots = answer_.robots;
     if (request.goal && request.goal == request.start) {  // there and back
       request.open = false;
       request.goal.reset();
@@ -78,10 +81,13 @@ class TourProblem : public Problem {
       answer_.elapsed_ms = ms_since(begin);
     });
     for (LeftOut& out : tour.left_out) {
-      const std::string said = std::exchange(out.why, why_left_out(out.stop));
+      const std::string said = std::exchange(out.why, why_left_out(out));
       if (tour.error == said) tour.error = out.why;
     }
-    for (const auto& [end, key] : {std::pair(answer_.start, true), {answer_.goal, false}})
+    std::vector<std::pair<std::optional<int>, bool>> ends{{answer_.start, true},
+                                                          {answer_.goal, false}};
+    for (const int robot : answer_.robots) ends.emplace_back(robot, true);
+    for (const auto& [end, key] : ends)
       if (end && tour.status == Status::invalid && answer_.ends.fault == Fault::none)
         look_at_end(place_at(*end), key);
   }
@@ -98,10 +104,14 @@ class TourProblem : public Problem {
     if (!answer_.goal) record.goal = Json();
     add_parameters(record.parameters, command_);
     record.elapsed_ms = answer_.elapsed_ms;
-    record.path = coordinates(tour_path(answer_, in_metres()));
+    for (const std::vector<Point>& path : tour_paths(answer_, in_metres())) {
+      if (!record.path.empty()) record.parts.push_back(record.path.size() / record.axes);
+      const std::vector<double> told = coordinates(path);
+      record.path.insert(record.path.end(), told.begin(), told.end());
+    }
     if (!command_.run.json)
       for (const LeftOut& out : tour.left_out)
-        if (out.stop != answer_.start && out.stop != answer_.goal)  // of which the error tells
+        if (!is_end(out.stop))  // of which the error tells
           record.remarks.push_back(out.why + ": left out");
     if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
     Json findings = Json::object();
@@ -113,8 +123,17 @@ class TourProblem : public Problem {
     if (wants_json(command_.run)) record.answer = answer_of(ends, record, findings);
     return record;
   }
-  Forms show(const Record&) const override {
-    return {.picture = [&](auto& file) { write_tour_picture(file, command_.run, answer_); }};
+  Forms show(const Record& run) const override {
+    Forms::Write table;  // empty: as of all kinds
+    if (!answer_.robots.empty())
+      table = [&](std::ostream& out) { write_robot_table(out, answer_, in_metres()); };
+    return {.csv = table,
+            .picture =
+                [&](auto& file) {
+                  write_tour_picture(file, run.algorithm.name, command_.run, answer_);
+                },
+            .yaml = [&](std::ostream& out) { write_tour_poses(out, answer_, command_.run); },
+            .page = [&](std::ostream& out) { write_tour_page(out, run, answer_, command_.run); }};
   }
   SearchOptions& options() override { return command_.run; }
 
@@ -125,20 +144,42 @@ class TourProblem : public Problem {
   const Place& end_place(const std::optional<int>& end) const {
     return end ? place_at(*end) : answer_.stops.front();
   }
-  /// Of the stop at the same place, which is added where there is none.
+  bool is_end(int stop) const {
+    return stop == answer_.start || stop == answer_.goal ||
+           std::ranges::count(answer_.robots, stop) > 0;
+  }
+  /// Of a stop at the same place, at which no robot begins yet; it is added where there is none.
   std::optional<int> index_of(const std::optional<End>& end) {
     if (!end) return std::nullopt;
     const Place place = lasius::tool::end_place(answer_.map, *end, command_.run.frame);
-    const auto same = [&](const Place& stop) { return stop.at() == place.at(); };
-    const auto found = std::ranges::find_if(answer_.stops, same);
-    const auto index = static_cast<int>(found - answer_.stops.begin());
-    if (found == answer_.stops.end()) answer_.stops.push_back(place);
+    const int count = static_cast<int>(answer_.stops.size());
+    int index = 0;
+    while (index < count &&
+           (place_at(index).at() != place.at() || std::ranges::count(answer_.robots, index) > 0))
+      ++index;
+    if (index == count) answer_.stops.push_back(place);
     return index;
   }
-  std::string why_left_out(int stop) const {
+  /// To each stop its group's number, or -1; nothing without groups.
+  std::vector<int> groups() const {
+    std::vector<int> numbers;
+    if (command_.stops.groups.empty()) return numbers;
+    std::map<std::string_view, int> known;
+    for (const std::string& name : command_.stops.groups) {
+      const int next = static_cast<int>(known.size());
+      numbers.push_back(name.empty() ? -1 : known.try_emplace(name, next).first->second);
+    }
+    numbers.resize(answer_.stops.size(), -1);
+    return numbers;
+  }
+  std::string group_name(const LeftOut& out) const {
+    return command_.stops.groups[static_cast<std::size_t>(out.stop)];
+  }
+  std::string why_left_out(const LeftOut& out) const {
     const Frame frame = command_.run.frame;
-    const Place& place = place_at(stop);
-    const std::string text = "stop " + std::to_string(stop) + " at " + place_text(place, frame);
+    const Place& place = place_at(out.stop);
+    std::string text = "stop " + std::to_string(out.stop) + " at " + place_text(place, frame);
+    if (out.group >= 0) text = "no stop of group " + group_name(out) + " can be visited: " + text;
     if (answer_.map.planner->clear_at(place.at()))
       return text + " cannot be reached from the others";
     const bool curved = route_of(answer_.map, command_.run).curved;
@@ -158,7 +199,7 @@ class TourProblem : public Problem {
   std::string summary(const Record& record) const {
     const TourResult& tour = answer_.tour;
     std::string text = counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", " +
-                       counted(tour.priced, "leg") + " priced";
+                       robots_text(tour) + counted(tour.priced, "leg") + " priced";
     if (tour.cost) text += "; cost " + decimal_text(*tour.cost, 3);
     if (tour.optimal) return text + (tour.cost ? "; proven cheapest" : "; proven shortest");
     if (!tour.lower_bound) return text;
@@ -181,20 +222,28 @@ class TourProblem : public Problem {
       json["start_world"] = answer_.start ? point(ends.start.asked) : Json();
       json["goal_world"] = answer_.goal ? point(ends.goal.asked) : Json();
     }
+    for (const int robot : answer_.robots) {
+      json["starts"].push_back(cell_json(place_at(robot), in_metres()));
+      if (in_metres()) json["starts_world"].push_back(point(place_at(robot).asked));
+    }
     const TourStops& given = command_.stops;
     if (!given.names.empty()) json["names"] = given.names;
     if (!given.after.empty()) json["after"] = given.after;
     if (!given.loads.empty()) json["loads"] = given.loads;
+    if (!given.groups.empty()) json["groups"] = given.groups;
     json.update(order_json(tour));
     json["legs"] = found ? legs_json(answer_, in_metres()) : Json();
+    if (!answer_.robots.empty()) json["tours"] = found ? tours_json(answer_, in_metres()) : Json();
     json["length"] = number(record.result.length);
     if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
     if (answer_.map.costs) json["cost"] = optional_number(tour.cost);
     add_proof(json, record.result);
     if (answer_.map.costs) json["gap"] = optional_number(tour.gap());
     json["left_out"] = Json::array();
-    for (const LeftOut& out : tour.left_out)
+    for (const LeftOut& out : tour.left_out) {
       json["left_out"].push_back({{"stop", out.stop}, {"why", out.why}});
+      if (out.group >= 0) json["left_out"].back()["group"] = group_name(out);
+    }
     json["priced"] = tour.priced;
     add_course(json, record);
     json.update(findings);
@@ -206,123 +255,10 @@ class TourProblem : public Problem {
   TourAnswer answer_{};
 };
 
-std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
-  const Json& result = from.result;
-  TourCommand command;
-  command.open = recorded<bool>(result, "parameters/open");
-  command.generations = static_cast<int>(
-      recorded_integer(result, "parameters/generations", 0, TourCommand::kMostGenerations));
-  const Algorithm& algorithm = *std::ranges::find(
-      tour::algorithms(), algorithm_of(tour_kind(), recorded<std::string>(result, "algorithm")),
-      &Algorithm::name);
-  RunOptions asked;
-  read_recorded(from, algorithm, asked);
-  const bool tsplib = is_tsplib(recorded<std::string>(result, "map/file"));
-  if (tsplib) {
-    command.run = asked;
-    command.run.map.file = from.map_file();
-  } else {
-    command.run = recorded_run(from, find_algorithm(kLegAlgorithm));
-    static_cast<SearchOptions&>(command.run) = asked;
-  }
-  choose_ants(command);
-  if (tsplib) return tsplib_problem(std::move(command));
-  if (!value_at(result, "start").is_null()) command.start = recorded_end(result, "start");
-  if (result.contains("cover")) {
-    read_recorded_cover(result, command);
-    return cover_problem(std::move(command));
-  }
-  const Json& list = value_at(result, "stops");
-  if (!list.is_array() || list.empty()) throw UsageError("\"stops\" is no list of stops");
-  command.stops.points = recorded_ends(result, "stops");
-  const auto given = [&](const char* key, auto& value) {
-    if (result.contains(key))
-      value = recorded<std::remove_reference_t<decltype(value)>>(result, key);
-  };
-  given("names", command.stops.names);
-  given("after", command.stops.after);
-  given("loads", command.stops.loads);
-  if (result.contains("parameters") && result["parameters"].contains("capacity"))
-    command.capacity = static_cast<int>(
-        recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
-  if (!value_at(result, "goal").is_null()) command.goal = recorded_end(result, "goal");
-  return std::make_unique<TourProblem>(std::move(command));
-}
-
 }  // namespace
 
-const ProblemKind& tour_kind() {
-  static const ProblemKind kKind{
-      .key = "tour_algorithms",
-      .title = "Stops, by `lasius tour MAP` and `lasius tour PROBLEM.tsp`",
-      .plans = "over stops",
-      .advice = "; ask it with lasius tour",
-      .commands = {"tour"},
-      .algorithms = tour::algorithms(),
-      .default_text = default_text<tour::AntParams>,
-      .formulas = formulas_of<tour::AntParams>,
-      .format = kTourFormat,
-      .again = tour_again};
-  return kKind;
-}
-
-bool is_tsplib(std::string_view file) { return file.ends_with(".tsp") || file.ends_with(".sop"); }
-
-TourRequest request_of(const TourCommand& command, const StopCondition& stop) {
-  TourRequest request;
-  request.open = command.open || command.goal;
-  request.seed = command.run.seed;
-  request.ants = command.ants;
-  request.generations = command.generations;
-  request.capacity = command.capacity;
-  request.target_gap = command.run.target_gap;
-  request.threads = command.run.threads;
-  request.stop = again(stop, command.run.time_limit);
-  return request;
-}
-
-void choose_ants(TourCommand& command) {
-  RunOptions& run = command.run;
-  command.ants = make_params<tour::AntParams>(run, tour_kind());
-  SearchOptions legs;
-  legs.algorithm = kLegAlgorithm;
-  legs.seed = run.seed;
-  legs.threads = run.threads;
-  run.params = make_params<Params>(legs, bitmaps());
-}
-
-void add_course(Json& json, const Record& record) {
-  if (record.algorithm.kind == Algorithm::Kind::colony) json::add_convergence(json, record.result);
-}
-
-SearchResult search_result(const TourResult& tour) {
-  SearchResult result;
-  static_cast<lasius::Convergence&>(result) = tour.run;
-  result.status = tour.status;
-  if (tour.status == Status::limit) result.limit = Limit::time;
-  result.error = tour.error;
-  if (tour.order.empty()) return result;
-  result.length = tour.length;
-  result.lower_bound = tour.lower_bound;
-  result.optimal = tour.optimal;
-  return result;
-}
-
-void add_parameters(Json& json, const TourCommand& command) {
-  json["open"] = command.open;
-  json["generations"] = command.generations;
-  if (command.capacity) json["capacity"] = *command.capacity;
-}
-
-Json order_json(const TourResult& tour) {
-  return {{"order", tour.order.empty() ? Json() : Json(tour.order)}};
-}
-
-int run_command(const TourCommand& command) {
-  if (is_tsplib(command.run.map.file)) return run(*tsplib_problem(command));
-  if (command.cover) return run(*cover_problem(command));
-  TourProblem problem(command);
-  return run(problem);
+std::unique_ptr<Problem> tour_problem(TourCommand command) {
+  return std::make_unique<TourProblem>(std::move(command));
 }
 
 }  // namespace lasius::tool

@@ -1,6 +1,7 @@
 // lasius tour.
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "tools/bitmap/cost_layers.h"
 #include "tools/command_line/map_options.h"
@@ -14,25 +15,52 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 4> kTourEndings{".json", ".csv", ".svg", ".png"};
+constexpr std::array<std::string_view, 7> kTourEndings{".json", ".csv", ".svg", ".png",
+                                                       ".yaml", ".yml", ".html"};
 
 constexpr const char* kTourOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
-    ".csv  x,y of the path along all legs; with --frame world x_m,y_m; of TSPLIB the order\n"
-    ".svg, .png  the map, the tour, and its stops by their places in it";
+    ".csv  x,y of the path along all legs; with --frame world x_m,y_m; of several robots with a "
+    "column robot; of TSPLIB the order\n"
+    ".svg, .png  the map, the tour, and its stops by their places in it\n"
+    ".yaml, .yml  the poses along the tour as ROS nav_msgs/Path, as plan writes them; of several "
+    "robots a document each\n"
+    ".html  a page of the map, the tour, and its legs, that needs nothing else";
 
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
   for (const char* option :
        {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame", "--radius",
-        "--unknown-free", "--prepare", "--prepared", "--corners", "--cost", "--inflation"})
+        "--unknown-free", "--prepare", "--prepared", "--corners", "--cost", "--inflation",
+        "--most-stops", "--spacing"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
-  const auto picture = std::ranges::find_if(run.outputs, is_picture);
+  const auto picture = std::ranges::find_if(run.outputs, [](const auto& file) {
+    return is_picture(file) || is_yaml(file) || is_page(file);
+  });
   if (picture != run.outputs.end())
-    throw UsageError("-o " + *picture + ": pictures are of tours on maps; give .json or .csv");
+    throw UsageError("-o " + *picture +
+                     ": pictures, poses and pages are of tours on maps; give .json or .csv");
+}
+
+/// @throws UsageError for what does not go with the number of robots.
+void check_robots(const OptionTable& table, const TourCommand& tour) {
+  if (tour.robots.size() < 2) {
+    if (tour.most_stops)
+      throw UsageError(
+          "--most-stops is for several robots; give each its --start, or leave it out");
+    return;
+  }
+  if (tour.goal)
+    throw UsageError("--goal: " + std::to_string(tour.robots.size()) +
+                     " robots end where they began, or with --open anywhere; leave it out");
+  if (tour.ants.algorithm() != "exact")
+    throw UsageError("--algorithm " + tour.ants.algorithm() +
+                     ": ants know no tours of several robots; leave it out");
+  if (table.given("--capacity"))
+    throw UsageError("--capacity: tours of several robots have no loads; leave it out");
 }
 
 /// @throws UsageError where an option of stops is given with --cover.
@@ -49,8 +77,9 @@ void check_cover(const OptionTable& table, const RunOptions& run) {
 
 Subcommand add_tour(CLI::App& app) {
   struct Text : TourCommand {
-    std::string start_text, goal_text;
-    int capacity_given = 0;
+    std::string goal_text;
+    std::vector<std::string> starts;
+    int capacity_given = 0, most_given = 0;
     double cover_given = 0;
   };
   auto text = std::make_shared<Text>();
@@ -61,19 +90,28 @@ Subcommand add_tour(CLI::App& app) {
       "--stops", text->stops_file,
       "The stops: a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points; cells, points "
       "with decimals, or metres with --frame world; with \"name\", \"after\" (names that come "
-      "before) and \"load\"",
+      "before), \"load\" and \"group\" (of which one stop is visited)",
       {".tsv", ".json", ".geojson"});
   table.real("--cover", text->cover_given, 0, kNoLimit,
              "In place of stops: cover the map with a tool that works on WIDTH cells (metres with "
              "--frame world), by swaths side by side; its centre keeps --radius",
              "WIDTH");
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
-  table.text("--start", text->start_text, "Where the tour begins: a stop, or one more", "X,Y");
+  table.repeatable("--start", text->starts,
+                   "Where the tour begins: a stop, or one more; given several times a robot begins "
+                   "at each, and all together go the shortest way",
+                   "X,Y");
   table.text("--goal", text->goal_text,
              "Where it ends, open: a stop, or one more; the same as --start: closed", "X,Y");
   table.integer("--capacity", text->capacity_given, 0, TourCommand::kMostLoad,
                 "The most that is carried at any time, by the stops' loads (default: any load)",
                 "K");
+  table.integer("--most-stops", text->most_given, 1, TourCommand::kMostLoad,
+                "The most stops that one of several robots visits (default: any number)", "N");
+  table.real("--spacing", text->run.spacing, 1e-4, kNoLimit,
+             "How far apart the poses of a .yaml are at most; in cells, metres with --frame world "
+             "(default half a cell)",
+             "S");
   table.integer("--generations", text->generations, 0, TourCommand::kMostGenerations,
                 "Generations of tours that recombine, above 12 stops (default 20)", "N");
   table
@@ -101,6 +139,9 @@ Subcommand add_tour(CLI::App& app) {
                      "a closed tour, and a picture of it"},
                     {"lasius tour maps/grid30a.map --stops stops.json --start 0,0 --open --json",
                      "from the depot to the last stop"},
+                    {"lasius tour maps/grid30a.map --stops stops.tsv --start 0,0 --start 29,29 -o "
+                     "tours.yaml",
+                     "by two robots, and their poses for ROS"},
                     {"lasius tour maps/grid30a.map --stops stops.tsv --algorithm mmas --ants 10",
                      "by a published colony"},
                     {"lasius tour maps/grid30a.map --cover 2 --start 0,0 -o cover.png",
@@ -131,6 +172,7 @@ Subcommand add_tour(CLI::App& app) {
           require("", "--stops", tour.stops_file);
         if (table.given("--cover")) tour.cover = text->cover_given;
         if (table.given("--capacity")) tour.capacity = text->capacity_given;
+        if (table.given("--most-stops")) tour.most_stops = text->most_given;
         const SearchOptions asked = run;
         run.algorithm = kLegAlgorithm;
         run.settings.clear();
@@ -155,10 +197,11 @@ Subcommand add_tour(CLI::App& app) {
           run.map.prepare = false;
           run.notes.emplace_back("--prepare has no effect over costs");
         }
-        for (const auto& [option, given, end] :
-             {std::tuple("--start", &text->start_text, &tour.start),
-              std::tuple("--goal", &text->goal_text, &tour.goal)})
-          if (!given->empty()) *end = point_value(option, *given, run.frame);
+        for (const std::string& start : text->starts)
+          tour.robots.push_back(point_value("--start", start, run.frame));
+        if (!text->goal_text.empty()) tour.goal = point_value("--goal", text->goal_text, run.frame);
+        check_robots(table, tour);
+        if (tour.robots.size() == 1) tour.start = std::exchange(tour.robots, {}).front();
         return run_command(tour);
       });
 }

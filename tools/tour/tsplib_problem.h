@@ -18,6 +18,8 @@ void choose_ants(TourCommand& command);
 void add_course(Json& json, const Record& record);
 /// `lasius tour PROBLEM.tsp`.
 std::unique_ptr<Problem> tsplib_problem(TourCommand command);
+/// `lasius tour MAP`.
+std::unique_ptr<Problem> tour_problem(TourCommand command);
 
 /// The question, without its stops and ends.
 TourRequest request_of(const TourCommand& command, const StopCondition& stop);

@@ -13,6 +13,7 @@
 #include "core/tour/cover/swaths.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"
+#include "core/tour/route_tour.h"
 #include "core/tour/tour_steps.h"
 #include "lasius/error.h"
 
@@ -178,7 +179,11 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
     return result;
   }
   order_swaths(planner, request, result, observer);
-  plan_legs(planner, result.stops, request.open, request.threads, found);
+  const auto n = static_cast<int>(found.order.size());
+  for (int i = 0; n > 1 && i < (request.open ? n - 1 : n); ++i)
+    found.legs.push_back({found.order[i], found.order[(i + 1) % n], 0, {}, 0});
+  plan_legs(planner, result.stops, request.threads, found);
+  sum_up(found);
   if (found.lower_bound) found.lower_bound = std::min(found.length, *found.lower_bound);
   constexpr double kRounding = 1e-9;
   found.optimal = found.gap() && *found.gap() <= kRounding && found.status == Status::solved;

@@ -5,8 +5,9 @@ import { showBitmap } from "./bitmap_page.js";
 import { showDrive } from "./drive_page.js";
 import { showPolygon } from "./polygon_page.js";
 import { showStudy } from "./study_page.js";
+import { showTour } from "./tour_page.js";
 
-const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive, polygon: showPolygon, study: showStudy };
+const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive, polygon: showPolygon, study: showStudy, tour: showTour };
 
 async function main() {
   const content = JSON.parse(document.getElementById("content").textContent);

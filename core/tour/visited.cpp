@@ -1,0 +1,136 @@
+#include "core/tour/visited.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/number_text.h"
+
+namespace lasius {
+
+namespace {
+
+// As it was given.
+std::string stop_name(const TourRequest& request, int i) {
+  if (!request.points.empty()) return pair_text(request.points[i].x, request.points[i].y);
+  return pair_text(request.stops[i].x, request.stops[i].y);
+}
+
+// A point where cells meet may be of two regions, which no path joins there: then the centres of
+// these cells stand for it.
+std::vector<Point> anchors_of(const Planner& planner, Point p) {
+  const bool meeting = p.x == std::floor(p.x) && p.y == std::floor(p.y);
+  if (!meeting || planner.robot().radius > 0) return {p};
+  std::vector<Point> anchors;
+  for (const double dy : {0.5, -0.5})
+    for (const double dx : {0.5, -0.5})
+      if (const Point at{p.x + dx, p.y + dy}; planner.clear_at(at)) anchors.push_back(at);
+  return anchors;
+}
+
+class Regions {
+ public:
+  Regions(const Planner& planner, std::span<const Point> points) : of_(points.size()) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!planner.clear_at(points[i])) continue;
+      for (const Point at : anchors_of(planner, points[i])) {
+        const auto joined = [&](Point other) { return planner.joined_at(other, at); };
+        const auto found = std::find_if(anchors_.begin(), anchors_.end(), joined);
+        const int region = static_cast<int>(found - anchors_.begin());
+        if (found == anchors_.end()) anchors_.push_back(at);
+        if (!holds(static_cast<int>(i), region)) of_[i].push_back(region);
+      }
+    }
+  }
+
+  int size() const noexcept { return static_cast<int>(anchors_.size()); }
+  /// None of a stop that is outside or blocked.
+  const std::vector<int>& of(int stop) const { return of_[stop]; }
+  bool holds(int stop, int region) const {
+    return std::find(of_[stop].begin(), of_[stop].end(), region) != of_[stop].end();
+  }
+
+ private:
+  std::vector<Point> anchors_;
+  std::vector<std::vector<int>> of_;
+};
+
+// The stops of each task.
+std::vector<std::vector<int>> tasks_of(const TourRequest& request, int stops) {
+  std::map<int, std::size_t> known;
+  std::vector<std::vector<int>> tasks;
+  for (int i = 0; i < stops; ++i) {
+    const int group = request.group.empty() ? -1 : request.group[i];
+    const auto [at, is_new] = known.try_emplace(group, tasks.size());
+    if (group < 0 || is_new)
+      tasks.push_back({i});
+    else
+      tasks[at->second].push_back(i);
+  }
+  return tasks;
+}
+
+}  // namespace
+
+std::vector<int> ends_of(const TourRequest& request) {
+  std::vector<int> ends = request.robots;
+  for (const auto& end : {request.start, request.goal})
+    if (end) ends.push_back(*end);
+  return ends;
+}
+
+std::vector<int> visited(const Planner& planner, const TourRequest& request,
+                         std::span<const Point> points, TourResult& tour) {
+  const int n = static_cast<int>(points.size());
+  const Regions regions(planner, points);
+  const std::vector<std::vector<int>> tasks = tasks_of(request, n);
+  const std::vector<int> ends = ends_of(request);
+  // The region that holds most ends, of these the first robot's or the start; then most tasks.
+  int chosen = -1;
+  std::vector<std::int64_t> most;
+  for (int region = 0; region < regions.size(); ++region) {
+    const auto in = [&](int stop) { return regions.holds(stop, region); };
+    std::vector<std::int64_t> worth{std::count_if(ends.begin(), ends.end(), in)};
+    if (request.robots.empty()) worth[0] = 0;
+    for (const auto& end : {request.start, request.goal})
+      if (request.robots.empty()) worth.push_back(end && in(*end));
+    if (!request.robots.empty()) worth.push_back(in(request.robots.front()));
+    worth.push_back(std::count_if(tasks.begin(), tasks.end(), [&](const auto& stops) {
+      return std::any_of(stops.begin(), stops.end(), in);
+    }));
+    if (chosen < 0 || worth > most) chosen = region, most = std::move(worth);
+  }
+  const auto in = [&](int stop) { return chosen >= 0 && regions.holds(stop, chosen); };
+  const auto why_not = [&](int i) {
+    const Point p = points[i];
+    const Grid& map = planner.grid();
+    const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
+    return "stop " + number_text(i) + " at " + stop_name(request, i) +
+           (!inside                 ? " is outside the map"
+            : regions.of(i).empty() ? " is blocked"
+                                    : " cannot be reached from the others");
+  };
+  for (const std::vector<int>& stops : tasks) {
+    const bool done = std::any_of(stops.begin(), stops.end(), in);
+    for (const int i : stops) {
+      const bool is_end = std::count(ends.begin(), ends.end(), i) > 0;
+      if (in(i) || (!is_end && (done || i != stops.front()))) continue;
+      tour.left_out.push_back({i, why_not(i)});
+      if (is_end)
+        tour.error = tour.left_out.back().why;
+      else if (stops.size() > 1)
+        tour.left_out.back().group = request.group[i];
+    }
+  }
+  std::sort(tour.left_out.begin(), tour.left_out.end(),
+            [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
+  for (LeftOut& out : tour.left_out)
+    if (out.group >= 0)
+      out.why = "no stop of group " + number_text(out.group) + " can be visited: " + out.why;
+  std::vector<int> indices;
+  for (int i = 0; i < n; ++i)
+    if (in(i)) indices.push_back(i);
+  return indices;
+}
+
+}  // namespace lasius

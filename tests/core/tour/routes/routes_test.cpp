@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/base/poller.h"
+#include "core/tour/routes/find_routes.h"
+#include "core/tour/routes/route_bound.h"
+#include "core/tour/routes/route_state.h"
+#include "tests/core/tour/order/instances.h"
+
+namespace lasius::tour {
+namespace {
+
+constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max();
+
+// All orders of tasks, cut into routes everywhere, by each choice of stops.
+class BruteForce {
+ public:
+  BruteForce(const RouteProblem& problem, const Costs& costs) : problem_(problem), costs_(costs) {}
+
+  std::int64_t least() {
+    std::vector<int> tasks(problem_.size());
+    std::iota(tasks.begin(), tasks.end(), 0);
+    do {
+      tasks_ = tasks;
+      at_ = 0;
+      route(0, 0);
+    } while (std::next_permutation(tasks.begin(), tasks.end()));
+    return least_;
+  }
+
+ private:
+  // Routes from `r` on, what went before at `sum`.
+  void route(std::size_t r, std::int64_t sum) {
+    if (r == problem_.routes.size()) {
+      if (at_ == tasks_.size()) least_ = std::min(least_, sum);
+      return;
+    }
+    go_on(r, sum, problem_.routes[r].start, 0, -1);
+  }
+  void go_on(std::size_t r, std::int64_t sum, int last, int done, int first) {
+    const Ends& ends = problem_.routes[r];
+    const int end = ends.open ? ends.goal : ends.start >= 0 ? ends.start : first;
+    const std::size_t at = at_;
+    route(r + 1, sum + (last >= 0 && end >= 0 ? costs_(last, end) : 0));
+    at_ = at;
+    if (at == tasks_.size() || (problem_.most > 0 && done == problem_.most)) return;
+    for (const int stop : problem_.tasks[static_cast<std::size_t>(tasks_[at])]) {
+      at_ = at + 1;
+      go_on(r, sum + (last >= 0 ? costs_(last, stop) : 0), stop, done + 1,
+            first >= 0 ? first : stop);
+      at_ = at;
+    }
+  }
+
+  const RouteProblem& problem_;
+  const Costs& costs_;
+  std::vector<int> tasks_;
+  std::size_t at_ = 0;
+  std::int64_t least_ = kNoCost;
+};
+
+// Each task once, by one of its stops, each route between its ends.
+void expect_whole(const RouteProblem& problem, const std::vector<std::vector<int>>& orders) {
+  ASSERT_EQ(orders.size(), problem.routes.size());
+  std::vector<int> times(problem.tasks.size(), 0);
+  for (std::size_t r = 0; r < orders.size(); ++r) {
+    const Ends& ends = problem.routes[r];
+    std::vector<int> stops = orders[r];
+    if (ends.goal >= 0) {
+      ASSERT_EQ(stops.back(), ends.goal);
+      stops.pop_back();
+    }
+    if (ends.start >= 0) {
+      ASSERT_EQ(stops.front(), ends.start);
+      stops.erase(stops.begin());
+    }
+    EXPECT_LE(static_cast<int>(stops.size()), problem.room());
+    for (const int stop : stops) {
+      int task = 0;
+      while (task < problem.size() &&
+             !std::count(problem.tasks[task].begin(), problem.tasks[task].end(), stop))
+        ++task;
+      ASSERT_LT(task, problem.size());
+      ++times[task];
+    }
+  }
+  EXPECT_EQ(times, std::vector<int>(times.size(), 1));
+}
+
+// The last stops of an instance are starts and goals, the others tasks of one to three stops.
+RouteProblem problem_of(int stops, std::vector<Ends> routes, std::uint32_t seed, bool groups) {
+  RouteProblem problem{.tasks = {}, .routes = std::move(routes)};
+  kernels::RandomStream random(seed, 1, 0);
+  int last = stops;
+  for (Ends& ends : problem.routes)
+    for (int* const end : {&ends.start, &ends.goal})
+      if (*end >= 0) *end = --last;
+  for (int v = 0; v < last;) {
+    problem.tasks.emplace_back();
+    for (int count = groups ? 1 + random.below(3) : 1; count > 0 && v < last; --count)
+      problem.tasks.back().push_back(v++);
+  }
+  return problem;
+}
+
+const std::vector<std::vector<Ends>> kRoutes = {{{}},
+                                                {{false, 0}},
+                                                {{true}},
+                                                {{true, 0}},
+                                                {{true, -1, 0}},
+                                                {{true, 0, 0}},
+                                                {{false, 0}, {false, 0}},
+                                                {{true, 0}, {true, 0}},
+                                                {{true, 0}, {true, 0}, {true, 0}},
+                                                {{false, 0}, {false, 0}, {false, 0}}};
+
+TEST(Routes, BySubsetsAreThoseOfBruteForce) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed)
+    for (const auto& routes : kRoutes)
+      for (const bool groups : {false, true})
+        for (const int most : {0, 3}) {
+          const int stops = (groups ? 10 : 6) + static_cast<int>(routes.size());
+          const Instance instance = random_instance(stops, seed, seed % 2 == 0);
+          RouteProblem problem = problem_of(stops, routes, seed, groups);
+          problem.most = most;
+          if (problem.room() * static_cast<int>(routes.size()) < problem.size()) continue;
+          const std::int64_t least = BruteForce(problem, instance.costs()).least();
+          const RoutesFound found = find_routes(problem, instance.costs(), {});
+          EXPECT_TRUE(found.optimal);
+          EXPECT_EQ(found.cost, least) << "seed " << seed << ", " << routes.size() << " routes";
+          EXPECT_EQ(found.cost, cost_of(instance.costs(), found.orders, routes[0].open));
+          expect_whole(problem, found.orders);
+          const StopCondition never;
+          Poller poller(never);
+          EXPECT_LE(routes_bound(problem, instance.costs(), least + 5, poller), least);
+        }
+}
+
+// The program over subsets is not asked for 13 tasks: the search and the bound against each other,
+// and of 12 tasks, with one more that costs nothing, against the program.
+TEST(Routes, AreFoundBySearch) {
+  int near = 0, cases = 0, best = 0;
+  for (std::uint32_t seed = 1; seed <= 3; ++seed)
+    for (const auto& routes : kRoutes)
+      for (const bool groups : {false, true}) {
+        const int ends = static_cast<int>(problem_of(9, routes, 1, false).tasks.size());
+        const int stops = 12 + 9 - ends;
+        Instance instance = random_instance(stops, seed);
+        RouteProblem problem = problem_of(stops, routes, seed, false);
+        if (groups)  // one more stop of the first six
+          for (int task = 6; task < 12; ++task) {
+            problem.tasks[task - 6].push_back(problem.tasks[task].front());
+          }
+        problem.tasks.resize(groups ? 6 : 12);
+        const RoutesFound exact = find_routes(problem, instance.costs(), {});
+        ASSERT_TRUE(exact.optimal);
+        // Twins of the first task's first stop, at no cost from it.
+        const int twins = 13 - problem.size(), size = stops + twins;
+        problem.tasks.front().resize(1);
+        const RoutesFound one = find_routes(problem, instance.costs(), {});
+        const int first = problem.tasks.front().front();
+        Instance more{size, {}, std::vector<Cost>(static_cast<std::size_t>(size) * size)};
+        for (int a = 0; a < size; ++a)
+          for (int b = 0; b < size; ++b)
+            more.matrix[a * size + b] =
+                instance.costs()(a < stops ? a : first, b < stops ? b : first);
+        for (int twin = 0; twin < twins; ++twin) problem.tasks.push_back({stops + twin});
+        const RoutesFound found = find_routes(problem, more.costs(), {.generations = 3});
+        EXPECT_FALSE(found.optimal);
+        expect_whole(problem, found.orders);
+        EXPECT_EQ(found.cost, cost_of(more.costs(), found.orders, routes[0].open));
+        EXPECT_LE(100 * found.cost, 102 * one.cost) << "seed " << seed << ", " << routes.size();
+        const StopCondition never;
+        Poller poller(never);
+        const std::int64_t bound = routes_bound(problem, more.costs(), found.cost + 5, poller);
+        EXPECT_LE(bound, one.cost);
+        best += found.cost == one.cost;
+        if (groups) continue;  // what is between the stops of a task stays in their bound
+        ++cases;
+        near += 100 * bound >= 90 * one.cost;
+      }
+  EXPECT_EQ(cases, 30);
+  EXPECT_GE(near, 22);
+  EXPECT_GE(best, 56);
+}
+
+// Knows all legs by their bounds, which are half, until they are priced.
+struct Late final : Pricer {
+  explicit Late(const Instance& of) : stops(of) {}
+  Cost price(int a, int b) override { return ++priced, stops.costs()(a, b); }
+  Cost lower(int a, int b) const override { return stops.costs()(a, b) / 2; }
+  Cost largest() const override { return stops.costs().largest(); }
+  const Instance& stops;
+  int priced = 0;
+};
+
+TEST(Routes, AreTheSameAgainAndEndWhenTold) {
+  const Instance instance = random_instance(120, 7);
+  RouteProblem problem = problem_of(120, {{false, 0}, {false, 0}, {false, 0}}, 7, true);
+  problem.most = problem.size() / 3 + 1;
+  const RoutesFound first = find_routes(problem, instance.costs(), {.generations = 2});
+  expect_whole(problem, first.orders);
+  EXPECT_EQ(find_routes(problem, instance.costs(), {.generations = 2}).orders, first.orders);
+  Late late(instance);
+  const auto cost = static_cast<double>(find_routes(problem, {120, late}, {.generations = 2}).cost);
+  EXPECT_NEAR(cost, static_cast<double>(first.cost), 0.05 * cost);
+
+  int told = 0;
+  RouteOptions options{.observer = [&](const RoutesFound&) { return ++told < 2; }};
+  const RoutesFound few = find_routes(problem, instance.costs(), options);
+  EXPECT_EQ(told, 2);
+  EXPECT_GT(few.cost, first.cost);
+  std::stop_source source;
+  source.request_stop();
+  options = {.stop = {.token = source.get_token()}};
+  const RoutesFound stopped = find_routes(problem, instance.costs(), options);
+  EXPECT_EQ(stopped.cause, StopCondition::Cause::token);
+  expect_whole(problem, stopped.orders);
+}
+
+TEST(Routes, CostWhatTheirLegsCost) {
+  for (const auto& routes : kRoutes) {
+    const Instance instance = random_instance(30, 3);
+    const RouteProblem problem = problem_of(30, routes, 5, true);
+    RouteState state(problem, instance.costs());
+    kernels::RandomStream random(9, 0, 0);
+    for (int step = 0; step < 300; ++step) {
+      const int task = random.below(problem.size());
+      if (state.in(task)) {
+        state.remove(task);
+      } else {
+        RouteState::Place best;
+        state.try_all(task, best);
+        state.insert(task, best);
+      }
+      ASSERT_EQ(state.cost(), cost_of(instance.costs(), state.orders(), routes[0].open));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lasius::tour
