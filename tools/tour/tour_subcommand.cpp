@@ -30,10 +30,9 @@ constexpr const char* kTourOutputs =
 
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
-  for (const char* option :
-       {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame", "--radius",
-        "--unknown-free", "--prepare", "--prepared", "--corners", "--cost", "--inflation",
-        "--most-stops", "--spacing"})
+  for (const char* option : {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame",
+                             "--radius", "--unknown-free", "--prepare", "--prepared", "--corners",
+                             "--cost", "--inflation", "--most-stops", "--spacing"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
