@@ -180,7 +180,6 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   touched_ = nullptr;
   improving_ = false;
   near_lines_ = exact::kLeastNear;
-  barren_tests_ = exact::kFirstBarrenTests;
   passes_goal_ = false;
   const kernels::HalfPoint near = start_.near();
   corners_.reset(grid.width(),

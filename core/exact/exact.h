@@ -21,8 +21,6 @@ namespace exact {
 constexpr double kTrailBuckets = 1024;
 /// Lines from a root to where its scan asks for limits: doubled after a scan that they did not cut.
 constexpr int kLeastNear = 12, kMostNear = 96;
-/// Corners that are looked at for whether they are barren, and more for each that is.
-constexpr int kFirstBarrenTests = 64, kTestsForBarren = 8;
 
 /// What a search did, for benchmarks and tests.
 struct Counters {
@@ -61,9 +59,8 @@ struct Counters {
 ///     what lies behind the horizon is shorter than.
 /// The first two cannot be on a shortest path; the third cannot improve the answer; the fourth is
 /// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
-/// pulled shorter than the optimum. A corner in whose cone there is neither goal nor corner
-/// (barren) is left out where it is seen: no shortest path bends there. Lengths are compared as
-/// computed, so the answer is the optimum up to exact::kRounding.
+/// pulled shorter than the optimum. Lengths are compared as computed, so the answer is the optimum
+/// up to exact::kRounding.
 ///
 /// Start and goal may be any points. A corner's cone is scanned from the corner, a lattice point;
 /// of what it came from only the cone's one edge tells, a slope. Where that is no lattice direction
@@ -144,12 +141,7 @@ class ExactSearch {
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
-  template <class Barren>
-  double reach(std::uint32_t parent, int x, int y, exact::Heading heading, double length,
-               const Barren& is_barren);
-  bool is_barren(int x, int y, exact::Heading heading) noexcept;
-  template <int S>
-  bool is_barren_towards(int x, int y, exact::Heading heading) const noexcept;
+  double reach(std::uint32_t parent, int x, int y, exact::Heading heading, double length);
   bool learn_limits(bool asked, bool cut_off) noexcept;
   std::int64_t work_done() const noexcept;
   bool lower_weight();
@@ -179,7 +171,6 @@ class ExactSearch {
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   int near_lines_ = exact::kLeastNear;  // to where scans ask for limits
-  int barren_tests_ = 0;                // that are still worth their time
   exact::Counters counters_;
 };
 

@@ -60,66 +60,24 @@ struct ExactSearch::Visitor {
   }
 };
 
-// Is there neither goal nor corner in the taut cone of a corner seen from the root in hand? Looks
-// at the two rows ahead (which end the rays at most steps of an outline) and at the block's own.
-template <int S>
-bool ExactSearch::is_barren_towards(int x, int y, Heading heading) const noexcept {
-  using B = kernels::Bits<S>;
-  const int down = heading.down();
-  const int to_goal = down * (goal_.near().y - 2 * y);  // in half cells
-  if (to_goal >= 0 && to_goal <= 4) return false;
-  const auto row = [&](int ahead) {
-    return B::window(kernels::bytes_of(map_.row(down > 0 ? y + ahead : y - 1 - ahead)), S * x);
-  };
-  const auto first = [](std::uint64_t cells) {  // kValid if it is farther
-    return cells == 0 ? B::kValid : std::min(B::first(cells), B::kValid);
-  };
-  const int dx = S * (2 * x - root_.x), dy = down * (2 * y - root_.y);
-  if (heading.towards_column()) {
-    if (dx == 0) return true;
-    const int shut = first(~row(1));
-    return shut > 0 && (dx < shut * dy || (shut < B::kValid && shut >= first(row(0))));
-  }
-  const int wall = first(row(0));
-  if (wall == B::kValid || first(~row(-1)) < wall) return false;
-  if (dx >= wall * dy) return true;
-  const std::uint64_t open = ~row(1) & B::to(wall - 1);
-  const int shut = open == 0 ? 0 : B::last(open) + 1;
-  return shut < wall && dx > shut * dy;
-}
-
-// Where few corners are barren they are no longer looked at.
-bool ExactSearch::is_barren(int x, int y, Heading heading) noexcept {
-  if (barren_tests_ == 0) return false;
-  const bool barren = heading.right() > 0 ? is_barren_towards<1>(x, y, heading)
-                                          : is_barren_towards<-1>(x, y, heading);
-  barren_tests_ += barren ? exact::kTestsForBarren : -1;
-  return barren;
-}
-
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
 // length of a shorter way there, or a negative number.
 double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
-  const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
-  return reach(parent, x, y, heading, length, [&] { return is_barren(x, y, heading); });
+  return reach(parent, x, y, heading, root_.length + distance(root_.x, root_.y, 2 * x, 2 * y));
 }
 
-template <class Barren>
-double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, double length,
-                          const Barren& is_barren) {
+double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, double length) {
   std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
-  bool barren = false;
   if (index != CornerTable::kStart) {
     const Corner& known = corners_[index];
     if (length >= known.length) return known.length;
     to_goal = known.to_goal;
-    barren = is_barren();
   } else {
     if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
     to_goal = distance(2 * x, 2 * y, goal_.x, goal_.y);
-    if (length + to_goal >= upper_ || is_barren()) return -1;
+    if (length + to_goal >= upper_) return -1;
     index = corners_.add(slot, x, y);
   }
   Corner& corner = corners_[index];
@@ -127,11 +85,9 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, d
   corner.to_goal = to_goal;
   corner.parent = parent;
   corner.heading = heading;
-  corner.expanded = barren;
+  corner.expanded = false;
   corner.scans = 0;
-  if (barren) {
-    corner.weighed = true;
-  } else if (length + to_goal < upper_) {
+  if (length + to_goal < upper_) {
     if (!improving_) frontier_.push(index, length + to_goal);
     if (bounding_) corner.weighed = false;
     if (weighted_on_ && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
@@ -224,7 +180,7 @@ void ExactSearch::look_around_start() {
     const bool column = seen.side == exact::kColumn;
     const Heading heading(column ? -seen.block_x : seen.block_x,
                           column ? seen.block_y : -seen.block_y, column);
-    reach(CornerTable::kStart, seen.x, seen.y, heading, way(seen.x, seen.y), [] { return false; });
+    reach(CornerTable::kStart, seen.x, seen.y, heading, way(seen.x, seen.y));
   });
 }
 

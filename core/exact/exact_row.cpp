@@ -13,7 +13,6 @@ bool ExactSearch::row(const Grid& grid, Point from, Point to, double bound,
   upper_ = bound;
   bounding_ = weighted_on_ = false;
   passes_goal_ = true;
-  barren_tests_ = 0;  // each corner counts
   Poller poller(stop, exact::kWordsPerPoll);
   poller_ = &poller;
   frontier_.reset(lower_, exact::kBucketWidth);

@@ -177,7 +177,9 @@ TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
       const Result alone = planner.plan(queries[answer.index], {}, &workspace);
       EXPECT_EQ(answer.result.status, alone.status);
       EXPECT_EQ(answer.result.path, alone.path);
-      EXPECT_EQ(answer.result.length, alone.length);
+      if (!alone.path.empty()) {
+        EXPECT_EQ(answer.result.length, alone.length);
+      }
       EXPECT_EQ(answer.result.lower_bound, alone.lower_bound);
       EXPECT_EQ(answer.result.optimal, alone.optimal);
     });
