@@ -29,17 +29,9 @@ double CrossingsOptimizer::optimize(Point from, Point to, std::span<Crossing> cr
   if (crossings.empty()) return cost;
   double damping = 1e-6;
   trial_.assign(crossings.begin(), crossings.end());
+  bool moved = true;
   for (int step = 0; step < most_steps && damping < 1e6; ++step) {
-    derive(from, to, crossings, weights);
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-      // What is pushed out at an end stays there.
-      const double t = crossings[i].t;
-      if ((t > 0 || slope_[i] < 0) && (t < 1 || slope_[i] > 0)) continue;
-      slope_[i] = 0;
-      bend_[i] = 1;
-      coupling_[i] = 0;
-      if (i > 0) coupling_[i - 1] = 0;
-    }
+    if (moved) derive_within(from, to, crossings, weights);
     solve(damping);
     double gain = 0;
     for (double share = 1; share > 0.1; share /= 2) {
@@ -51,7 +43,8 @@ double CrossingsOptimizer::optimize(Point from, Point to, std::span<Crossing> cr
       cost = there;
       break;
     }
-    if (gain > 0) {
+    moved = gain > 0;
+    if (moved) {
       std::ranges::copy(trial_, crossings.begin());
       damping = std::max(1e-9, damping * 0.1);
       if (gain < 1e-13 * cost) break;
@@ -60,6 +53,20 @@ double CrossingsOptimizer::optimize(Point from, Point to, std::span<Crossing> cr
     }
   }
   return cost;
+}
+
+// The same, save that what is pushed out at an end stays there.
+void CrossingsOptimizer::derive_within(Point from, Point to, std::span<const Crossing> crossings,
+                                       std::span<const double> weights) {
+  derive(from, to, crossings, weights);
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const double t = crossings[i].t;
+    if ((t > 0 || slope_[i] < 0) && (t < 1 || slope_[i] > 0)) continue;
+    slope_[i] = 0;
+    bend_[i] = 1;
+    coupling_[i] = 0;
+    if (i > 0) coupling_[i - 1] = 0;
+  }
 }
 
 void CrossingsOptimizer::derive(Point from, Point to, std::span<const Crossing> crossings,

@@ -47,6 +47,8 @@ class CrossingsOptimizer {
  private:
   void derive(Point from, Point to, std::span<const Crossing> crossings,
               std::span<const double> weights);
+  void derive_within(Point from, Point to, std::span<const Crossing> crossings,
+                     std::span<const double> weights);
   void solve(double damping);
 
   std::vector<double> slope_, bend_, coupling_, move_, scratch_;
