@@ -169,8 +169,11 @@ TEST(PreparedPlanner, AFileKeepsWhatWasPrepared) {
 
 // A batch makes a graph for itself, which shows in no answer.
 TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
-  const Planner planner(map());
-  const auto queries = some_queries(1500);
+  const Planner planner(generate(MapKind::maze, {300, 300, -1, 2}));
+  std::mt19937 random(3);
+  std::vector<Request> queries;
+  while (queries.size() < 600)
+    queries.push_back({random_cell(planner.grid(), random), random_cell(planner.grid(), random)});
   Workspace workspace;
   for (const int threads : {1, 2}) {
     plan_batch(planner, queries, {}, {.threads = threads}, [&](const BatchAnswer& answer) {
