@@ -85,7 +85,7 @@ StaleAnswers::Freed StaleAnswers::freed(Cell cell, exact::LabelSearch& search) c
       if ((dx == 0 && dy == 0) || grid.blocked(c)) continue;
       const bool across = dx != 0 && dy != 0;
       if (across && (grid.free({c.x, cell.y}) || grid.free({cell.x, c.y}))) continue;
-      found.beside.push_back(search.view(grid, *older_->graph, *older_->labels, centre(c)));
+      found.beside.push_back(search.view(grid, *older_->graph, *older_->labels, centre(c), {}));
     }
   return found;
 }
@@ -131,7 +131,7 @@ bool StaleAnswers::none_shorter(Memory memory, Point from, Point to, double leng
   const exact::CornerGraph& graph = *older_->graph;
   const exact::CornerLabels& labels = *older_->labels;
   const auto measure = [&](Point end, double Doubtful::*bound) {
-    const auto view = memory.labels.view(older_->grid, graph, labels, end);
+    const auto view = memory.labels.view(older_->grid, graph, labels, end, {});  // whole
     std::array<double, 8> lengths{};
     for (Doubtful& one : doubtful) {
       const auto& beside = one.freed->beside;
