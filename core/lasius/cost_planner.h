@@ -46,8 +46,8 @@ struct CostOptions {
 };
 
 /// Finds the cheapest path over costs, of any angle, within a gap that it proves. Immutable; copies
-/// share what they hold: 8 bytes a cell, for a disc 16. A call takes 9 bytes a cell, and in the
-/// cells where a cheapest path may be, half of the map on long ways, 80 more.
+/// share what they hold: 8 bytes a cell, for a disc 16. A call takes 18 bytes a cell, and in the
+/// cells where a cheapest path may be, half of the map on long ways, 95 more.
 ///
 /// For a disc the bound is that of the cells where its centre may be at some point. Mostly their
 /// cheapest path keeps the radius, since costs are high near what is blocked; where it does not,
