@@ -37,7 +37,7 @@ class CornerGraph::Builder {
       list_corners();
       scan();
       if (!stopped_ && !too_large_) list_one_ways();
-      graph_->edge_count_ = graph_->edge_room_ = edges_;
+      graph_->edge_count_ = edges_;
     }
     report.state = too_large_ ? Preparation::State::too_large : Preparation::State::stopped;
     if (too_large_ || stopped_) return nullptr;
@@ -144,7 +144,7 @@ void CornerGraph::Builder::mark_corners() {
 void CornerGraph::Builder::list_corners() {
   CornerGraph& g = *graph_;
   g.ranks_.reserve(static_cast<std::size_t>(tiles()));
-  g.corners_.reserve(room_for_edits(static_cast<std::uint32_t>(corner_count_)));
+  g.corners_.reserve(static_cast<std::size_t>(corner_count_));
   for (std::int64_t t = 0; t < tiles(); ++t) {
     const std::uint64_t all = g.tiles_[t];
     if (!go_on(1 + 2 * std::popcount(all))) return;
@@ -187,7 +187,7 @@ void CornerGraph::Builder::scan_chunk(std::size_t chunk, CornerSight& sight) {
     too_large_ = true;
     return;
   }
-  g.chunks_[chunk] = {std::make_unique_for_overwrite<GraphEdge[]>(edges.size()), count(), count()};
+  g.chunks_[chunk] = {std::make_unique_for_overwrite<GraphEdge[]>(edges.size()), count()};
   std::copy(edges.begin(), edges.end(), g.chunks_[chunk].edges.get());
 }
 
@@ -222,9 +222,8 @@ void CornerGraph::Builder::list_one_ways() {
   too_large_ = fixed_bytes_ + edges_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + bytes >
                options_.max_bytes;
   if (too_large_) return;
-  g.one_way_.reserve(room_for_edits(g.size()));
   g.one_way_.resize(g.size());
-  g.one_ways_.reserve(count + room_for_edits(0));
+  g.one_ways_.reserve(count);
   g.one_ways_.push_back({});
   for (const auto& edges : found) {
     for (const DirectedEdge& e : edges) g.add_one_way(e.from, e.edge.to());
@@ -243,10 +242,9 @@ std::int64_t CornerGraph::expected_bytes(const Grid& grid, const PrepareOptions&
 std::int64_t CornerGraph::bytes() const noexcept {
   return static_cast<std::int64_t>(
              ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
-             renumbered_.size() * sizeof(renumbered_[0]) + corners_.size() * sizeof(GraphCorner) +
-             chunks_.size() * sizeof(chunks_[0]) + one_way_.size() * sizeof(one_way_[0]) +
-             one_ways_.size() * sizeof(one_ways_[0])) +
-         edge_room_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
+             corners_.size() * sizeof(GraphCorner) + chunks_.size() * sizeof(chunks_[0]) +
+             one_way_.size() * sizeof(one_way_[0]) + one_ways_.size() * sizeof(one_ways_[0])) +
+         edge_count_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
 }
 
 }  // namespace lasius::exact

@@ -82,7 +82,7 @@ struct GraphEdge {
 };
 static_assert(sizeof(GraphEdge) == 8);
 
-/// An edge and where it comes from: one that an edit brings or takes, say.
+/// An edge and where it comes from.
 struct DirectedEdge {
   std::uint32_t from;
   GraphEdge edge;
@@ -93,7 +93,7 @@ class ArrayReader;
 
 /// The tangent visibility graph of a map: an edge joins two corners that see each other where a
 /// taut path may come along at both ends. Corners are numbered tile by tile, 8 x 8 lattice points
-/// each; after edits some numbers stand for no corner.
+/// each.
 class CornerGraph {
  public:
   /// Scans from every corner, in parallel; the result does not depend on the threads. Null if it
@@ -104,31 +104,16 @@ class CornerGraph {
   /// at most, evenly spread. Where that is more than the bytes allowed it may be less than all.
   static std::int64_t expected_bytes(const Grid& grid, const PrepareOptions& options);
 
-  /// Brings the graph up to date with `grid`, the map that it was made of, but for cells of this
-  /// rectangle, which may have changed. It then has the edges that a graph made anew has, while
-  /// other corners keep their numbers. Landmarks bound what they did, or somewhat less; one that
-  /// would take too much work to mend is dropped.
-  ///
-  /// Takes time by how many corners see the rectangle, and how far they see beyond it. Corners that
-  /// see nothing of it are not looked at, nor is memory for all corners. Returns false if stopped:
-  /// then the graph is of no map, and is to be made anew. Deterministic, one thread; nobody may
-  /// search at the same time.
-  bool update(const Grid& grid, const Rectangle& changed, const StopCondition& stop = {});
-
-  /// Numbers of corners, and those that are none any more: they have no edges.
+  /// How many corners there are.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
   const GraphCorner& corner(std::uint32_t i) const noexcept { return corners_[i]; }
   /// The corner at a lattice point that is one.
   std::uint32_t index(int x, int y) const noexcept {
     const std::size_t tile = tile_of(x, y);
     const int place = place_of(x, y);
-    const std::uint32_t rank = ranks_[tile];
-    if ((rank & kRenumbered) != 0) {
-      return renumbered_[rank & ~kRenumbered][static_cast<std::size_t>(place)];
-    }
     const std::uint64_t before = (std::uint64_t{1} << place) - 1;
     const std::uint64_t here = tiles_[static_cast<std::int64_t>(tile)];
-    return rank + static_cast<std::uint32_t>(std::popcount(here & before));
+    return ranks_[tile] + static_cast<std::uint32_t>(std::popcount(here & before));
   }
   /// What a corner sees on one side, from the block's edge on.
   std::span<const GraphEdge> edges(std::uint32_t i, Side side) const noexcept {
@@ -147,9 +132,7 @@ class CornerGraph {
   /// path can only go straight on, or sight has no width.
   template <class F>
   void for_each_one_way(std::uint32_t to, F&& f) const {
-    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
-      if (leads(one_ways_[i].from, to)) f(one_ways_[i].from);
-    }
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) f(one_ways_[i].from);
   }
   const Landmarks& landmarks() const noexcept { return landmarks_; }
 
@@ -157,15 +140,10 @@ class CornerGraph {
   /// corners in ten, when the graph was made; infinite without landmarks.
   double detour() const noexcept { return detour_; }
 
-  /// What is kept for each corner has memory reserved for so many; pages that are not written are
-  /// not taken.
-  static constexpr std::uint32_t room_for_edits(std::uint32_t corners) noexcept {
-    return corners + corners / 8 + 4096;
-  }
   std::int64_t edge_count() const noexcept { return edge_count_; }
   std::int64_t bytes() const noexcept;
 
-  /// To a file and back; of a graph that saw no edits. What is read is checked to be a graph, not
+  /// To a file and back. What is read is checked to be a graph, not
   /// to be that of the map. @throws Error(file_broken)
   void save(ArrayWriter& to) const;
   static std::shared_ptr<CornerGraph> load(const Grid& grid, ArrayReader& from);
@@ -173,27 +151,19 @@ class CornerGraph {
  private:
   static constexpr int kChunkBits = 6;
   static constexpr std::uint32_t kChunk = std::uint32_t{1} << kChunkBits;  // corners
-  static constexpr std::uint32_t kRenumbered = std::uint32_t{1} << 31;
   class Builder;
-  class Updater;
 
-  // Edges of kChunk corners. An edit may leave gaps between those of one corner and the next.
+  // Edges of kChunk corners.
   struct Chunk {
     std::unique_ptr<GraphEdge[]> edges;
-    std::uint32_t used = 0, capacity = 0;
+    std::uint32_t used = 0;
   };
 
-  // Edges by where they lead: all that do not lead back, and maybe others that are no more.
+  // Edges by where they lead: all that do not lead back.
   struct OneWay {
     std::uint32_t from, next;
   };
 
-  bool leads(std::uint32_t from, std::uint32_t to) const noexcept {
-    for (const GraphEdge& edge : edges(from)) {
-      if (edge.to() == to) return true;
-    }
-    return false;
-  }
   bool leads_back(std::uint32_t from, const GraphEdge& edge) const noexcept {
     for (const GraphEdge& back : edges(edge.to(), edge.side() == kLine ? kColumn : kLine)) {
       if (back.to() == from) return true;
@@ -203,12 +173,6 @@ class CornerGraph {
   void add_one_way(std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
       if (one_ways_[i].from == from) return;
-    }
-    // Entries that no longer lead here are used again, so that edits do not make the list grow.
-    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
-      if (leads(one_ways_[i].from, to)) continue;
-      one_ways_[i].from = from;
-      return;
     }
     one_ways_.push_back({from, one_way_[to]});
     one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
@@ -223,15 +187,12 @@ class CornerGraph {
 
   std::size_t tiles_across_ = 0;
   ZeroArray<std::uint64_t> tiles_;    // a bit for each corner
-  std::vector<std::uint32_t> ranks_;  // corners before a tile, or kRenumbered and a place in:
-  std::vector<std::array<std::uint32_t, 64>> renumbered_;  // corners of a tile's lattice points
+  std::vector<std::uint32_t> ranks_;  // corners before a tile
   std::vector<GraphCorner> corners_;
-  std::vector<std::uint32_t> spare_;  // numbers of no corner
   std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> one_way_;  // by corner, the first that leads here; 0: none
   std::vector<OneWay> one_ways_;
   std::int64_t edge_count_ = 0;
-  std::int64_t edge_room_ = 0;  // of all chunks
   Landmarks landmarks_;
   double detour_ = kInfinity;
 };

@@ -59,7 +59,7 @@ std::shared_ptr<CornerGraph> CornerGraph::load(const Grid& grid, ArrayReader& fr
       used = c.last;
     }
     from.require(used <= edges.size() - before);
-    Chunk chunk{std::make_unique_for_overwrite<GraphEdge[]>(used), used, used};
+    Chunk chunk{std::make_unique_for_overwrite<GraphEdge[]>(used), used};
     for (std::uint32_t i = 0; i < used; ++i) {
       const GraphEdge& edge = chunk.edges[i] = edges[before + i];
       from.require(edge.to() < count && edge.x == g.corners_[edge.to()].x() &&
@@ -69,7 +69,7 @@ std::shared_ptr<CornerGraph> CornerGraph::load(const Grid& grid, ArrayReader& fr
     before += used;
   }
   from.require(before == edges.size());
-  g.edge_count_ = g.edge_room_ = static_cast<std::int64_t>(edges.size());
+  g.edge_count_ = static_cast<std::int64_t>(edges.size());
   g.one_way_ = from.array<std::uint32_t>();
   g.one_ways_ = from.array<OneWay>();
   from.require(g.one_way_.size() == count && !g.one_ways_.empty());

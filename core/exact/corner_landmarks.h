@@ -54,9 +54,7 @@ class Landmarks {
 
   Landmarks() = default;
   Landmarks(std::vector<Cell> cells, std::vector<Distances> distances, double grain)
-      : grain_(grain), cells_(std::move(cells)), distances_(std::move(distances)) {
-    bounds_.fill(true);
-  }
+      : grain_(grain), cells_(std::move(cells)), distances_(std::move(distances)) {}
 
   double grain() const noexcept { return grain_; }
   bool empty() const noexcept { return cells_.empty(); }
@@ -67,22 +65,11 @@ class Landmarks {
     return distances_[corner][landmark];
   }
 
-  /// The length of an edge, and the most that a number may be, in whole grains.
+  /// The length of an edge in whole grains.
   float way(int x, int y) const noexcept {
     const double dx = x, dy = y;
     return static_cast<float>(whole_grains(std::sqrt(dx * dx + dy * dy), grain_));
   }
-  float most() const noexcept { return static_cast<float>(std::ldexp(grain_, kDigits + 1)); }
-
-  /// A new corner, of which nothing is known yet; at most one past the last.
-  void forget(std::uint32_t corner) {
-    if (empty()) return;
-    if (corner == distances_.size()) distances_.emplace_back();
-    distances_[corner].fill(kUnknown);
-  }
-  /// False once a landmark was dropped: it is to be left out of goals.
-  bool bounds(std::size_t landmark) const noexcept { return bounds_[landmark]; }
-  void give_up(std::size_t landmark) noexcept { bounds_[landmark] = false; }
 
   void prefetch(std::uint32_t corner) const noexcept {
     __builtin_prefetch(distances_.data() + corner);
@@ -115,7 +102,6 @@ class Landmarks {
   static_assert(kCount % kLanes == 0);
 
   double grain_ = 1;
-  std::array<bool, kCount> bounds_{};
   std::vector<Cell> cells_;
   std::vector<Distances> distances_;  // by corner
 };

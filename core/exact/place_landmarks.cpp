@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/corner_view.h"
-#include "core/exact/mend_landmarks.h"
 #include "core/exact/prepared_search.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -68,7 +69,7 @@ class Placement {
   bool forget_distances() {
     Landmarks::Distances unknown;
     unknown.fill(Landmarks::kUnknown);
-    distances.reserve(CornerGraph::room_for_edits(graph_.size()));
+    distances.reserve(graph_.size());
     while (distances.size() < graph_.size()) {
       if (poller_.stop_after(kWords)) return false;
       distances.push_back(unknown);
@@ -189,6 +190,52 @@ class alignas(64) LookAcross {
   Landmarks::Distances* result_ = nullptr;
 };
 
+/// Restores what Landmarks promise along all edges of some corners, by raising alone. Precondition:
+/// the promise holds along edges between other corners.
+class Raising {
+ public:
+  Raising(const CornerGraph& graph, Landmarks& landmarks) : graph_(graph), landmarks_(landmarks) {}
+
+  void run(std::span<const std::uint32_t> corners) {
+    for (landmark_ = 0; landmark_ < landmarks_.cells().size(); ++landmark_) {
+      queue_.clear();
+      for (const std::uint32_t corner : corners)
+        for_each_neighbour(corner,
+                           [&](std::uint32_t other, float way) { raise(other, corner, way); });
+      for (std::size_t next = 0; next < queue_.size(); ++next) {
+        const std::uint32_t corner = queue_[next];
+        for_each_neighbour(corner,
+                           [&](std::uint32_t other, float way) { raise(corner, other, way); });
+      }
+    }
+  }
+
+ private:
+  // f(other, way) for each corner that an edge joins with this one.
+  template <class F>
+  void for_each_neighbour(std::uint32_t corner, const F& f) const {
+    const int x = graph_.corner(corner).x(), y = graph_.corner(corner).y();
+    for (const GraphEdge& edge : graph_.edges(corner))
+      f(edge.to(), landmarks_.way(x - edge.x, y - edge.y));
+    graph_.for_each_one_way(corner, [&](std::uint32_t from) {
+      const GraphCorner& there = graph_.corner(from);
+      f(from, landmarks_.way(there.x() - x, there.y() - y));
+    });
+  }
+  // One end of an edge tells the other what it is to be at least.
+  void raise(std::uint32_t from, std::uint32_t to, float way) {
+    const float value = landmarks_.at(from, landmark_) - way;
+    if (!(value > landmarks_.at(to, landmark_))) return;
+    landmarks_.at(to, landmark_) = value;
+    queue_.push_back(to);
+  }
+
+  const CornerGraph& graph_;
+  Landmarks& landmarks_;
+  std::size_t landmark_ = 0;  // in hand
+  std::vector<std::uint32_t> queue_;
+};
+
 }  // namespace
 
 double measure_detour(const CornerGraph& graph) {
@@ -241,7 +288,7 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
     if (distances[v] != placed.distances[v]) shortened.push_back(v);
   }
   Landmarks landmarks(std::move(placed.cells), std::move(distances), placed.grain);
-  LandmarkMender(graph, landmarks).raise_all(shortened);
+  Raising(graph, landmarks).run(shortened);
   return landmarks;
 }
 

@@ -45,7 +45,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Point sta
   told_to_stop_ = false;
   margin_ = 0;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
-    nodes_size_ = std::max(nodes_size_, CornerGraph::room_for_edits(graph.size()));
+    nodes_size_ = std::max(nodes_size_, graph.size());
     nodes_ = ZeroArray<Node>(nodes_size_);
     stamp_ = 0;
   }
@@ -120,7 +120,7 @@ void PreparedSearch::measure_landmarks() {
     }
   }
   for (std::size_t i = 0; i < least.size(); ++i) {
-    if (landmarks.bounds(i) && least[i] < kInfinity) goal_distances_.set(i, least[i], largest[i]);
+    if (least[i] < kInfinity) goal_distances_.set(i, least[i], largest[i]);
   }
 }
 

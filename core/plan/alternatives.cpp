@@ -16,9 +16,9 @@ namespace lasius {
 
 void check_alternatives(const Request& request, const Algorithm& algorithm, Disc robot) {
   const int count = request.alternatives;
+  if (count == 0) return;  // and nothing is allocated
   require_parameter(count >= 0 && count <= Request::kMostAlternatives, "alternatives", count,
                     "it must be 0 to " + std::to_string(Request::kMostAlternatives));
-  if (count == 0) return;
   const auto refuse = [](const std::string& why, const std::string& remedy) {
     throw invalid_parameter("alternatives are asked for " + why, remedy);
   };
