@@ -19,7 +19,6 @@ using tour::RoutesFound;
 namespace {
 
 constexpr int kMostRouted = 2000;  // stops, whose tasks are compared pair by pair
-constexpr double kMostTarget = 1e6;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
   throw Error(ErrorCode::invalid_parameter, problem, remedy);

@@ -24,7 +24,6 @@ namespace {
 
 constexpr int kBoundRounds = 10;
 constexpr double kGivenOrderShare = 0.8;  // of the time to a deadline
-constexpr double kMostTarget = 1e6;       // of a target, in bounds
 
 std::vector<Before> relation_of(const std::vector<std::vector<int>>& after) {
   std::vector<Before> relation;

@@ -18,6 +18,7 @@ inline bool by_ants(const TourRequest& request) { return request.ants.algorithm(
 /// Where the stops are.
 std::vector<Point> points_of(const TourRequest& request);
 
+constexpr double kMostTarget = 1e6;  ///< of a target gap, in bounds
 constexpr double kOrderShare = 0.6;  ///< of the time to a deadline, for the order
 /// A stop condition with this share of the time to its deadline.
 StopCondition earlier(StopCondition stop, double share);

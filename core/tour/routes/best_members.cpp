@@ -10,10 +10,10 @@ namespace {
 
 using Layers = std::span<const std::vector<int>* const>;
 
-constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kNotReached = std::numeric_limits<std::int64_t>::max();
 
 struct Chosen {
-  std::int64_t cost = kNone;
+  std::int64_t cost = kNotReached;
   std::vector<int> stops;
 };
 
@@ -29,7 +29,7 @@ Chosen chosen_from(const Costs& costs, Layers layers, std::size_t begin, int fro
   for (std::size_t i = 1; i < count; ++i) {
     next.clear();
     for (const int v : layer(i)) {
-      std::int64_t best = kNone;
+      std::int64_t best = kNotReached;
       int by = 0;
       for (std::size_t u = 0; u < least.size(); ++u) {
         const std::int64_t sum = least[u] + costs(layer(i - 1)[u], v);
