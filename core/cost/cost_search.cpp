@@ -214,10 +214,14 @@ void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const Exa
   answer.length = best.cost();
   answer.lower_bound = std::min(lower, answer.length);
   answer.optimal = answer.length - answer.lower_bound <= 1e-9 * answer.length;
-  answer.cause = go_on ? poller.cause() : StopCondition::Cause::token;
-  answer.end = poller.stopped() || !go_on ? ExactEnd::stopped
-               : answer.optimal           ? ExactEnd::proven
-                                          : ExactEnd::target_gap;
+  // What is proven by then is so, though time ran out behind it.
+  const bool stopped = !go_on || (poller.stopped() && !reached());
+  answer.cause = !stopped ? StopCondition::Cause::none
+                 : go_on  ? poller.cause()
+                          : StopCondition::Cause::token;
+  answer.end = stopped          ? ExactEnd::stopped
+               : answer.optimal ? ExactEnd::proven
+                                : ExactEnd::target_gap;
 }
 
 void CostSearch::search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,

@@ -83,9 +83,13 @@ class Search {
       const auto beside = [&](std::uint32_t i) { return taken_.holds(point(out_.corners[i])); };
       if (std::ranges::all_of(via.corners, beside)) continue;
       std::vector<Point> way = way_over(via);
+      const auto size = static_cast<std::int64_t>(way.size());
+      if (poller_.stop_after(size * taken_.size())) break;
       if (taken_.shared(way) > kMostShared * path_length(way)) continue;
       const Point at = point(out_.corners[via.out]);
-      if (crosses_itself(way, std::ranges::find(way, at) - way.begin())) continue;
+      const auto vertex = std::ranges::find(way, at) - way.begin();
+      if (poller_.stop_after(vertex * (size - vertex))) break;
+      if (crosses_itself(way, vertex)) continue;
       bool stopped = false;
       const bool good = std::ranges::any_of(via.corners, [&](std::uint32_t i) {
         return !stopped && !beside(i) &&

@@ -32,6 +32,7 @@ class Beside {
   /// The length of what lies within the distance of any way that was added.
   double shared(std::span<const Point> way) const;
   bool holds(Point p) const;  ///< is it within?
+  std::int64_t size() const noexcept { return static_cast<std::int64_t>(pieces_.size()); }
 
  private:
   struct Piece {

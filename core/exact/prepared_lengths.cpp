@@ -51,9 +51,11 @@ bool PreparedSearch::row(const Grid& grid, const CornerGraph& graph, Point from,
   run(0, kNoBudget);
   row.corners.clear();
   std::vector<std::uint32_t> places(graph.size(), TautRow::kEnd);
+  // By rounding a corner may seem farther than one behind it on the same way.
+  const double most = bound * (1 + 1e-9);
   for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
     const Node& node = nodes_[i];
-    if (node.stamp != stamp_ || node.length + node.to_goal >= bound) continue;
+    if (node.stamp != stamp_ || node.length + node.to_goal >= most) continue;
     places[i] = static_cast<std::uint32_t>(row.corners.size());
     const GraphCorner& corner = graph.corner(i);
     row.corners.push_back({corner.x(), corner.y(), node.length, node.parent});

@@ -1,7 +1,9 @@
 #include "core/io/json_values.h"
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "core/base/json_place.h"
 #include "core/base/number_text.h"
@@ -75,9 +77,47 @@ Json read(std::string_view text, const std::string& file, std::size_t from) {
   return JsonPlace::parse<Json>(text, file, from);
 }
 
+namespace {
+
+/// Is this one value of CBOR, nested no deeper than any file of ours, its lists no longer than its
+/// bytes? What the parser relies on.
+bool is_cbor(std::string_view bytes) {
+  constexpr std::size_t kDeepest = 64;
+  std::vector<std::uint64_t> left{1};  // values, on each level
+  std::size_t at = 0;
+  while (!left.empty() && left.size() <= kDeepest) {
+    if (left.back() == 0) {
+      left.pop_back();
+      continue;
+    }
+    --left.back();
+    if (at == bytes.size()) return false;
+    const int head = static_cast<unsigned char>(bytes[at++]), kind = head >> 5, low = head & 31;
+    std::uint64_t value = static_cast<std::uint64_t>(low);
+    if (low >= 24) {
+      const std::size_t size = std::size_t{1} << (low - 24);
+      if (low > 27 || size > bytes.size() - at) return false;
+      value = 0;
+      for (std::size_t i = 0; i < size; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at++]);
+    }
+    const bool counts = kind >= 2 && kind <= 5;
+    if (counts && value > bytes.size() - at) return false;
+    if (kind == 2 || kind == 3) at += static_cast<std::size_t>(value);
+    if (kind == 4) left.push_back(value);
+    if (kind == 5) left.push_back(2 * value);
+    if (kind == 6) left.push_back(1);
+  }
+  return left.empty() && at == bytes.size();
+}
+
+}  // namespace
+
 Json read_cbor(std::string_view bytes, const std::string& file) {
-  Json value =
-      Json::from_cbor(bytes.begin(), bytes.end(), true, false, Json::cbor_tag_handler_t::store);
+  Json value;
+  if (is_cbor(bytes))
+    value =
+        Json::from_cbor(bytes.begin(), bytes.end(), true, false, Json::cbor_tag_handler_t::store);
   if (value.is_object()) return value;
   throw Error(ErrorCode::file_broken, {.file = file}, "it is no CBOR object, or not whole",
               "write it anew");

@@ -50,7 +50,7 @@ StaleAnswers::StaleAnswers(std::shared_ptr<const PreparedMap> older, const Grid&
 
 StaleAnswers::StaleAnswers(const StaleAnswers& before, const Grid& now,
                            std::span<const Cell> changed)
-    : older_(before.older_), freed_(before.freed_) {
+    : older_(before.older_), freed_(before.freed_), tells_(before.tells_) {
   take(now, changed);
 }
 
@@ -104,6 +104,18 @@ bool StaleAnswers::search(Memory memory, const Grid& now, Point from, Point to,
                           ExactAnswer& answer) const {
   const Grid& grid = older_->grid;
   if (!tells_ || !is_free(grid, from) || !is_free(grid, to)) return false;
+  // The ordinary search has some path early, tells of better ones, and ends at a gap.
+  if (options.improved != nullptr || options.target_gap > 0) return false;
+  if (older_->labels == nullptr) {
+    const bool may_be_stopped =
+        stop.token.stop_possible() || stop.deadline != Clock::time_point::max();
+    const double straight =
+        std::sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
+    const bool doubtful = std::ranges::any_of(freed_, [&](const auto& freed) {
+      return to_cell(from, freed->cell) + to_cell(to, freed->cell) < straight * (1 + 1e-9);
+    });
+    if (may_be_stopped || doubtful) return false;
+  }
   if (older_->labels != nullptr) {
     if (!memory.labels.search(grid, *older_->graph, *older_->labels, from, to, {}, stop, answer))
       return false;
@@ -113,7 +125,6 @@ bool StaleAnswers::search(Memory memory, const Grid& now, Point from, Point to,
   if (!answer.optimal || path_fault(now, answer.path)) return false;
   if (!none_shorter(memory, from, to, answer.length)) return false;
   answer.stored_legs = false;
-  if (options.improved != nullptr) (*options.improved)(answer.path, answer.length, answer.length);
   return true;
 }
 

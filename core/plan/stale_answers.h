@@ -44,7 +44,9 @@ class StaleAnswers {
     exact::PreparedSearch& prepared;
   };
   /// A shortest path on `now`, the map of this version, between two points of free cells. False
-  /// where the older map does not tell, or stopped.
+  /// where the older map does not tell, or stopped. Without labels not asked where the call may be
+  /// stopped, nor where a better path is to be told or a gap is enough: only the ordinary search
+  /// has some path early.
   bool search(Memory memory, const Grid& now, Point from, Point to, const ExactOptions& options,
               const StopCondition& stop, ExactAnswer& answer) const;
 

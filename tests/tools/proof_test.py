@@ -30,6 +30,8 @@ class Proofs(ProgramTest):
                 if self.run_program("plan", f"{i}.map", "--algorithm", "exact", "--start", "0,0", "--goal",
                                     f"{width - 1},{height - 1}", "--cost", f"{i}.pfm", *INFLATION,
                                     "-o", f"{i}.proof.json", "-o", f"{i}.proof.cbor").code == 0:
+                    if i == 0:
+                        self.far = f"{width - 1},{height - 1}"
                     break
 
     def check(self, i, proof=None, *options):
@@ -46,6 +48,15 @@ class Proofs(ProgramTest):
             bound = json.loads(self.read(f"{i}.proof.json"))["lower_bound"]
             self.assertEqual(run.out, f"holds: no path costs less than {bound}\n")
             self.assertEqual(self.check(i, f"{i}.proof.cbor").out, run.out)
+
+    @unittest.skipUnless(has_numpy(), f"{sys.executable} has no numpy, which tools/check_proof needs")
+    def test_a_proof_over_one_layer_alone(self):
+        self.quiet(self.run_program("plan", "0.map", "--start", "0,0", "--goal",
+                                    self.far, "--cost", "0.pfm",
+                                    "-o", "alone.proof.cbor", "-q"))
+        script = subprocess.run([sys.executable, SCRIPT, "0.map", "alone.proof.cbor", "--cost", "0.pfm"], cwd=self.folder,
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(script.returncode, 0, script.stderr)
 
     def changed(self):
         """Proofs of which one number is another."""

@@ -195,8 +195,7 @@ void note_map(const LoadedMap& map, RunOptions& run) {
                         " has no effect beyond that of graph: there would be more than " +
                         std::to_string(PrepareOptions{}.max_label_entries) +
                         " entries a vertex, or " +
-                        std::to_string(PrepareOptions{}.max_label_bytes >> 20) + " MB of them" +
-                        (map.prepared.empty() ? "" : "; the file is not written"));
+                        std::to_string(PrepareOptions{}.max_label_bytes >> 20) + " MB of them");
   if (!run.messages.verbose) return;
   run.notes.push_back(map.file +
                       printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
@@ -232,9 +231,11 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
          coordinates(ends.in_metres() ? world_path(map, run, answer, other.path) : other.path)});
   const auto wanted = static_cast<std::size_t>(run.alternatives);
   if (!run.json && record.has_path() && result.alternatives.size() < wanted)
-    record.remarks.push_back("--alternatives " + std::to_string(wanted) + ": there are " +
-                             std::to_string(result.alternatives.size()) +
-                             " that are short enough and differ enough");
+    record.remarks.push_back("--alternatives " + std::to_string(wanted) + ": " +
+                             counted(result.alternatives.size(), "way") +
+                             (result.status == Status::solved
+                                  ? " short enough and different enough found, and no more"
+                                  : " found before the search for them was ended"));
   if (!run.json && !map.costs && (answer.optimum || answer.grid_optimum))
     record.remarks.push_back(optima_text(record, answer, run.params));
   Json findings = end_findings(ends);

@@ -85,16 +85,12 @@ void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
   const auto start = Clock::now();
   if (!map.prepared.empty() && std::filesystem::exists(map.prepared)) {
     map.planner = map.planner->load_preparation(map.prepared);
-    if (map.labels && map.planner->preparation().labels.state != Preparation::State::ready)
-      throw Error(ErrorCode::file_broken, {.file = map.prepared}, "holds no labels",
-                  "leave out labels, or remove it, to have it made anew");
     map.labels = map.planner->preparation().labels.state == Preparation::State::ready;
   } else {
     map.planner =
         map.planner->prepared({.threads = threads, .stop = {.token = token}, .labels = map.labels});
-    const Preparation& made = map.planner->preparation();
-    const bool labelled = !map.labels || made.labels.state == Preparation::State::ready;
-    if (!map.prepared.empty() && made.state == Preparation::State::ready && labelled)
+    // Where labels take too much the graph is kept alone.
+    if (!map.prepared.empty() && map.planner->preparation().state == Preparation::State::ready)
       map.planner->save_preparation(map.prepared);
   }
   map.ready_ms += ms_since(start);

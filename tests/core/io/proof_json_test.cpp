@@ -106,6 +106,10 @@ TEST(ProofCbor, WhatIsBrokenIsNamed) {
       EXPECT_EQ(error.code(), ErrorCode::file_broken) << at;
     }
   }
+  for (const std::string& bad :
+       {std::string(50000, '\x81'), std::string("\xbb\x7f\xff\xff\xff\xff\xff\xff\xff"),
+        std::string("\x9f\x01\xff")})
+    EXPECT_EQ(error_of([&] { return proof_from_cbor(bad); }).code(), ErrorCode::file_broken);
   std::string other = good;
   other[good.rfind("\xd8\x56") + 1] = 0x52;  // big-endian doubles
   expect_says(error_of([&] { return proof_from_cbor(other); }), "\"values\" is no typed array");
