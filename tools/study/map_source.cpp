@@ -75,9 +75,9 @@ Grid load_map(const Question& question, const std::filesystem::path& folder) {
 }
 
 std::pair<std::string, double> Question::ground() const {
-  std::string name = map;
-  for (const auto& [file, factor] : layers) name += " cost " + file + '*' + tool::to_text(factor);
-  return {name, radius};
+  std::string source = map;
+  for (const auto& [file, factor] : layers) source += " cost " + file + '*' + tool::to_text(factor);
+  return {source, radius};
 }
 
 }  // namespace lasius::study

@@ -93,7 +93,7 @@ tool::CostLayers::Layer layer_of(const Node& node, const MapNames& maps) {
       star == text.npos ? std::optional(1.0) : tool::parse_real(text.substr(star + 1));
   if (file.empty() || !factor || !(*factor >= 0 && *factor <= CostField::kMost))
     node.fail("is \"" + text + "\", no layer of costs", "say FILE or FILE*FACTOR");
-  return {maps.file(file), *factor};
+  return {maps.beside(file), *factor};
 }
 
 /// What a question says of a place: cells, or metres.
@@ -203,14 +203,13 @@ std::string MapNames::source_of(const Node& map) const {
     check_made(text, map);
     return text;
   }
-  return file(text);
+  const std::string there = beside(text);
+  std::error_code ignored;
+  return fs::is_regular_file(there, ignored) ? there : text;
 }
 
-std::string MapNames::file(const std::string& name) const {
-  const fs::path beside = (folder_ / name).lexically_normal();
-  std::error_code ignored;
-  if (!fs::is_regular_file(beside, ignored)) return name;
-  return fs::absolute(beside).string();
+std::string MapNames::beside(const std::string& name) const {
+  return fs::absolute((folder_ / name).lexically_normal()).string();
 }
 
 std::vector<std::string> MapNames::sources(const Node& map) const {

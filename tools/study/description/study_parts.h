@@ -29,8 +29,8 @@ class MapNames {
 
   /// The sources of a question's map (see load_map): of a name, else what the text says itself.
   std::vector<std::string> sources(const Node& map) const;
-  /// A file that is named: the one in the study's folder, or as it is.
-  std::string file(const std::string& name) const;
+  /// A file in the study's folder.
+  std::string beside(const std::string& name) const;
   /// Every name with the sources of its maps.
   std::vector<std::pair<std::string, std::vector<std::string>>> all() const { return named_; }
 
