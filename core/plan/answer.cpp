@@ -237,7 +237,15 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   } else if (algorithm.kind == Algorithm::Kind::exact) {
     result = map.search ? map.search(request, observer)
                         : run_exact(map, request, places, memory, observer);
-    // Cells may be joined where a disc is not: then the search has proven it.
+    // Cells may be joined where a disc is not: then the search has proven it. Of a point it saw
+    // nothing from an end.
+    if (result.status == Status::unreachable && map.disc == nullptr) {
+      result.status = Status::no_path;
+      result.error = "start " + start.name() + " or goal " + goal.name() +
+                     " is too near to what is blocked for the search to see past it; move it by "
+                     "0.0001 cells, or onto the grid line";
+      return result;
+    }
     if (result.status == Status::unreachable) {
       request = asked;
       request.goal_tolerance = 0;  // what would be named as the nearest is what has no way

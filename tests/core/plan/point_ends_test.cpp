@@ -7,6 +7,7 @@
 
 #include "lasius/clearance.h"
 #include "lasius/path.h"
+#include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 
@@ -117,6 +118,28 @@ TEST(PointEndsOfPlans, AreAnsweredAsCellsAre) {
       EXPECT_EQ(result.path.back(), goal);
     }
   }
+}
+
+TEST(PointEndsOfPlans, AHairFromAWallAreNotCalledUnreachable) {
+  Draw draw(5);
+  int asked = 0, solved = 0;
+  for (int maps = 0; maps < 40; ++maps) {
+    const Grid grid = grid_of(14, 14, [&](int, int) { return draw.one_in(3); });
+    const Planner planner(grid);
+    for (const Cell from : cells_of({1, 0, 13, 14})) {
+      const Cell to = draw_free(draw, grid);
+      if (grid.blocked(from) || grid.free({from.x - 1, from.y})) continue;
+      if (from == to || !planner.connected(from, to)) continue;
+      const Result result = planner.plan(
+          {.start_point = Point{from.x + 1e-6, from.y + 0.38}, .goal_point = centre(to)});
+      EXPECT_TRUE(result.status == Status::solved || result.status == Status::no_path)
+          << result.error;
+      ++asked;
+      solved += result.status == Status::solved;
+    }
+  }
+  EXPECT_GT(asked, 500);
+  EXPECT_GT(solved, asked * 9 / 10);
 }
 
 TEST(PointEndsOfPlans, OfADiscKeepItsRadius) {
