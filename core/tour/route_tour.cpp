@@ -41,7 +41,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   Poller poller(request.stop);
   const bool own_bounds = &lower != &costs;
   const auto bound_of = [&](const RoutesFound& found) {
-    if (found.optimal && !own_bounds) return found.cost;
+    if (found.optimal && !own_bounds && !costs.priced_late()) return found.cost;
     if (own_bounds)
       if (const auto orders = exact_routes(problem, lower, poller))
         return cost_of(lower, *orders, request.open);
