@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/vehicle/escape.h"
 #include "core/vehicle/steering.h"
@@ -260,11 +261,13 @@ class Search {
   }
 
   /// The cheapest path of the lattice, up to the rounding of its costs, where most of the lattice
-  /// would be entered else. True if that ends the search: one was found, or there is none.
+  /// would be entered else. True if that ends the search: one was found, or there is none. Not where
+  /// a path may cost more than the flood can tell.
   bool flood_lattice() {
     if (layers_ > 1 || std::int64_t{space_.width()} * space_.height() > options_.max_states ||
         !LatticeFlood::takes(lattice_) || EdgePlanes::bytes(space_, lattice_) > EdgePlanes::kMost)
       return false;
+    if (std::exchange(flooded_, true)) return false;
     const EdgePlanes* planes =
         planes_.get(options_.stop, [&] { return EdgePlanes::make(space_, lattice_, poller_); });
     if (planes == nullptr) return poller_.stopped();
@@ -291,7 +294,7 @@ class Search {
               [&](auto& to) { flood.append(from_start_, at, heading, to); });
       }
     }
-    return true;
+    return !flood.ran_out();
   }
 
   void offer(int x, int y, int heading, int layer, double cost, std::uint32_t before,
@@ -378,6 +381,7 @@ class Search {
   BucketQueue& probe_;
   std::vector<Connector> from_start_, to_goal_;
   std::vector<Segment> shot_;
+  bool flooded_ = false;
   Found best_;
 };
 
