@@ -221,6 +221,21 @@ TEST(Routes, AreTheSameAgainAndEndWhenTold) {
   expect_whole(problem, stopped.orders);
 }
 
+// Few tasks of many stops: what all legs cost is not asked to find a way over subsets.
+TEST(Routes, OfFewTasksPriceFewLegs) {
+  const Instance instance = random_instance(240, 5);
+  RouteProblem problem{{{}, {}, {}}, {{}}};
+  for (int v = 0; v < 240; ++v) problem.tasks[static_cast<std::size_t>(v / 80)].push_back(v);
+  Late late(instance);
+  const RoutesFound found = find_routes(problem, {240, late}, {.generations = 1});
+  expect_whole(problem, found.orders);
+  EXPECT_FALSE(found.optimal);
+  EXPECT_LT(late.priced, 240 * 239);
+  const auto least = find_routes(problem, instance.costs(), {.generations = 1});
+  EXPECT_TRUE(least.optimal);
+  EXPECT_LE(least.cost, found.cost);
+}
+
 TEST(Routes, CostWhatTheirLegsCost) {
   for (const auto& routes : kRoutes) {
     const Instance instance = random_instance(30, 3);
