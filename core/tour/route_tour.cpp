@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/tour/order/search.h"
 #include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
@@ -85,6 +86,7 @@ void check_routes(const TourRequest& request, int n) {
            "give one a stop, " + number_text(n));
   if (!request.robots.empty() && (request.start || request.goal))
     refuse("several robots have no other start and no goal", "leave start and goal out");
+  tour::check_ends(n, {request.open, request.start.value_or(-1), request.goal.value_or(-1)});
   const std::vector<int> ends = ends_of(request);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends[i] < 0 || ends[i] >= n)

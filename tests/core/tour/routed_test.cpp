@@ -254,6 +254,16 @@ TEST(RoutedTours, RefuseNonsense) {
     r.goal = 1;
     r.open = true;
   });
+  expect_refused("a closed tour has no goal", [&](TourRequest& r) {
+    r.group = halves;
+    r.goal = 1;
+  });
+  expect_refused("start and goal are the same stop", [&](TourRequest& r) {
+    r.group = halves;
+    r.start = 1;
+    r.goal = 1;
+    r.open = true;
+  });
   expect_refused("tours with groups have no order given in part", [&](TourRequest& r) {
     r.group = halves;
     r.load = {0, 0, 0, 0, 0};
