@@ -137,7 +137,7 @@ class Tour(ProgramTest):
 
     def test_usage(self):
         for run, *words in (
-                (self.run_program("tour", "free.map"), "--stops is required"),
+                (self.run_program("tour", "free.map"), "--stops or --cover is required"),
                 (self.tour("--capacity", "2"), "--capacity 2: no stop has a load"),
                 (self.tour("--capacity", "-1"), "--capacity"),
                 (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
