@@ -47,6 +47,9 @@ class Robots(ProgramTest):
                 self.assertNotIn("tours", result)
         self.ended(self.replay_of(result), 0)
         self.ended(self.replay_of({**result, "groups": ["a"] * 7}), 1)
+        for key, value in (("starts", 1e300), ("stops", ["a"]), ("stops", "a"), ("groups", 3), ("parameters", [])):
+            with self.subTest((key, value)):
+                self.refused(self.replay_of({**result, key: value}), 3, "bad.json", "cannot be replayed")
         begun = self.tour("--json", "--start", "25,17").json  # of its group it is the one
         self.assertEqual((begun["order"][0], len(begun["order"])), (1, 4))
 
