@@ -115,8 +115,8 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// comes behind them still comes behind what is before them. Of a task with several stops those
 /// that cannot be visited are left out in silence, as long as there is another. With tasks of
 /// several stops or robots at most 2000 stops; up to 12 tasks (and 5e8 steps) the answer is a
-/// shortest one. Where no order keeps what is given the tour is unreachable (proven), or no_path
-/// (none was found).
+/// shortest one, where all are priced at once. Where no order keeps what is given the tour is
+/// unreachable (proven), or no_path (none was found).
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
 /// that come before themselves, where a number is out of range, and where groups or robots are
 /// asked for together with an order given in part or ants, several robots with a start or goal.

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/tour/order/search.h"
 #include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
@@ -40,7 +41,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   Poller poller(request.stop);
   const bool own_bounds = &lower != &costs;
   const auto bound_of = [&](const RoutesFound& found) {
-    if (found.optimal && !own_bounds) return found.cost;
+    if (found.optimal && !own_bounds && !costs.priced_late()) return found.cost;
     if (own_bounds)
       if (const auto orders = exact_routes(problem, lower, poller))
         return cost_of(lower, *orders, request.open);
@@ -84,6 +85,7 @@ void check_routes(const TourRequest& request, int n) {
            "give one a stop, " + number_text(n));
   if (!request.robots.empty() && (request.start || request.goal))
     refuse("several robots have no other start and no goal", "leave start and goal out");
+  tour::check_ends(n, {request.open, request.start.value_or(-1), request.goal.value_or(-1)});
   const std::vector<int> ends = ends_of(request);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends[i] < 0 || ends[i] >= n)

@@ -29,7 +29,8 @@ LatticeFlood::LatticeFlood(const EdgePlanes& planes, const Lattice& lattice, int
 }
 
 int LatticeFlood::run(std::span<const Connector> starts, std::span<const Connector> ends,
-                      Poller& poller) {
+                      Poller& poller, int levels) {
+  ran_out_ = false;
   std::vector<std::pair<int, std::uint32_t>> sources;  // level, index
   for (std::uint32_t i = 0; i < starts.size(); ++i) {
     const double most = kNever - 1.0;
@@ -41,9 +42,11 @@ int LatticeFlood::run(std::span<const Connector> starts, std::span<const Connect
   std::size_t next_source = 0;
   int best = -1;
   double best_cost = std::numeric_limits<double>::infinity();
-  for (int now = 0; now < kNever; ++now) {
+  for (int now = 0;; ++now) {
     if (waiting_ == 0 && next_source == sources.size()) break;
     if (best >= 0 && best_cost <= least + now * kUnit) break;
+    ran_out_ = now >= levels;
+    if (ran_out_) break;
     std::vector<Item>& bucket = memory_.buckets[now % kBuckets];
     for (; next_source < sources.size() && sources[next_source].first <= now; ++next_source) {
       const Connector& start = starts[sources[next_source].second];

@@ -53,7 +53,12 @@ class LatticeFlood {
   LatticeFlood(const EdgePlanes& planes, const Lattice& lattice, int width, int height,
                Memory& memory);
   /// Until no end can be cheaper than the best one. Its index; -1: none was reached, or stopped.
-  int run(std::span<const Connector> starts, std::span<const Connector> ends, Poller& poller);
+  /// @param levels  at most kNever
+  int run(std::span<const Connector> starts, std::span<const Connector> ends, Poller& poller,
+          int levels = kNever);
+  /// Whether the last run ended because of what is dearer than its levels: a cheapest way may be
+  /// among that.
+  bool ran_out() const noexcept { return ran_out_; }
   /// In units, from a start; kNever where that is not known.
   std::uint16_t level(int x, int y, int heading) const noexcept {
     return memory_.level[(static_cast<std::size_t>(heading) * height_ + y) * width_ + x];
@@ -77,6 +82,7 @@ class LatticeFlood {
   int width_, height_, words_;
   Memory& memory_;
   std::int64_t waiting_ = 0;
+  bool ran_out_ = false;
 };
 
 }  // namespace lasius::vehicle

@@ -63,9 +63,8 @@ class Search {
   double radius() const { return std::max(vehicle_.turning_radius, 2.0); }
 
   void shots_from_start() {
-    for (const Goal& goal : goals_) {
+    for (const Goal& goal : goals_)
       shoot(start_, goal, 0, 0, options_.wide ? 12 : 6, [&](std::vector<Segment>&) {});
-    }
   }
 
   /// Tries ways to a goal straight on. @param gear  by which the pose was reached, 0: any
@@ -137,9 +136,8 @@ class Search {
 
   /// A state of the probe, from which a motion in a gear leads on.
   void lead(int x, int y, int heading, int gear, double cost, std::uint32_t next, std::int32_t by) {
-    for (int layer = 0; layer < layers_; ++layer) {
+    for (int layer = 0; layer < layers_; ++layer)
       lead_in(leads_.index(x, y, heading, layer), cost + cusp(layer, gear), next, by);
-    }
   }
   void lead_in(std::uint32_t index, double cost, std::uint32_t next, std::int32_t by) {
     const auto total = static_cast<float>(cost);
@@ -174,9 +172,8 @@ class Search {
       const int heading = leads_.heading(index);
       if (const Reached* met = reached_.find(at.x, at.y, heading, layer)) {
         const double total = static_cast<double>(met->cost) + cost;
-        if (total < kNever && (best_.goal < 0 || total < best_.cost)) {
+        if (total < kNever && (best_.goal < 0 || total < best_.cost))
           finish(reached_.index(at.x, at.y, heading, layer), total);
-        }
       }
       for (const int e : lattice_.to(heading)) {
         const Edge& edge = lattice_.edges()[e];
@@ -234,11 +231,10 @@ class Search {
         if (best_.goal < 0 && probe(expanded / 2)) break;
         next_probe = 2 * expanded;
       }
-      if (expanded == kHard && flood_lattice()) break;
       const std::uint32_t index = queue_.pop();
       if (reached_[index].expanded) continue;
       reached_[index].expanded = true;
-      ++expanded;
+      if (++expanded == kHard && flood_lattice()) break;
       if (poller_.stop_after(64)) break;
       const Cell at = reached_.cell(index);
       const int heading = reached_.heading(index);
@@ -260,7 +256,8 @@ class Search {
   }
 
   /// The cheapest path of the lattice, up to the rounding of its costs, where most of the lattice
-  /// would be entered else. True if that ends the search: one was found, or there is none.
+  /// would be entered else. True if that ends the search: one was found, or there is none. Not
+  /// where a path may cost more than the flood can tell.
   bool flood_lattice() {
     if (layers_ > 1 || std::int64_t{space_.width()} * space_.height() > options_.max_states ||
         !LatticeFlood::takes(lattice_) || EdgePlanes::bytes(space_, lattice_) > EdgePlanes::kMost)
@@ -269,6 +266,7 @@ class Search {
         planes_.get(options_.stop, [&] { return EdgePlanes::make(space_, lattice_, poller_); });
     if (planes == nullptr) return poller_.stopped();
     LatticeFlood flood(*planes, lattice_, space_.width(), space_.height(), lattice_flood_);
+    const Found before = best_;
     const int end = flood.run(from_start_, to_goal_, poller_);
     if (end >= 0) {
       const Connector& last = to_goal_[end];
@@ -291,7 +289,9 @@ class Search {
               [&](auto& to) { flood.append(from_start_, at, heading, to); });
       }
     }
-    return true;
+    if (best_.goal >= 0) best_.cost = vehicle::cost(vehicle_, best_.segments);
+    if (before.goal >= 0 && before.cost <= best_.cost) best_ = before;
+    return !flood.ran_out();
   }
 
   void offer(int x, int y, int heading, int layer, double cost, std::uint32_t before,

@@ -47,6 +47,9 @@ class Robots(ProgramTest):
                 self.assertNotIn("tours", result)
         self.ended(self.replay_of(result), 0)
         self.ended(self.replay_of({**result, "groups": ["a"] * 7}), 1)
+        for key, value in (("starts", 1e300), ("stops", ["a"]), ("stops", "a"), ("groups", 3), ("parameters", [])):
+            with self.subTest((key, value)):
+                self.refused(self.replay_of({**result, key: value}), 3, "bad.json", "cannot be replayed")
         begun = self.tour("--json", "--start", "25,17").json  # of its group it is the one
         self.assertEqual((begun["order"][0], len(begun["order"])), (1, 4))
 
@@ -153,7 +156,7 @@ class Robots(ProgramTest):
         for run, *words in (
                 (self.tour(stops="l.tsv"), "tours with groups have no order given in part"),
                 (self.tour("--algorithm", "mmas"), "ants know no tours with groups"),
-                (self.tour("--start", "1,1", "--goal", "2,2", stops="two.tsv"), "of a group one stop is visited"),
+                (self.tour("--start", "1,1", "--goal", "2,2", stops="two.tsv"), "both ends of the tour and of group a, of which one stop is visited"),
                 (self.tour(*robots, "--goal", "1,1"), "--goal: 2 robots end where they began"),
                 (self.tour(*robots, "--algorithm", "acs"), "--algorithm acs: ants know no tours of several robots"),
                 (self.tour(*robots, "--capacity", "3"), "--capacity: tours of several robots have no loads"),
@@ -162,10 +165,21 @@ class Robots(ProgramTest):
                 (self.tour(*robots, "-o", "a.gif"), ".gif")):
             with self.subTest(words):
                 self.refused(run, 2, *words)
-        for starts, code, words in (("3,2", 4, "start"), ("4,2", 5, "stop 8 at (4, 2) cannot be reached from the others"),
+        for starts, code, words in (("3,2", 4, "start"), ("4,2", 5, "start (4, 2) cannot be reached from the others"),
                                     ("40,2", 4, "outside")):
             run = self.tour("--start", "0,0", "--start", starts, map_file="small.map")
             self.ended(run, code, words)
+
+    def test_the_start_that_is_none_is_named(self):
+        self.write("one.tsv", "x\ty\n0\t0\n")
+        for starts, words in ((("1,1", "3,2"), "start (3, 2) is blocked; the nearest free cell"),
+                              (("1,1", "50,1"), "start (50, 1) is outside")):
+            run = self.tour("--start", starts[0], "--start", starts[1], stops="one.tsv", map_file="small.map")
+            self.ended(run, 4, words)
+        for what in (("--stops", "one.tsv"), ("--cover", "1")):
+            run = self.run_program("tour", "small.map", *what, "--start", "0.0,0.0", "--radius", "0.3")
+            self.ended(run, 4, "start (0, 0) is too near")
+            self.assertNotIn("goal", run.err)
 
 
 if __name__ == "__main__":

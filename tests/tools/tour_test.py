@@ -137,7 +137,7 @@ class Tour(ProgramTest):
 
     def test_usage(self):
         for run, *words in (
-                (self.run_program("tour", "free.map"), "--stops is required"),
+                (self.run_program("tour", "free.map"), "--stops or --cover is required"),
                 (self.tour("--capacity", "2"), "--capacity 2: no stop has a load"),
                 (self.tour("--capacity", "-1"), "--capacity"),
                 (self.tour("--algorithm", "exat"), "did you mean \"exact\"?"),
@@ -233,7 +233,7 @@ class Tour(ProgramTest):
                 (["--start", "3,2"], 4, "invalid", "start (3, 2) is blocked", "nearest free cell"),
                 (["--start", "0,0", "--goal", "3,2"], 4, "invalid", "goal (3, 2) is blocked", "nearest free cell"),
                 (["--goal", "30,2"], 4, "invalid", "goal (30, 2) is outside"),
-                (["--start", "0,0", "--goal", "4,2"], 5, "unreachable", "stop 2 at (4, 2) cannot be reached")):
+                (["--start", "0,0", "--goal", "4,2"], 5, "unreachable", "goal (4, 2) cannot be reached")):
             with self.subTest(ends):
                 self.write("s.tsv", "x y\n0 0\n9 5\n")
                 run = self.ended(self.tour(*ends, "--json", stops="s.tsv", map_file="small.map"), code, *words[1:])

@@ -283,6 +283,7 @@ class Vehicles(ProgramTest):
         cases = [({"segments": 3}, '"segments" is no list'), ({"segments": [{**segment, "gear": 2}]}, '"gear"'),
                  ({"segments": [{**segment, "length": "far"}]}, '"length"'), ({"path": 7}, '"path"'), ({"path": [[1]]}, '"path"'),
                  ({"parameters": {"vehicle": {"footprint": [[0, 0], [1, 0]]}}}, "turning_radius"),
+                 ({"segments": []}, '"segments" are none'), ({"segments": None}, '"segments" is no list'),
                  ({"parameters": {}}, "no vehicle"), ({"curve": [1]}, '"curve"')]
         for change, word in cases:
             with self.subTest(change=change):
@@ -290,8 +291,11 @@ class Vehicles(ProgramTest):
                 self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json", word)
         self.write("bad.json", "{")
         self.refused(self.run_program("check-path", "yard.map", "bad.json"), 3, "bad.json")
-        self.write("none.json", json.dumps({**good, "path": [], "status": "no_path"}))
-        self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no_path")
+        for path in ([], None):
+            self.write("none.json", json.dumps({**good, "path": path, "status": "no_path"}))
+            self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no path to judge", "no_path")
+        self.write("bad.json", json.dumps({**good, "parameters": []}))
+        self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", "cannot be replayed")
 
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""

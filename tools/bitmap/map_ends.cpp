@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/nearest_text.h"
 #include "tools/bitmap/answer.h"
@@ -217,6 +218,8 @@ End recorded_end(const Json& result, const std::string& key) {
 std::vector<End> recorded_ends(const Json& result, const std::string& key) {
   const std::string keys = as_given(result, key);
   const Json &cells = value_at(result, key), &told = value_at(result, keys);
+  for (const auto& [name, list] : {std::pair(&key, &cells), {&keys, &told}})
+    if (!list->is_array()) throw UsageError("\"" + *name + "\" is no list");
   std::vector<End> ends;
   for (std::size_t i = 0; i < cells.size() && i < told.size(); ++i)
     ends.push_back(recorded_end(result, cells[i], told[i], keys));

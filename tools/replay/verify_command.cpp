@@ -191,6 +191,8 @@ decltype(auto) placed(const Error::Place& place, const Read& read) {
   } catch (const Error& fault) {
     if (fault.code() != ErrorCode::invalid_parameter) throw;
     throw broken(place, std::string("cannot be replayed: ") + fault.what());
+  } catch (const Json::exception&) {
+    throw broken(place, "cannot be replayed: a value is of another kind than in saved results");
   }
 }
 

@@ -126,7 +126,7 @@ class CoverProblem : public Problem {
   void look_at_start() {
     const Request ends = lasius::tool::request_of(answer_.map, command_.run, *start_, *start_);
     Result said = answer_.map.planner->plan(ends, command_.run.params);
-    if (said.status == Status::invalid) answer_.ends = std::move(said);
+    if (said.status == Status::invalid) answer_.ends = of_tour(std::move(said), true);
   }
   std::string summary(const Record& record) const {
     std::string text =

@@ -19,4 +19,14 @@ struct TourAnswer {
   double elapsed_ms = 0;
 };
 
+/// What a plan from an invalid end of a tour to itself says, of that end. Of a disc's it may speak
+/// of the goal, as there may be a way out of the start's place. Tours have no goal tolerance.
+inline Result of_tour(Result said, bool start) {
+  const bool outside = said.fault == Fault::start_outside || said.fault == Fault::goal_outside;
+  said.fault = start ? (outside ? Fault::start_outside : Fault::start_blocked)
+                     : (outside ? Fault::goal_outside : Fault::goal_blocked);
+  said.nearest_reachable.reset();
+  return said;
+}
+
 }  // namespace lasius::tool

@@ -43,6 +43,7 @@ class TourProblem : public Problem {
     answer_.start = index_of(command_.start);
     answer_.goal = index_of(command_.goal);
     for (const End& robot : command_.robots) answer_.robots.push_back(*index_of(robot));
+    check_ends_of_groups();
     note_map(answer_.map, run);
     return std::nullopt;
   }
@@ -89,11 +90,12 @@ class TourProblem : public Problem {
     for (const int robot : answer_.robots) ends.emplace_back(robot, true);
     for (const auto& [end, key] : ends)
       if (end && tour.status == Status::invalid && answer_.ends.fault == Fault::none)
-        look_at_end(place_at(*end), key);
+        look_at_end(*end, key);
   }
   Record record() const override {
     const TourResult& tour = answer_.tour;
-    const MapEnds ends(answer_.map, command_.run, end_place(answer_.start), end_place(answer_.goal),
+    const MapEnds ends(answer_.map, command_.run,
+                       end_place(bad_start_ ? bad_start_ : answer_.start), end_place(answer_.goal),
                        answer_.ends);
     Record record =
         map_record(ends, search_result(tour), tour::find_algorithm(command_.ants.algorithm()));
@@ -172,13 +174,31 @@ class TourProblem : public Problem {
     numbers.resize(answer_.stops.size(), -1);
     return numbers;
   }
+  /// The library knows groups by their numbers only.
+  void check_ends_of_groups() const {
+    std::map<std::string_view, int> known;
+    std::vector<int> ends = answer_.robots;
+    for (const auto& end : {answer_.start, answer_.goal})
+      if (end) ends.push_back(*end);
+    for (const int end : ends) {
+      if (end >= static_cast<int>(command_.stops.groups.size())) continue;
+      const std::string& group = command_.stops.groups[static_cast<std::size_t>(end)];
+      const auto [at, is_new] = known.try_emplace(group, end);
+      if (!group.empty() && !is_new && at->second != end)
+        throw UsageError("stops " + std::to_string(at->second) + " and " + std::to_string(end) +
+                         " are both ends of the tour and of group " + group +
+                         ", of which one stop is visited; give them groups of their own");
+    }
+  }
   std::string group_name(const LeftOut& out) const {
     return command_.stops.groups[static_cast<std::size_t>(out.stop)];
   }
   std::string why_left_out(const LeftOut& out) const {
     const Frame frame = command_.run.frame;
     const Place& place = place_at(out.stop);
-    std::string text = "stop " + std::to_string(out.stop) + " at " + place_text(place, frame);
+    std::string text = "stop " + std::to_string(out.stop) + " at ";
+    if (is_end(out.stop)) text = out.stop == answer_.goal ? "goal " : "start ";
+    text += place_text(place, frame);
     if (out.group >= 0) text = "no stop of group " + group_name(out) + " can be visited: " + text;
     if (answer_.map.planner->clear_at(place.at()))
       return text + " cannot be reached from the others";
@@ -186,15 +206,15 @@ class TourProblem : public Problem {
     return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved));
   }
   /// Asks for what `plan` says of an invalid end; nothing where it is none.
-  void look_at_end(const Place& end, bool start) {
+  void look_at_end(int stop, bool start) {
     const Planner& planner = *answer_.map.planner;
+    const Place& end = place_at(stop);
     if (planner.clear_at(end.at())) return;
-    Place other = end;
-    for (const Place& stop : answer_.stops)
-      if (!start && planner.clear_at(stop.at())) other = stop;
-    const Request ends = lasius::tool::request_of(answer_.map, command_.run, other, end);
+    const Request ends = lasius::tool::request_of(answer_.map, command_.run, end, end);
     Result said = planner.plan(ends, command_.run.params);
-    if (said.status == Status::invalid) answer_.ends = std::move(said);
+    if (said.status != Status::invalid) return;
+    if (start) bad_start_ = stop;
+    answer_.ends = of_tour(std::move(said), start);
   }
   std::string summary(const Record& record) const {
     const TourResult& tour = answer_.tour;
@@ -253,6 +273,7 @@ class TourProblem : public Problem {
 
   TourCommand command_;
   TourAnswer answer_{};
+  std::optional<int> bad_start_;  ///< of the answer's ends
 };
 
 }  // namespace

@@ -168,7 +168,7 @@ Subcommand add_tour(CLI::App& app) {
         else if (table.given("--cover"))
           check_cover(table, run);
         else
-          require("", "--stops", tour.stops_file);
+          require("", "--stops or --cover", tour.stops_file);
         if (table.given("--cover")) tour.cover = text->cover_given;
         if (table.given("--capacity")) tour.capacity = text->capacity_given;
         if (table.given("--most-stops")) tour.most_stops = text->most_given;

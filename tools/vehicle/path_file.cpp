@@ -134,7 +134,10 @@ PathFile path_of(const std::string& file, const Json& result) {
     return in.is_object() && in.contains(key) && !in[key].is_null();
   };
   if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
-  if (told(result, "segments")) path.segments = recorded_segments(result);
+  if (result.contains("segments")) {
+    path.segments = recorded_segments(result);
+    if (path.segments.empty()) throw UsageError("\"segments\" are none");
+  }
   const Json parameters = result.value("parameters", Json());
   if (told(parameters, "vehicle")) path.vehicle = recorded_vehicle(parameters);
   if (told(parameters, "radius")) path.radius = recorded_real(parameters, "radius", 0, kNoLimit);
@@ -149,12 +152,13 @@ PathFile read_result(const std::string& file) {
     throw UsageError(file + " holds " + std::to_string(results.size()) +
                      " results; give one with one result");
   const Json& result = results.front().json;
-  const bool has_list = result.is_object() && result.contains("path") && result["path"].is_array();
-  if (has_list && result["path"].empty() && result.contains("status"))
+  const bool has_path = result.is_object() && result.contains("path");
+  const bool none = has_path && (result["path"].is_null() || result["path"] == Json::array());
+  if (none && result.contains("status"))
     throw UsageError(file + " has no path to judge: its status is " +
                      recorded<std::string>(result, "status"));
   try {
-    if (!has_list || result["path"].empty()) throw UsageError("it has no \"path\"");
+    if (!has_path || none || !result["path"].is_array()) throw UsageError("it has no \"path\"");
     return path_of(file, result);
   } catch (const UsageError& error) {
     throw Error(ErrorCode::file_broken, {.file = file, .offset = results.front().offset},

@@ -20,7 +20,6 @@ class SubsetWays {
       for (const int stop : problem.tasks[task]) members_.push_back({stop, task});
   }
 
-  double steps() const { return double(members_.size()) * double(members_.size()) * subsets(); }
   unsigned subsets() const { return 1u << tasks_; }
 
   /// To each subset of tasks the least length of a way over them. `only`: the first stop, -1: any.
@@ -96,16 +95,30 @@ class SubsetWays {
   std::vector<double> least_;  // of all ways over the subset that end at a member
 };
 
+// A task that has fewest stops.
+const std::vector<int>& fewest(const RouteProblem& problem) {
+  return *std::min_element(problem.tasks.begin(), problem.tasks.end(),
+                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
+}
+
+bool is_ring(const RouteProblem& problem) { return problem.size() > 0 && problem.ring(); }
+
+// Whether it takes more steps than are worth it.
+bool too_many(const RouteProblem& problem) {
+  if (problem.size() > kMostTasksBySubsets) return true;
+  double members = 0;
+  for (const auto& task : problem.tasks) members += static_cast<double>(task.size());
+  const double runs = is_ring(problem) ? static_cast<double>(fewest(problem).size())
+                                       : 2 * static_cast<double>(problem.routes.size());
+  return members * members * static_cast<double>(1u << problem.size()) * runs > kMostSteps;
+}
+
 // A closed way without a start: from each stop of the task that has fewest.
 std::optional<std::vector<int>> exact_ring(const RouteProblem& problem, SubsetWays& ways,
                                            Poller& poller) {
-  const auto& firsts =
-      *std::min_element(problem.tasks.begin(), problem.tasks.end(),
-                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  if (ways.steps() * static_cast<double>(firsts.size()) > kMostSteps) return std::nullopt;
   std::vector<int> best;
   double length = kNone;
-  for (const int first : firsts) {
+  for (const int first : fewest(problem)) {
     if (!ways.run(problem.routes.front(), first, poller)) return std::nullopt;
     const unsigned all = ways.subsets() - 1;
     if (ways.least(all) >= length) continue;
@@ -121,15 +134,14 @@ std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& pr
                                                           const std::vector<double>& lengths,
                                                           Poller& poller) {
   const std::size_t count = problem.routes.size();
-  if (problem.size() > kMostTasksBySubsets) return std::nullopt;
+  if (too_many(problem)) return std::nullopt;
   SubsetWays ways(problem, stops, lengths);
-  if (problem.size() > 0 && problem.ring()) {
+  if (is_ring(problem)) {
     const auto order = exact_ring(problem, ways, poller);
     if (!order) return std::nullopt;
     return std::vector<std::vector<int>>{*order};
   }
   const unsigned subsets = ways.subsets();
-  if (2 * ways.steps() * static_cast<double>(count) > kMostSteps) return std::nullopt;
   // shares[r * subsets + s]: what route r takes on of s, if those up to r do all of s.
   std::vector<double> least(subsets, kNone), before;
   std::vector<unsigned> shares(count * subsets, 0);
@@ -161,7 +173,7 @@ std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& pr
 
 std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& problem,
                                                           const Costs& costs, Poller& poller) {
-  if (problem.size() > kMostTasksBySubsets) return std::nullopt;
+  if (costs.priced_late() || too_many(problem)) return std::nullopt;
   const int n = costs.size();
   std::vector<double> lengths(static_cast<std::size_t>(n) * n);  // sums of so few are exact
   for (int a = 0; a < n; ++a)

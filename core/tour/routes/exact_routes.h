@@ -18,7 +18,7 @@ constexpr int kMostTasksBySubsets = 12;
 std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& problem, int stops,
                                                           const std::vector<double>& lengths,
                                                           Poller& poller);
-/// The same of costs.
+/// The same of costs; nothing of those that are priced late, all of which it would ask for.
 std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& problem,
                                                           const Costs& costs, Poller& poller);
 

@@ -184,6 +184,24 @@ TEST(RoutedTours, OfManyStopsAreTheSameOnAnyThreads) {
   }
 }
 
+TEST(RoutedTours, HaveNoBoundAboveTheOptimumWhenTheTimeIsUp) {
+  const Planner planner(rooms());
+  for (const int kind : {0, 1, 2, 3}) {
+    TourRequest request = ask(some_stops(planner.grid(), 9));
+    request.threads = 1;
+    if (kind == 3) request.stops.resize(2);  // which leaves no task
+    if (kind < 2) request.group = {0, 0, 1, 1, -1, -1, 2, 2, 2};
+    if (kind > 0) request.robots = {4, 5};
+    if (kind == 3) request.robots = {0, 1};
+    const double optimum = plan_tour(planner, request).length;
+    request.stop.deadline = Clock::time_point::min();
+    const TourResult cut = plan_tour(planner, request);
+    EXPECT_EQ(cut.status, Status::limit);
+    EXPECT_FALSE(cut.optimal);
+    EXPECT_LE(cut.lower_bound.value_or(0), optimum + 1e-9) << kind;
+  }
+}
+
 TEST(RoutedTours, LeaveOutWhatCannotBeDoneAnywhere) {
   Grid grid = rooms();
   for (const Cell c : {Cell{0, 1}, {1, 1}, {1, 0}}) grid.set_blocked(c);
@@ -233,6 +251,16 @@ TEST(RoutedTours, RefuseNonsense) {
   expect_refused("stops 0 and 1 are both ends of the tour and of group 0", [&](TourRequest& r) {
     r.group = halves;
     r.start = 0;
+    r.goal = 1;
+    r.open = true;
+  });
+  expect_refused("a closed tour has no goal", [&](TourRequest& r) {
+    r.group = halves;
+    r.goal = 1;
+  });
+  expect_refused("start and goal are the same stop", [&](TourRequest& r) {
+    r.group = halves;
+    r.start = 1;
     r.goal = 1;
     r.open = true;
   });

@@ -121,5 +121,40 @@ TEST(LatticeFlood, IsDijkstras) {
   }
 }
 
+TEST(LatticeFlood, TellsThatItsLevelsRanOut) {
+  const Grid grid(80, 40);
+  const Vehicle vehicle = omni(rectangle(3, 2, 1));
+  const Space space(grid, vehicle);
+  const Lattice lattice(vehicle, space.impl().outline());
+  Poller poller(kGoesOn);
+  const auto planes = EdgePlanes::make(space.impl(), lattice, poller);
+  LatticeFlood::Memory memory;
+  LatticeFlood flood(*planes, lattice, grid.width(), grid.height(), memory);
+  const std::vector<Connector> starts{{.x = 5, .y = 20, .motions = {}}};
+  const std::vector<Connector> ends{{.x = 65, .y = 20, .motions = {}}};
+  EXPECT_EQ(flood.run(starts, ends, poller, 200), -1);  // 300 lead there
+  EXPECT_TRUE(flood.ran_out());
+  LatticeFlood whole(*planes, lattice, grid.width(), grid.height(), memory);
+  EXPECT_EQ(whole.run(starts, ends, poller, 301), 0);
+  EXPECT_FALSE(whole.ran_out());
+  LatticeFlood dry(*planes, lattice, grid.width(), grid.height(), memory);
+  EXPECT_EQ(dry.run(starts, {}, poller), -1);
+  EXPECT_FALSE(dry.ran_out());
+}
+
+// Longer than levels of 16 bits tell.
+TEST(LatticeFlood, LeavesLongWaysToTheSearch) {
+  constexpr int kLong = 263;
+  Grid grid(kLong, kLong);
+  for (int y = 3; y < kLong; y += 4)
+    for (int x = 0; x < kLong; ++x)
+      if (y % 8 == 3 ? x < kLong - 3 : x > 2) grid.set_blocked({x, y});
+  const Planner planner(grid, differential(rectangle(0.5, 0.4, 0.25)));
+  const Result found =
+      planner.plan({.start = {1.5, 1.5, 0}, .goals = {{10.5, kLong - 1.5, 0}}, .smooth = false});
+  EXPECT_EQ(found.status, Status::solved);
+  EXPECT_GT(found.cost, LatticeFlood::kNever * LatticeFlood::kUnit);
+}
+
 }  // namespace
 }  // namespace lasius::vehicle

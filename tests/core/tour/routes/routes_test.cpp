@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "core/base/poller.h"
 #include "core/tour/routes/find_routes.h"
@@ -190,11 +192,14 @@ TEST(Routes, AreFoundBySearch) {
 // Knows all legs by their bounds, which are half, until they are priced.
 struct Late final : Pricer {
   explicit Late(const Instance& of) : stops(of) {}
-  Cost price(int a, int b) override { return ++priced, stops.costs()(a, b); }
+  Cost price(int a, int b) override {
+    priced.emplace(std::min(a, b), std::max(a, b));
+    return stops.costs()(a, b);
+  }
   Cost lower(int a, int b) const override { return stops.costs()(a, b) / 2; }
   Cost largest() const override { return stops.costs().largest(); }
   const Instance& stops;
-  int priced = 0;
+  std::set<std::pair<int, int>> priced;
 };
 
 TEST(Routes, AreTheSameAgainAndEndWhenTold) {
@@ -219,6 +224,22 @@ TEST(Routes, AreTheSameAgainAndEndWhenTold) {
   const RoutesFound stopped = find_routes(problem, instance.costs(), options);
   EXPECT_EQ(stopped.cause, StopCondition::Cause::token);
   expect_whole(problem, stopped.orders);
+}
+
+// Of tasks of many stops.
+TEST(Routes, PriceNoLegsWithinATask) {
+  const Instance instance = random_instance(240, 5);
+  RouteProblem problem{{{}, {}, {}}, {{}}};
+  for (int v = 0; v < 240; ++v) problem.tasks[static_cast<std::size_t>(v / 80)].push_back(v);
+  Late late(instance);
+  const RoutesFound found = find_routes(problem, {240, late}, {.generations = 1});
+  expect_whole(problem, found.orders);
+  EXPECT_FALSE(found.optimal);
+  for (const auto& leg : late.priced) EXPECT_NE(leg.first / 80, leg.second / 80);
+  EXPECT_FALSE(late.priced.empty());
+  const auto least = find_routes(problem, instance.costs(), {.generations = 1});
+  EXPECT_TRUE(least.optimal);
+  EXPECT_LE(least.cost, found.cost);
 }
 
 TEST(Routes, CostWhatTheirLegsCost) {
