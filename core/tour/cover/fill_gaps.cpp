@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kLinesOfWidth = 4;
 constexpr double kWorth = 0.1;
-static const double kO = getenv("KO") ? atof(getenv("KO")) : 1;
 
 struct Piece {
   double worth;
@@ -67,7 +66,7 @@ class GapFiller {
  private:
   double worth_of(const Stretch& part, std::int64_t gain) const {
     const double width = 2 * ground_.half_width();
-    return ground_.area(gain) / (width * (part.length() + kO * width));
+    return ground_.area(gain) / (width * (part.length() + width));
   }
 
   const CoverGround& ground_;
