@@ -71,6 +71,17 @@ void measure(const CoverGround& ground, const std::vector<Swath>& swaths, CoverR
   result.overlap = share(twice, swept);
 }
 
+CoverResult without_path(CoverResult result, const TourLeg& leg) {
+  const Point from = result.stops[leg.from], to = result.stops[leg.to];
+  TourResult none;
+  none.status = Status::no_path;
+  none.error = "no path was found from the end of a swath at " + pair_text(from.x, from.y) +
+               " to " + pair_text(to.x, to.y);
+  result.tour = std::move(none);
+  result.stops.clear();
+  return result;
+}
+
 void order_swaths(const Planner& planner, const CoverRequest& request, CoverResult& result,
                   const TourObserver& observer) {
   const int swaths = result.swaths(), n = static_cast<int>(result.stops.size());
@@ -183,6 +194,8 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   for (int i = 0; n > 1 && i < (request.open ? n - 1 : n); ++i)
     found.legs.push_back({found.order[i], found.order[(i + 1) % n], 0, {}, 0});
   plan_legs(planner, result.stops, request.threads, found);
+  for (const TourLeg& leg : found.legs)
+    if (leg.path.empty()) return without_path(std::move(result), leg);
   sum_up(found);
   if (found.lower_bound) found.lower_bound = std::min(found.length, *found.lower_bound);
   constexpr double kRounding = 1e-9;

@@ -2,12 +2,21 @@
 
 #include <utility>
 
+#include "core/tour/visited.h"
+
 namespace lasius::tour {
 
 namespace {
 
 constexpr int kMostPerCell = 9;
 constexpr double kSamplesOfWidth = 4, kRoundOff = 1e-9;
+
+// Samples that are joined, by one of them and a place there.
+struct Part {
+  std::int64_t sample;
+  Point place;
+  std::int64_t size;
+};
 
 enum State : std::uint8_t { kBlocked, kPlace, kSeen, kReached };
 
@@ -110,20 +119,29 @@ std::optional<Point> CoverGround::clear_beside(const Planner& planner, std::int6
 // Leaves 1 at the places that are joined to the start, else to the most places, and 0 elsewhere.
 bool CoverGround::choose_region(const Planner& planner, const std::optional<Point>& start,
                                 Poller& poller) {
-  std::vector<std::pair<std::int64_t, Point>> parts;
+  std::vector<Part> parts;
   std::int64_t size = 0, most = 0;
   for (std::int64_t sample = 0; sample < samples(); ++sample) {
     if (wanted_[sample] != kPlace) continue;
     flood(sample, kPlace, kSeen, size);
     if (const auto clear = clear_beside(planner, sample)) {
-      parts.emplace_back(sample, *clear);
+      parts.push_back({sample, *clear, size});
       if (size > most && !start) most = size, place_ = *clear;
     }
     if (poller.stop_after(size)) return false;
   }
-  if (start) place_ = *start;
-  for (const auto& [sample, clear] : parts) {
-    if (reaches(planner, *place_, clear)) flood(sample, kSeen, kReached, size);
+  // A start may be of two regions: then of the larger.
+  if (start) {
+    most = -1;
+    for (const Point anchor : anchors_of(planner, *start)) {
+      std::int64_t worth = 0;
+      for (const Part& part : parts)
+        if (planner.joined_at(anchor, part.place)) worth += part.size;
+      if (worth > most) most = worth, place_ = anchor;
+    }
+  }
+  for (const Part& part : parts) {
+    if (reaches(planner, *place_, part.place)) flood(part.sample, kSeen, kReached, size);
     if (poller.stop_after(64)) return false;
   }
   for (std::uint8_t& one : wanted_) one = one == kReached;

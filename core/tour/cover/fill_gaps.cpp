@@ -24,8 +24,9 @@ struct Piece {
 
 class GapFiller {
  public:
-  GapFiller(const CoverGround& ground, const Heading& heading, SwathCounts& counts)
-      : ground_(ground), heading_(heading), counts_(counts) {}
+  GapFiller(const ToolLines& lines, const CoverGround& ground, const Heading& heading,
+            SwathCounts& counts)
+      : lines_(lines), ground_(ground), heading_(heading), counts_(counts) {}
 
   // The parts of a stretch that have something open beside them, less than a width apart.
   void offer(bool across, double c, const Stretch& stretch) {
@@ -53,7 +54,8 @@ class GapFiller {
       const Piece piece = pieces_.top();
       pieces_.pop();
       const Heading way = piece.across ? heading_.across() : heading_;
-      const Swath swath{way.at(piece.stretch.from, piece.c), way.at(piece.stretch.to, piece.c)};
+      const Swath swath{lines_.settled(way.at(piece.stretch.from, piece.c)),
+                        lines_.settled(way.at(piece.stretch.to, piece.c))};
       if (worth_of(piece.stretch, counts_.gain(swath)) < piece.worth) {
         offer(piece.across, piece.c, piece.stretch);
       } else if (reached(swath)) {
@@ -69,6 +71,7 @@ class GapFiller {
     return ground_.area(gain) / (width * (part.length() + width));
   }
 
+  const ToolLines& lines_;
   const CoverGround& ground_;
   const Heading heading_;
   SwathCounts& counts_;
@@ -82,7 +85,7 @@ class GapFiller {
 void fill_gaps(const ToolLines& lines, const CoverGround& ground, const Heading& heading,
                const std::function<bool(const Swath&)>& reached, SwathCounts& counts,
                std::vector<Swath>& swaths) {
-  GapFiller filler(ground, heading, counts);
+  GapFiller filler(lines, ground, heading, counts);
   std::vector<Stretch> places;
   const double step = 2 * ground.half_width() / kLinesOfWidth;
   for (const bool across : {false, true}) {
@@ -96,7 +99,8 @@ void fill_gaps(const ToolLines& lines, const CoverGround& ground, const Heading&
   filler.take(reached, swaths);
 }
 
-void cut_back(const CoverGround& ground, SwathCounts& counts, std::vector<Swath>& swaths) {
+void cut_back(const ToolLines& lines, const CoverGround& ground, SwathCounts& counts,
+              std::vector<Swath>& swaths) {
   std::vector<std::size_t> order(swaths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -132,8 +136,8 @@ void cut_back(const CoverGround& ground, SwathCounts& counts, std::vector<Swath>
     counts.add(swath, -1);
     if (dropped[i]) continue;
     const Point from = swath.from;
-    swath.from = {from.x + least * way.x, from.y + least * way.y};
-    swath.to = {from.x + most * way.x, from.y + most * way.y};
+    if (most < length) swath.to = lines.settled({from.x + most * way.x, from.y + most * way.y});
+    if (least > 0) swath.from = lines.settled({from.x + least * way.x, from.y + least * way.y});
     counts.add(swath);
   }
   std::size_t kept = 0;

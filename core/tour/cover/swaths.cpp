@@ -148,6 +148,7 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
   if (stopped()) return std::nullopt;
   SwathPlan plan{.heading = heading,
                  .swaths = laid == Laid::fitted ? fitted(heading) : anywhere(heading)};
+  for (Swath& swath : plan.swaths) swath = {lines_.settled(swath.from), lines_.settled(swath.to)};
   std::erase_if(plan.swaths, [&](const Swath& swath) { return !reached(swath); });
   if (stopped()) return std::nullopt;
   SwathCounts counts(ground_);
@@ -156,7 +157,7 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
       lines_, ground_, heading, [&](const Swath& swath) { return reached(swath); }, counts,
       plan.swaths);
   if (stopped()) return std::nullopt;
-  cut_back(ground_, counts, plan.swaths);
+  cut_back(lines_, ground_, counts, plan.swaths);
   plan.estimate = ways_between(plan.swaths) +
                   kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
   for (const Swath& swath : plan.swaths) plan.estimate += swath.length();

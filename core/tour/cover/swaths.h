@@ -86,6 +86,7 @@ void fill_gaps(const ToolLines& lines, const CoverGround& ground, const Heading&
                const std::function<bool(const Swath&)>& reached, SwathCounts& counts,
                std::vector<Swath>& swaths);
 /// Cuts swaths back to what they alone cover, the shortest first; drops those that are left none.
-void cut_back(const CoverGround& ground, SwathCounts& counts, std::vector<Swath>& swaths);
+void cut_back(const ToolLines& lines, const CoverGround& ground, SwathCounts& counts,
+              std::vector<Swath>& swaths);
 
 }  // namespace lasius::tour

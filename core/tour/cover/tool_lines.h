@@ -53,6 +53,9 @@ class ToolLines {
   /// what lies outside the map, rising; those shorter than ten times what they are drawn in by are
   /// left out.
   void on_line(const Heading& heading, double c, std::vector<Stretch>& places) const;
+  /// A place of a point that is within rounding of sides of cells, at them: planners tell such
+  /// places from walls no more. Places of a disc as they are.
+  Point settled(Point p) const noexcept;
   /// The least and greatest c of any point of the map.
   Stretch extent(const Heading& heading) const noexcept;
 

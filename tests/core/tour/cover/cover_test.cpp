@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lasius/error.h"
@@ -184,6 +187,28 @@ TEST(Cover, KeepsToFreeSpaceAndTellsWhatABruteForceCountTells) {
         EXPECT_GE(cover.covered, 0.97);
       }
   EXPECT_EQ(cases, 30);
+}
+
+// Ends of swaths that are a rounding off a wall are at it; a start between two regions is of the
+// larger.
+TEST(Cover, PlansLegsFromWallsAndBetweenRegions) {
+  const auto plan = [](Grid grid, std::initializer_list<Cell> blocked, double width,
+                       std::optional<Point> start) {
+    for (const Cell at : blocked) grid.fill({at.x, at.y, 1, 1}, true);
+    const Planner planner(std::move(grid));
+    CoverRequest request = ask(width);
+    request.start = start;
+    const CoverResult cover = plan_cover(planner, request);
+    expect_valid(planner, request, cover);
+    EXPECT_GT(cover.covered, 0.97);
+    return cover;
+  };
+  static_cast<void>(plan(Grid(13, 10), {{4, 1}, {9, 4}, {3, 5}, {2, 6}}, 3, std::nullopt));
+  Grid meeting(6, 7);
+  meeting.fill({3, 0, 3, 3}, true);
+  meeting.fill({0, 3, 3, 4}, true);
+  const CoverResult larger = plan(meeting, {}, 1, Point{3, 3});
+  EXPECT_DOUBLE_EQ(larger.unreachable, 9.0 / 21);
 }
 
 TEST(Cover, IsTheSameOnAnyThreads) {
