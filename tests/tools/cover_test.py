@@ -75,6 +75,11 @@ class Cover(ProgramTest):
             run = self.cover(GRID, width)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)
+        self.write("long.map", "type octile\nheight 100000\nwidth 2\nmap\n" + "..\n" * 100000)
+        for width, words in ((0.001, "more samples of the map's area than 200000000"), (0.9, "more lines than 100000")):
+            run = self.cover("long.map", width)
+            self.assertEqual(run.code, 2, run.err)
+            self.assertIn(words, run.err)
         for option in (("--goal", "1,1"), ("--capacity", "1"), ("--target-gap", "1"), ("--algorithm", "mmas"), ("--inflation", "2,3"),
                        ("--stops", "free.map"), ("--most-stops", "2")):
             run = self.cover(GRID, 2, *option)
