@@ -9,7 +9,7 @@ namespace lasius::tour {
 namespace {
 
 constexpr double kSamplesOfWidth = 4, kRoundOff = 1e-9;
-constexpr double kSamplesOfRadius = 4, kRefined = 4e6;
+constexpr double kSamplesOfRadius = 8, kRefined = 4e6;
 
 // Samples that are joined, by one of them and a place there.
 struct Part {

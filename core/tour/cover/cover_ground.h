@@ -19,7 +19,7 @@ namespace lasius::tour {
 bool reaches(const Planner& planner, Point from, Point to, const StopCondition& stop);
 
 /// Samples of a map's area, an odd number a cell along each axis, each in the middle of its square:
-/// four a width or more; with a radius four of it and of a cell, where these are not too many.
+/// four a width or more; with a radius eight of it and of a cell, where these are not too many.
 class CoverGround {
  public:
   /// For a tool of some width, whose centre goes where `lines` let it, from `start`, or without one
