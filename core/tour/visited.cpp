@@ -16,18 +16,6 @@ std::string stop_name(const TourRequest& request, int i) {
   return pair_text(request.stops[i].x, request.stops[i].y);
 }
 
-// A point where cells meet may be of two regions, which no path joins there: then the centres of
-// these cells stand for it.
-std::vector<Point> anchors_of(const Planner& planner, Point p) {
-  const bool meeting = p.x == std::floor(p.x) && p.y == std::floor(p.y);
-  if (!meeting || planner.robot().radius > 0) return {p};
-  std::vector<Point> anchors;
-  for (const double dy : {0.5, -0.5})
-    for (const double dx : {0.5, -0.5})
-      if (const Point at{p.x + dx, p.y + dy}; planner.clear_at(at)) anchors.push_back(at);
-  return anchors;
-}
-
 class Regions {
  public:
   Regions(const Planner& planner, std::span<const Point> points) : of_(points.size()) {
@@ -71,6 +59,16 @@ std::vector<std::vector<int>> tasks_of(const TourRequest& request, int stops) {
 }
 
 }  // namespace
+
+std::vector<Point> anchors_of(const Planner& planner, Point p) {
+  const bool meeting = p.x == std::floor(p.x) && p.y == std::floor(p.y);
+  if (!meeting || planner.robot().radius > 0) return {p};
+  std::vector<Point> anchors;
+  for (const double dy : {0.5, -0.5})
+    for (const double dx : {0.5, -0.5})
+      if (const Point at{p.x + dx, p.y + dy}; planner.clear_at(at)) anchors.push_back(at);
+  return anchors;
+}
 
 std::vector<int> ends_of(const TourRequest& request) {
   std::vector<int> ends = request.robots;

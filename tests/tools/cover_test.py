@@ -53,6 +53,16 @@ class Cover(ProgramTest):
         self.write("other.json", json.dumps(result))
         self.assertEqual(self.run_program("verify", "other.json").code, 1)
 
+    def test_poses_and_pages(self):
+        run = self.cover("free.map", 3, "--open", "--spacing", "2", "-o", "tour.yaml", "-o", "tour.html")
+        self.assertEqual(run.code, 0, run.err)
+        with open(self.path("tour.yaml"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("frame_id", text)
+        self.assertGreaterEqual(text.count("position:"), (4 * 20 + 3 * 3) / 2)
+        with open(self.path("tour.html"), encoding="utf-8") as file:
+            self.assertTrue(file.read().lower().startswith("<!doctype html"))
+
     def test_text_tells_the_shares(self):
         run = self.cover(GRID, 2)
         self.assertEqual(run.out.split("\n")[0], "solved")
@@ -65,12 +75,20 @@ class Cover(ProgramTest):
             run = self.cover(GRID, width)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)
+        self.write("long.map", "type octile\nheight 100000\nwidth 2\nmap\n" + "..\n" * 100000)
+        for width, words in ((0.001, "more samples of the map's area than 200000000"), (0.9, "more lines than 100000")):
+            run = self.cover("long.map", width)
+            self.assertEqual(run.code, 2, run.err)
+            self.assertIn(words, run.err)
         for option in (("--goal", "1,1"), ("--capacity", "1"), ("--target-gap", "1"), ("--algorithm", "mmas"), ("--inflation", "2,3"),
-                       ("--stops", "free.map")):
+                       ("--stops", "free.map"), ("--most-stops", "2")):
             run = self.cover(GRID, 2, *option)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn("tours of stops", run.err)
-        for option, words in ((("--start", "50,1"), "start (50, 1) is outside the map"), (("--radius", "20"), "no place on the map")):
+        run = self.cover(GRID, 2, "--start", "0,0", "--start", "1,1")
+        self.assertEqual(run.code, 2, run.err)
+        self.assertIn("give one --start", run.err)
+        for option, words in ((("--radius", "0.5", "--start", "0.2,0.2"), "start (0.2, 0.2) is too near to the edge"), (("--start", "50,1"), "start (50, 1) is outside the map"), (("--radius", "20"), "no place on the map")):
             run = self.cover(GRID, 2, *option, "--json")
             self.assertEqual((run.code, run.json["status"], run.json["legs"], run.json["order"]), (4, "invalid", None, None))
             self.assertIn(words, run.json["error"])

@@ -8,6 +8,7 @@
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
@@ -86,10 +87,12 @@ class CoverProblem : public Problem {
     if (wants_json(command_.run)) record.answer = answer_of(ends, record);
     return record;
   }
-  Forms show(const Record&) const override {
-    return {.picture = [&](auto& file) {
-      write_cover_picture(file, command_.run, answer_, cover_, width_);
-    }};
+  Forms show(const Record& run) const override {
+    return {
+        .picture =
+            [&](auto& file) { write_cover_picture(file, command_.run, answer_, cover_, width_); },
+        .yaml = [&](std::ostream& out) { write_tour_poses(out, answer_, command_.run); },
+        .page = [&](std::ostream& out) { write_tour_page(out, run, answer_, command_.run); }};
   }
   SearchOptions& options() override { return command_.run; }
 
@@ -126,7 +129,16 @@ class CoverProblem : public Problem {
   void look_at_start() {
     const Request ends = lasius::tool::request_of(answer_.map, command_.run, *start_, *start_);
     Result said = answer_.map.planner->plan(ends, command_.run.params);
-    if (said.status == Status::invalid) answer_.ends = of_tour(std::move(said), true);
+    if (said.fault == Fault::start_outside || said.fault == Fault::start_blocked) {
+      answer_.ends = of_tour(std::move(said), true);
+      return;
+    }
+    // A path may lead out from there, a tool that keeps its radius may not.
+    const Frame frame = command_.run.frame;
+    const bool curved = route_of(answer_.map, command_.run).curved;
+    answer_.tour.error =
+        "start " + place_text(*start_, frame) +
+        obstruction_text(answer_.map, frame, obstruction_of(answer_.map, *start_, curved));
   }
   std::string summary(const Record& record) const {
     std::string text =

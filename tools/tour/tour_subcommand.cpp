@@ -64,12 +64,16 @@ void check_robots(const OptionTable& table, const TourCommand& tour) {
 
 /// @throws UsageError where an option of stops is given with --cover.
 void check_cover(const OptionTable& table, const RunOptions& run) {
-  for (const char* option :
-       {"--stops", "--goal", "--capacity", "--cost", "--inflation", "--target-gap", "--preset"})
+  for (const char* option : {"--stops", "--goal", "--capacity", "--most-stops", "--cost",
+                             "--inflation", "--target-gap", "--preset"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for tours of stops; leave it or --cover out");
   if ((!run.algorithm.empty() && run.algorithm != kLegAlgorithm) || !run.settings.empty())
     throw UsageError("--algorithm and --set are for tours of stops; leave them or --cover out");
+  const auto starts = table.in_order("--start").size();
+  if (starts > 1)
+    throw UsageError("--start is given " + std::to_string(starts) +
+                     " times, and one robot covers the map; give one --start");
 }
 
 }  // namespace

@@ -36,8 +36,10 @@ struct CoverResult {
   /// From +x towards +y, degrees from 0 to below 180: what most swaths are parallel to; those that
   /// cover what is left over may be across.
   double angle = 0;
-  double swept = 0;       ///< length of all swaths, cells
-  double resolution = 0;  ///< cells from one sample of area to the next; shares are of samples
+  double swept = 0;  ///< length of all swaths, cells
+  /// Cells from one sample of area to the next; shares are of samples. With a radius, places of the
+  /// tool that lie between samples count as none.
+  double resolution = 0;
   /// Of the free area: that which the tool does not come to from the start (without one: from the
   /// largest region), because it is walled off or nearer to obstacles than it gets. 0 to 1.
   double unreachable = 0;
@@ -53,8 +55,9 @@ struct CoverResult {
 /// are worth their length, swaths are cut where others cover all that they do, and the plan of
 /// least estimated length is taken. Its swaths are brought in order as the stops of a tour are, two
 /// ends a swath. At most 10 000 swaths. Status::invalid where the start is outside or blocked, or
-/// no free place is wide enough.
+/// no free place is wide enough; no_path where none is found from one swath to the next.
 /// @throws Error(invalid_parameter) for a width out of range or that asks for too many swaths,
+/// more than 100 000 lines across the longer side or 200 million samples of area,
 /// generations below 0, and as Planner::plan for a robot's radius.
 LASIUS_EXPORT CoverResult plan_cover(const Planner& planner, const CoverRequest& request,
                                      const TourObserver& observer = {});

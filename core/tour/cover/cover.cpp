@@ -28,6 +28,7 @@ using tour::Swath;
 using tour::SwathPricer;
 
 constexpr int kMostSwaths = 10'000;
+constexpr int kMostLines = 100'000, kMostSamples = 200'000'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose bound takes a matrix of 64 MB
 constexpr int kRounds = 1;
@@ -45,6 +46,14 @@ void check(const Grid& grid, const CoverRequest& request) {
     refuse("a width of " + number_text(request.width) + " cells asks for more than " +
                number_text(kMostSwaths) + " swaths",
            "give a larger one, or parts of the map");
+  const double lines = longest / request.width;
+  const double samples = CoverGround::samples_asked(grid, request.width);
+  if (samples > kMostSamples || lines > kMostLines)
+    refuse(
+        "a width of " + number_text(request.width) + " cells asks for " +
+            (samples > kMostSamples ? "more samples of the map's area than " : "more lines than ") +
+            number_text(samples > kMostSamples ? kMostSamples : kMostLines),
+        "give a larger one, or parts of the map");
   if (request.generations < 0)
     refuse("generations are " + number_text(request.generations), "give 0 or more");
 }
@@ -69,6 +78,17 @@ void measure(const CoverGround& ground, const std::vector<Swath>& swaths, CoverR
   };
   result.covered = share(counts.covered(), ground.wanted_samples());
   result.overlap = share(twice, swept);
+}
+
+CoverResult without_path(CoverResult result, const TourLeg& leg) {
+  const Point from = result.stops[leg.from], to = result.stops[leg.to];
+  TourResult none;
+  none.status = Status::no_path;
+  none.error = "no path was found from the end of a swath at " + pair_text(from.x, from.y) +
+               " to " + pair_text(to.x, to.y);
+  result.tour = std::move(none);
+  result.stops.clear();
+  return result;
 }
 
 void order_swaths(const Planner& planner, const CoverRequest& request, CoverResult& result,
@@ -137,8 +157,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   const tour::ToolLines lines(unprepared.grid(), unprepared.robot().radius);
   StopCondition token = request.stop;
   token.deadline = Clock::time_point::max();
-  Poller poller(token);
-  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start, poller);
+  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start, token);
   if (!ground) return result;
   result.resolution = ground->spacing();
   if (ground->free_samples() > 0)
@@ -183,7 +202,11 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   for (int i = 0; n > 1 && i < (request.open ? n - 1 : n); ++i)
     found.legs.push_back({found.order[i], found.order[(i + 1) % n], 0, {}, 0});
   plan_legs(planner, result.stops, request.threads, found);
+  for (const TourLeg& leg : found.legs)
+    if (leg.path.empty()) return without_path(std::move(result), leg);
   sum_up(found);
+  // The way back along a single swath is no leg that the order pays for.
+  if (n == 2 && !request.open) found.lower_bound = 2 * result.swept;
   if (found.lower_bound) found.lower_bound = std::min(found.length, *found.lower_bound);
   constexpr double kRounding = 1e-9;
   found.optimal = found.gap() && *found.gap() <= kRounding && found.status == Status::solved;

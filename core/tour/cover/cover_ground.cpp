@@ -2,35 +2,55 @@
 
 #include <utility>
 
+#include "core/tour/visited.h"
+
 namespace lasius::tour {
 
 namespace {
 
-constexpr int kMostPerCell = 9;
 constexpr double kSamplesOfWidth = 4, kRoundOff = 1e-9;
+constexpr double kSamplesOfRadius = 8, kRefined = 4e6;
+
+// Samples that are joined, by one of them and a place there.
+struct Part {
+  std::int64_t sample;
+  Point place;
+  std::int64_t size;
+};
 
 enum State : std::uint8_t { kBlocked, kPlace, kSeen, kReached };
 
 // Odd, so that the middle of a cell has one.
-int samples_of_cell(double width, bool tight) {
-  int count = tight ? 3 : 1;
-  while (count < kMostPerCell && count * width < kSamplesOfWidth) count += 2;
+int samples_of_cell(const Grid& grid, double width, double radius, bool tight) {
+  const auto odd = [](double least) {
+    return 2 * static_cast<int>(std::ceil((least - 1) / 2)) + 1;
+  };
+  const int asked = std::max(tight ? 3 : 1, odd(kSamplesOfWidth / width));
+  if (radius == 0) return asked;
+  const double cells = 1.0 * grid.width() * grid.height();
+  int count = std::max(asked, odd(std::max(kSamplesOfRadius, kSamplesOfRadius / radius)));
+  while (count > asked && cells * count * count > kRefined) count -= 2;
   return count;
 }
 
 }  // namespace
 
-bool reaches(const Planner& planner, Point from, Point to) {
+bool reaches(const Planner& planner, Point from, Point to, const StopCondition& stop) {
   if (!planner.joined_at(from, to)) return false;
   if (planner.robot().radius == 0) return true;
   const Params exact("exact");  // cells may be joined where a disc is not
-  return !planner.plan({.start_point = from, .goal_point = to}, exact).path.empty() &&
-         !planner.plan({.start_point = to, .goal_point = from}, exact).path.empty();
+  return !planner.plan({.stop = stop, .start_point = from, .goal_point = to}, exact).path.empty() &&
+         !planner.plan({.stop = stop, .start_point = to, .goal_point = from}, exact).path.empty();
 }
 
-CoverGround::CoverGround(const Grid& grid, double width, bool tight)
+double CoverGround::samples_asked(const Grid& grid, double width) noexcept {
+  const double per_cell = std::max(1.0, kSamplesOfWidth / width);
+  return per_cell * grid.width() * per_cell * grid.height();
+}
+
+CoverGround::CoverGround(const Grid& grid, double width, double radius, bool tight)
     : half_(width / 2),
-      per_cell_(samples_of_cell(width, tight)),
+      per_cell_(samples_of_cell(grid, width, radius, tight)),
       slack_(tight ? 0.5 / per_cell_ : 0),
       columns_(grid.width() * per_cell_),
       rows_(grid.height() * per_cell_),
@@ -39,12 +59,11 @@ CoverGround::CoverGround(const Grid& grid, double width, bool tight)
 
 std::optional<CoverGround> CoverGround::make(const Planner& planner, const ToolLines& lines,
                                              double width, const std::optional<Point>& start,
-                                             Poller& poller) {
+                                             const StopCondition& stop) {
   const Grid& grid = planner.grid();
-  CoverGround ground(grid, width, lines.tight());
+  CoverGround ground(grid, width, lines.radius(), lines.tight());
   ground.mark_blocked(grid, lines);
-  if (poller.stop_after(ground.samples()) || !ground.choose_region(planner, start, poller))
-    return std::nullopt;
+  if (!ground.choose_region(planner, start, stop)) return std::nullopt;
   if (lines.radius() > 0) ground.widen(grid);
   for (const std::uint8_t one : ground.wanted_) ground.wanted_count_ += one;
   ground.waiting_ = {};
@@ -109,22 +128,32 @@ std::optional<Point> CoverGround::clear_beside(const Planner& planner, std::int6
 
 // Leaves 1 at the places that are joined to the start, else to the most places, and 0 elsewhere.
 bool CoverGround::choose_region(const Planner& planner, const std::optional<Point>& start,
-                                Poller& poller) {
-  std::vector<std::pair<std::int64_t, Point>> parts;
+                                const StopCondition& stop) {
+  Poller poller(stop);
+  std::vector<Part> parts;
   std::int64_t size = 0, most = 0;
   for (std::int64_t sample = 0; sample < samples(); ++sample) {
     if (wanted_[sample] != kPlace) continue;
     flood(sample, kPlace, kSeen, size);
     if (const auto clear = clear_beside(planner, sample)) {
-      parts.emplace_back(sample, *clear);
+      parts.push_back({sample, *clear, size});
       if (size > most && !start) most = size, place_ = *clear;
     }
     if (poller.stop_after(size)) return false;
   }
-  if (start) place_ = *start;
-  for (const auto& [sample, clear] : parts) {
-    if (reaches(planner, *place_, clear)) flood(sample, kSeen, kReached, size);
-    if (poller.stop_after(64)) return false;
+  // A start may be of two regions: then of the larger.
+  if (start) {
+    most = -1;
+    for (const Point anchor : anchors_of(planner, *start)) {
+      std::int64_t worth = 0;
+      for (const Part& part : parts)
+        if (planner.joined_at(anchor, part.place)) worth += part.size;
+      if (worth > most) most = worth, place_ = anchor;
+    }
+  }
+  for (const Part& part : parts) {
+    if (reaches(planner, *place_, part.place, stop)) flood(part.sample, kSeen, kReached, size);
+    if (stop.poll() != StopCondition::Cause::none) return false;
   }
   for (std::uint8_t& one : wanted_) one = one == kReached;
   return true;

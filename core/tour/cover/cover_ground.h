@@ -15,18 +15,21 @@
 namespace lasius::tour {
 
 /// Whether the tool can go from one place to another, and back; of a point and where it cannot that
-/// is known without a search.
-bool reaches(const Planner& planner, Point from, Point to);
+/// is known without a search. Stopped: no.
+bool reaches(const Planner& planner, Point from, Point to, const StopCondition& stop);
 
 /// Samples of a map's area, an odd number a cell along each axis, each in the middle of its square:
-/// four a width or more, but at most 9 a cell.
+/// four a width or more; with a radius eight of it and of a cell, where these are not too many.
 class CoverGround {
  public:
   /// For a tool of some width, whose centre goes where `lines` let it, from `start`, or without one
   /// in the largest region. Empty if stopped.
   static std::optional<CoverGround> make(const Planner& planner, const ToolLines& lines,
                                          double width, const std::optional<Point>& start,
-                                         Poller& poller);
+                                         const StopCondition& stop);
+
+  /// How many a width asks for, about.
+  static double samples_asked(const Grid& grid, double width) noexcept;
 
   double half_width() const noexcept { return half_; }
   double spacing() const noexcept { return 1.0 / per_cell_; }
@@ -37,6 +40,10 @@ class CoverGround {
   bool wanted(std::int64_t sample) const noexcept { return wanted_[sample] != 0; }
   double area(std::int64_t of_samples) const noexcept {
     return static_cast<double>(of_samples) * spacing() * spacing();
+  }
+  /// Samples within half a width of a segment, about; never 0.
+  std::int64_t samples_near(double length) const noexcept {
+    return 64 + static_cast<std::int64_t>(2 * half_ * (length + 2 * half_) * per_cell_ * per_cell_);
   }
   Point at(std::int64_t sample) const noexcept {
     return {(static_cast<double>(sample % columns_) + 0.5) * spacing(),
@@ -52,12 +59,13 @@ class CoverGround {
   }
 
  private:
-  CoverGround(const Grid& grid, double width, bool tight);
+  CoverGround(const Grid& grid, double width, double radius, bool tight);
   template <class Body>
   void each_row_within(double r, Point a, Point b, const Body& body) const;
   void mark_blocked(const Grid& grid, const ToolLines& lines);
   std::optional<Point> clear_beside(const Planner& planner, std::int64_t sample) const;
-  bool choose_region(const Planner& planner, const std::optional<Point>& start, Poller& poller);
+  bool choose_region(const Planner& planner, const std::optional<Point>& start,
+                     const StopCondition& stop);
   void flood(std::int64_t from, std::uint8_t was, std::uint8_t becomes, std::int64_t& size);
   void widen(const Grid& grid);
 

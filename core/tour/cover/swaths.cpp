@@ -90,11 +90,11 @@ void SwathMaker::add_line(const Heading& heading, double c, std::vector<Swath>& 
     swaths.push_back({heading.at(place.from, c), heading.at(place.to, c)});
 }
 
-std::vector<Swath> SwathMaker::fitted(const Heading& heading) const {
+std::vector<Swath> SwathMaker::fitted(const Heading& heading, Poller& poller) const {
   const double beside = std::min(lines_.radius(), width_ / 2);
   std::vector<Swath> swaths;
   std::vector<Stretch> places;
-  for (const SweepCell& cell : sweep_cells(lines_, heading, width_)) {
+  for (const SweepCell& cell : sweep_cells(lines_, heading, width_, poller)) {
     const double from = cell.from - (cell.wall_before ? beside : 0);
     const double to = cell.to + (cell.wall_behind ? beside : 0);
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / width_ - kRounding)));
@@ -109,6 +109,7 @@ std::vector<Swath> SwathMaker::fitted(const Heading& heading) const {
       // The stretch of this line that goes on where the slice beside it is.
       const Stretch& beside_it = cell.slices[slice].stretch;
       lines_.on_line(heading, c, places);
+      if (poller.stop_after(lines_.work_of_line(places))) return swaths;
       double most = 0;
       Stretch chosen;
       for (const Stretch& place : places) {
@@ -122,14 +123,14 @@ std::vector<Swath> SwathMaker::fitted(const Heading& heading) const {
   return swaths;
 }
 
-std::vector<Swath> SwathMaker::anywhere(const Heading& heading) const {
+std::vector<Swath> SwathMaker::anywhere(const Heading& heading, Poller& poller) const {
   Stretch extent = lines_.extent(heading);
   // Where the tool has any place.
   std::vector<Stretch> places;
   const double step = std::min(1.0, width_ / 8);
   const auto none = [&](double c) {
     lines_.on_line(heading, c, places);
-    return places.empty();
+    return !poller.stop_after(lines_.work_of_line(places)) && places.empty();
   };
   while (extent.length() > step && none(extent.from + step / 2)) extent.from += step;
   while (extent.length() > step && none(extent.to - step / 2)) extent.to -= step;
@@ -137,26 +138,37 @@ std::vector<Swath> SwathMaker::anywhere(const Heading& heading) const {
   extent = {extent.from - beside, extent.to + beside};
   const int count = std::max(1, static_cast<int>(std::ceil(extent.length() / width_ - kRounding)));
   std::vector<Swath> swaths;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < count && !poller.stop_after(lines_.work_of_line({})); ++i)
     add_line(heading, extent.from + (i + 0.5) * (extent.length() / count), swaths);
   return swaths;
 }
 
 std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
-                                          const StopCondition& stop) const {
-  const auto stopped = [&] { return stop.poll() != StopCondition::Cause::none; };
+                                          const StopCondition& stop, bool must) const {
+  StopCondition token = stop;
+  token.deadline = Clock::time_point::max();
+  const StopCondition& laying = must ? token : stop;
+  Poller lays(laying), fills(stop);
+  const auto stopped = [&] { return laying.poll() != StopCondition::Cause::none; };
   if (stopped()) return std::nullopt;
   SwathPlan plan{.heading = heading,
-                 .swaths = laid == Laid::fitted ? fitted(heading) : anywhere(heading)};
-  std::erase_if(plan.swaths, [&](const Swath& swath) { return !reached(swath); });
+                 .swaths = laid == Laid::fitted ? fitted(heading, lays) : anywhere(heading, lays)};
   if (stopped()) return std::nullopt;
+  for (Swath& swath : plan.swaths) swath = {lines_.settled(swath.from), lines_.settled(swath.to)};
+  std::erase_if(plan.swaths,
+                [&](const Swath& swath) { return lays.stop_after(64) || !reached(swath); });
   SwathCounts counts(ground_);
-  for (const Swath& swath : plan.swaths) counts.add(swath);
+  for (const Swath& swath : plan.swaths) {
+    if (lays.stop_after(ground_.samples_near(swath.length()))) break;
+    counts.add(swath);
+  }
+  if (stopped()) return std::nullopt;
   fill_gaps(
       lines_, ground_, heading, [&](const Swath& swath) { return reached(swath); }, counts,
-      plan.swaths);
+      plan.swaths, fills);
   if (stopped()) return std::nullopt;
-  cut_back(ground_, counts, plan.swaths);
+  cut_back(lines_, ground_, counts, plan.swaths, fills);
+  if (stopped()) return std::nullopt;
   plan.estimate = ways_between(plan.swaths) +
                   kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
   for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
@@ -166,26 +178,33 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
 std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop) const {
   const std::vector<Heading>& all = headings();
   std::vector<std::optional<SwathPlan>> plans(2 * all.size());
-  StopCondition token = stop;
-  token.deadline = Clock::time_point::max();
   parallel_for(static_cast<int>(plans.size()), thread_count(threads), [&](int i, int) {
-    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, i == 0 ? token : stop);
+    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, stop, i == 0);
   });
   std::optional<SwathPlan>* least = nullptr;
   for (auto& plan : plans)
     if (plan && !plan->swaths.empty() && (least == nullptr || plan->estimate < (*least)->estimate))
       least = &plan;
   if (least == nullptr) least = &plans.front();
-  if (*least && lines_.radius() > 0) drop_apart((*least)->swaths, threads);
+  if (*least && lines_.radius() > 0) drop_apart((*least)->swaths, threads, stop);
+  if (stop.token.stop_requested()) return std::nullopt;
   return std::move(*least);
 }
 
-// Of a disc: what it cannot come to from a place of the region.
-void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads) const {
+// Of a disc: what it cannot come to from a place of the region; past the deadline all that was not
+// looked at, but for the first.
+void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads,
+                            const StopCondition& stop) const {
+  StopCondition token = stop;
+  token.deadline = Clock::time_point::max();
   std::vector<char> apart(swaths.size(), 0);
   parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
-    apart[i] = !reaches(planner_, *ground_.place(), swaths[i].from) ||
-               !reaches(planner_, *ground_.place(), swaths[i].to);
+    const StopCondition& until = i == 0 ? token : stop;
+    const auto joined = [&](Point end) {
+      return until.poll() == StopCondition::Cause::none &&
+             reaches(planner_, *ground_.place(), end, until);
+    };
+    apart[i] = !joined(swaths[i].from) || !joined(swaths[i].to);
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < swaths.size(); ++i)

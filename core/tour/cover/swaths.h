@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/tour/cover/cover_ground.h"
 #include "core/tour/cover/tool_lines.h"
 #include "lasius/geometry.h"
@@ -40,18 +41,19 @@ class SwathMaker {
   SwathMaker(const Planner& planner, const ToolLines& lines, const CoverGround& ground)
       : planner_(planner), lines_(lines), ground_(ground), width_(2 * ground.half_width()) {}
 
-  /// Empty if stopped.
-  std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop) const;
+  /// Empty if stopped. Where it must be made, the deadline leaves gaps as they are.
+  std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop,
+                                bool must) const;
   /// The plan of least estimate, on threads that do not matter to it. The first one is made
   /// whatever the deadline; empty if stopped by the token before.
   std::optional<SwathPlan> best(int threads, const StopCondition& stop) const;
 
  private:
-  std::vector<Swath> fitted(const Heading& heading) const;
-  std::vector<Swath> anywhere(const Heading& heading) const;
+  std::vector<Swath> fitted(const Heading& heading, Poller& poller) const;
+  std::vector<Swath> anywhere(const Heading& heading, Poller& poller) const;
   void add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const;
   bool reached(const Swath& swath) const;
-  void drop_apart(std::vector<Swath>& swaths, int threads) const;
+  void drop_apart(std::vector<Swath>& swaths, int threads, const StopCondition& stop) const;
 
   const Planner& planner_;
   const ToolLines& lines_;
@@ -81,11 +83,13 @@ class SwathCounts {
 };
 
 /// Adds swaths along the heading and across it for what is not covered, the most worthwhile first,
-/// as long as they cover a tenth of what as much length can.
+/// as long as they cover a tenth of what as much length can, or until stopped.
 void fill_gaps(const ToolLines& lines, const CoverGround& ground, const Heading& heading,
                const std::function<bool(const Swath&)>& reached, SwathCounts& counts,
-               std::vector<Swath>& swaths);
+               std::vector<Swath>& swaths, Poller& poller);
 /// Cuts swaths back to what they alone cover, the shortest first; drops those that are left none.
-void cut_back(const CoverGround& ground, SwathCounts& counts, std::vector<Swath>& swaths);
+/// Stopped, the others stay.
+void cut_back(const ToolLines& lines, const CoverGround& ground, SwathCounts& counts,
+              std::vector<Swath>& swaths, Poller& poller);
 
 }  // namespace lasius::tour

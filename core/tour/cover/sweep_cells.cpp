@@ -58,7 +58,8 @@ struct Node {
 
 }  // namespace
 
-std::vector<SweepCell> sweep_cells(const ToolLines& lines, const Heading& heading, double width) {
+std::vector<SweepCell> sweep_cells(const ToolLines& lines, const Heading& heading, double width,
+                                   Poller& poller) {
   std::vector<SweepCell> cells;
   std::vector<Node> last, now;
   std::vector<Stretch> places;
@@ -69,6 +70,7 @@ std::vector<SweepCell> sweep_cells(const ToolLines& lines, const Heading& headin
   for (const Strip& strip : strips_of(lines, heading, width)) {
     const double c = (strip.from + strip.to) / 2;
     lines.on_line(heading, c, places);
+    if (poller.stop_after(lines.work_of_line(places))) break;
     now.clear();
     for (const Stretch& place : places) now.push_back({.stretch = place});
     for (std::size_t i = 0, j = 0; i < last.size() && j < now.size();) {

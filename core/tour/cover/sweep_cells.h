@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/tour/cover/tool_lines.h"
 
 namespace lasius::tour {
@@ -22,6 +23,8 @@ struct SweepCell {
 /// The cells of a sweep across a heading: along an axis all that happens is found, else what
 /// happens between lines an eighth of a width apart. A leap is of more than a width, and a third of
 /// the stretch.
-std::vector<SweepCell> sweep_cells(const ToolLines& lines, const Heading& heading, double width);
+/// Stopped, the cells so far.
+std::vector<SweepCell> sweep_cells(const ToolLines& lines, const Heading& heading, double width,
+                                   Poller& poller);
 
 }  // namespace lasius::tour

@@ -78,6 +78,14 @@ ToolLines::ToolLines(const Grid& grid, double radius)
   }
 }
 
+Point ToolLines::settled(Point p) const noexcept {
+  constexpr double kNear = 1e-6;
+  if (radius_ > 0) return p;
+  for (double* const v : {&p.x, &p.y})
+    if (std::abs(*v - std::round(*v)) < kNear) *v = std::round(*v);
+  return p;
+}
+
 Stretch ToolLines::extent(const Heading& heading) const noexcept {
   Meeting all;
   for (const double x : {0.0, 1.0 * width_})

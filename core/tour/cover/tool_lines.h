@@ -53,6 +53,13 @@ class ToolLines {
   /// what lies outside the map, rising; those shorter than ten times what they are drawn in by are
   /// left out.
   void on_line(const Heading& heading, double c, std::vector<Stretch>& places) const;
+  /// A place of a point that is within rounding of sides of cells, at them: planners tell such
+  /// places from walls no more. Places of a disc as they are.
+  Point settled(Point p) const noexcept;
+  /// For a poller: of what it takes to find these places.
+  std::int64_t work_of_line(const std::vector<Stretch>& places) const noexcept {
+    return 8 * (std::int64_t{height_} + static_cast<std::int64_t>(places.size()));
+  }
   /// The least and greatest c of any point of the map.
   Stretch extent(const Heading& heading) const noexcept;
 

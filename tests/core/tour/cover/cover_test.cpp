@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lasius/error.h"
@@ -142,6 +145,10 @@ TEST(Cover, IsASingleSwathInACorridor) {
     EXPECT_NEAR(cover.tour.length, 20 - 2 * radius, 3e-3);
     EXPECT_TRUE(cover.tour.optimal);
     EXPECT_GE(cover.covered, 0.99);
+    request.open = false;  // there and back
+    const CoverResult closed = plan_cover(planner, request);
+    EXPECT_TRUE(closed.tour.optimal);
+    EXPECT_NEAR(closed.tour.length, 2 * cover.tour.length, 1e-9);
   }
 }
 
@@ -163,12 +170,12 @@ TEST(Cover, KeepsToFreeSpaceAndTellsWhatABruteForceCountTells) {
        {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::random, MapKind::open})
     for (const double radius : {0.0, 0.5, 1.3})
       for (const double width : {1.5, 4.0}) {
-        const Planner planner(generate(kind, {.width = 26, .height = 20, .seed = 5}), Disc{radius});
+        const Planner planner(generate(kind, {.width = 20, .height = 14, .seed = 5}), Disc{radius});
         CoverRequest request = ask(width);
         request.open = ++cases % 2 == 0;
         Cell from{0, 0};
-        for (int i = 0; i < 26 * 20; ++i)
-          if (planner.clear({(i * 7) % 26, (i * 11) % 20})) from = {(i * 7) % 26, (i * 11) % 20};
+        for (int i = 0; i < 20 * 14; ++i)
+          if (planner.clear({(i * 7) % 20, (i * 11) % 14})) from = {(i * 7) % 20, (i * 11) % 14};
         if (!planner.clear(from)) continue;
         request.start = centre(from);
         const CoverResult cover = plan_cover(planner, request);
@@ -186,8 +193,52 @@ TEST(Cover, KeepsToFreeSpaceAndTellsWhatABruteForceCountTells) {
   EXPECT_EQ(cases, 30);
 }
 
+// Ends of swaths that are a rounding off a wall are at it; a start between two regions is of the
+// larger.
+TEST(Cover, PlansLegsFromWallsAndBetweenRegions) {
+  const auto plan = [](Grid grid, std::initializer_list<Cell> blocked, double width,
+                       std::optional<Point> start) {
+    for (const Cell at : blocked) grid.fill({at.x, at.y, 1, 1}, true);
+    const Planner planner(std::move(grid));
+    CoverRequest request = ask(width);
+    request.start = start;
+    const CoverResult cover = plan_cover(planner, request);
+    expect_valid(planner, request, cover);
+    EXPECT_GT(cover.covered, 0.97);
+    return cover;
+  };
+  static_cast<void>(plan(Grid(13, 10), {{4, 1}, {9, 4}, {3, 5}, {2, 6}}, 3, std::nullopt));
+  Grid meeting(6, 7);
+  meeting.fill({3, 0, 3, 3}, true);
+  meeting.fill({0, 3, 3, 4}, true);
+  const CoverResult larger = plan(meeting, {}, 1, Point{3, 3});
+  EXPECT_DOUBLE_EQ(larger.unreachable, 9.0 / 21);
+}
+
+// The judge's samples are its own.
+TEST(Cover, TellsTheSharesOfNarrowToolsAndOfTightDeadEnds) {
+  Grid slots(6, 5);
+  slots.fill({1, 1, 2, 3}, true);
+  CoverRequest request = ask(0.1);
+  request.generations = 0;
+  const CoverResult narrow = plan_cover(Planner(slots), request);
+  EXPECT_LE(narrow.resolution, 0.1 / 4);
+  EXPECT_GT(narrow.covered, 0.97);
+  EXPECT_GT(narrow.swept, 0.95 * 24 / 0.1);
+
+  Grid dead_end(15, 5);
+  dead_end.fill({5, 0, 10, 5}, true);
+  dead_end.fill({5, 2, 10, 1}, false);
+  const Planner planner(dead_end, Disc{0.5});
+  const CoverResult tight = plan_cover(planner, ask(2));
+  EXPECT_GT(tight.covered, 0.97);
+  double furthest = 0;
+  for (const Point stop : tight.stops) furthest = std::max(furthest, stop.x);
+  EXPECT_GT(furthest, 13.4);
+}
+
 TEST(Cover, IsTheSameOnAnyThreads) {
-  const Planner planner(generate(MapKind::blobs, {.width = 48, .height = 36, .seed = 2}),
+  const Planner planner(generate(MapKind::blobs, {.width = 36, .height = 28, .seed = 2}),
                         Disc{0.7});
   CoverRequest request = ask(3);
   std::vector<CoverResult> all;
@@ -251,7 +302,15 @@ TEST(Cover, EndsWithTheBestSoFar) {
     EXPECT_EQ(cover.tour.status, Status::limit);
     expect_valid(planner, request, cover);
   }
-  request.stop = {};
+  // The first heading's lines are laid past any deadline, gaps are not filled then.
+  request.start = Point{1.5, 1.5};
+  request.width = 0.5;
+  const CountingTime up(0);
+  request.stop = up.is_up();
+  const CoverResult laid = plan_cover(Planner(Grid(60, 8)), request);
+  EXPECT_EQ(laid.tour.status, Status::limit);
+  EXPECT_GT(laid.covered, 0.9);
+  request = ask(3);
   std::vector<double> told;
   const CoverResult cover = plan_cover(planner, request, [&](std::span<const int>, double length) {
     told.push_back(length);

@@ -47,7 +47,9 @@ TEST(ToolLines, HaveAllPlacesThatKeepTheRadius) {
 TEST(SweepCells, PartAndJoinAroundAnObstacle) {
   Grid grid(20, 12);
   grid.fill({8, 4, 5, 3}, true);
-  const auto cells = sweep_cells(ToolLines(grid, 0), headings()[0], 2);
+  const StopCondition never;
+  Poller poller(never);
+  const auto cells = sweep_cells(ToolLines(grid, 0), headings()[0], 2, poller);
   ASSERT_EQ(cells.size(), 4u);  // above, left, right, below
   const double from[] = {0, 4, 4, 7}, to[] = {4, 7, 7, 12};
   for (int i = 0; i < 4; ++i) {
@@ -62,7 +64,7 @@ TEST(SweepCells, PartAndJoinAroundAnObstacle) {
   Grid doors(20, 12);
   doors.fill({0, 6, 20, 1}, true);
   doors.set_blocked({3, 6}, false);
-  const auto through = sweep_cells(ToolLines(doors, 0), headings()[0], 2);
+  const auto through = sweep_cells(ToolLines(doors, 0), headings()[0], 2, poller);
   ASSERT_EQ(through.size(), 3u);
   EXPECT_TRUE(through[0].wall_behind && through[2].wall_before);
   EXPECT_FALSE(through[1].wall_before || through[1].wall_behind);
