@@ -36,7 +36,7 @@ struct CoverResult {
   /// From +x towards +y, degrees from 0 to below 180: what most swaths are parallel to; those that
   /// cover what is left over may be across.
   double angle = 0;
-  double swept = 0;       ///< length of all swaths, cells
+  double swept = 0;  ///< length of all swaths, cells
   /// Cells from one sample of area to the next; shares are of samples. With a radius, places of the
   /// tool that lie between samples count as none.
   double resolution = 0;
