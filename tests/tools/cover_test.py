@@ -75,8 +75,8 @@ class Cover(ProgramTest):
             run = self.cover(GRID, width)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)
-        self.write("long.map", "type octile\nheight 100000\nwidth 2\nmap\n" + "..\n" * 100000)
-        for width, words in ((0.001, "more samples of the map's area than 200000000"), (0.9, "more lines than 100000")):
+        self.write("long.map", "type octile\nheight 30000\nwidth 2\nmap\n" + "..\n" * 30000)
+        for width, words in ((0.001, "more samples of the map's area than 200000000"), (0.1, "more lines than 100000")):
             run = self.cover("long.map", width)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn(words, run.err)

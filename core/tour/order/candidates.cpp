@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/poller.h"
+
 namespace lasius::tour {
 
 namespace {
@@ -37,7 +39,9 @@ int quadrant(const Point& from, const Point& to) {
 
 }  // namespace
 
-Candidates::Candidates(const Costs& costs, std::span<const Point> places, int count) {
+Candidates::Candidates(const Costs& costs, std::span<const Point> places, int count,
+                       const StopCondition& stop) {
+  Poller poller(stop);
   const int n = costs.size();
   std::array<Nearest, 5> sets;  // of the quadrants, and of all
   for (int q = 0; q < 4; ++q) sets[q].most = places.empty() ? 0 : count / 4;
@@ -47,7 +51,8 @@ Candidates::Candidates(const Costs& costs, std::span<const Point> places, int co
   for (int v = 0; v < n; ++v) {
     for (Nearest& set : sets) set.kept.clear();
     row.clear();
-    for (int w = 0; w < n; ++w)
+    const int window = n > kMany && poller.stop_after(n) ? count : n;
+    for (int w = std::max(0, v - window); w < std::min(n, v + window + 1); ++w)
       if (w != v) row.push_back({w, costs.lower(v, w)});
     // By rising bound: then few are priced that are not kept.
     if (costs.priced_late()) std::sort(row.begin(), row.end(), cheaper);

@@ -6,6 +6,7 @@
 
 #include "core/tour/order/costs.h"
 #include "lasius/geometry.h"
+#include "lasius/stop.h"
 
 namespace lasius::tour {
 
@@ -19,8 +20,11 @@ class Candidates {
 
   /// The `count` cheapest each; where places are given (one a stop, or none) first the count / 4
   /// cheapest in each quadrant around the stop. Of a pricer's costs only those are priced of which
-  /// the lower bound does not show that they are dearer.
-  Candidates(const Costs& costs, std::span<const Point> places, int count);
+  /// the lower bound does not show that they are dearer. Of more than kMany stops, once stopped,
+  /// those whose numbers are near.
+  Candidates(const Costs& costs, std::span<const Point> places, int count,
+             const StopCondition& stop = {});
+  static constexpr int kMany = 4000;
 
   std::span<const Leg> of(int stop) const noexcept {
     return {legs_.data() + begin_[stop], legs_.data() + begin_[stop + 1]};

@@ -155,7 +155,7 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
   const std::optional<OneMore> more =
       ends.open ? std::optional<OneMore>(std::in_place, costs, ends) : std::nullopt;
   const Costs& closed = more ? more->costs() : costs;
-  Candidates candidates(closed, places, kCandidates);
+  Candidates candidates(closed, places, kCandidates, options.stop);
   if (more) candidates.add(closed, more->all_legs());
   const std::function<bool(const ArrayTour&)> found = [&](const ArrayTour& tour) {
     result.order = more ? more->opened(tour.order()) : tour.order();

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/tour/order/search.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -50,6 +52,23 @@ TEST(TourLocalSearch, LeavesNoCheaperExchangeOfThreeEdges) {
     EXPECT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
     EXPECT_FALSE(cheaper_by_three_edges(costs, tour.order())) << "seed " << seed;
   }
+}
+
+// Far stops are cheap: none is found once stopped.
+TEST(TourCandidates, OfManyStopsAreNearNumbersOnceStopped) {
+  struct Far final : Pricer {
+    Cost price(int a, int b) override { return lower(a, b); }
+    Cost lower(int a, int b) const override {
+      return a == b ? 0 : 2 * Candidates::kMany - std::abs(a - b);
+    }
+    Cost largest() const override { return 2 * Candidates::kMany; }
+  } far;
+  constexpr int kSize = Candidates::kMany + 1, kCount = 8;
+  const Candidates candidates(Costs(kSize, far), {}, kCount, fired());
+  ASSERT_EQ(candidates.size(), kSize);
+  EXPECT_EQ(candidates.of(0).front().to, kSize - 1);
+  for (int v = 0; v < kSize; ++v) EXPECT_EQ(candidates.of(v).size(), kCount);
+  for (const Candidates::Leg& leg : candidates.of(kSize - 1)) EXPECT_GE(leg.to, kSize - 1 - kCount);
 }
 
 TEST(TourLocalSearch, KicksKeepATourAndNeverMakeItDearer) {
