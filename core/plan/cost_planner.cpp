@@ -252,7 +252,7 @@ CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& op
   double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
   const auto plan_leg = [&](const Request& leg) -> Result {
     dearer = cost - whole.length;
-    const CostResult found = plan(leg, options, observer);
+    CostResult found = plan(leg, options, observer);
     cost += found.cost;
     whole.length += found.length;
     return found;

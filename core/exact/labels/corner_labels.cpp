@@ -178,6 +178,7 @@ std::vector<std::uint32_t> CornerLabels::order_of(const CornerGraph& own,
   if (more * kShareOfNew > graph.size()) return {};
   std::ranges::sort(order);
   std::vector<std::uint32_t> corners;
+  corners.reserve(order.size());
   for (const auto& [rank, number] : order) corners.push_back(number);
   return corners;
 }

@@ -61,6 +61,7 @@ class TileLister {
     const auto blocks = static_cast<int>((n + kBlock - 1) / kBlock);
     std::vector<std::vector<Seen>> seen(static_cast<std::size_t>(blocks));
     std::vector<std::unique_ptr<Worker>> team;
+    team.reserve(static_cast<std::size_t>(threads_));
     for (int i = 0; i < threads_; ++i) team.push_back(std::make_unique<Worker>(tiles_, stop_));
     parallel_for(blocks, threads_, [&](int block, int thread) {
       const auto begin = static_cast<std::uint32_t>(block) * kBlock;
