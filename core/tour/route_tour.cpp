@@ -150,6 +150,7 @@ void set_orders(const TourRequest& request, const TourStops& stops, const Orders
                 TourResult& tour) {
   for (const std::vector<int>& places : found.orders) {
     std::vector<int> order;
+    order.reserve(places.size());
     for (const int v : places) order.push_back(stops.indices[v]);
     const std::size_t n = order.size(), count = n < 2 ? 0 : request.open ? n - 1 : n;
     const int first = static_cast<int>(tour.legs.size());

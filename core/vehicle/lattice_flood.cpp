@@ -79,8 +79,9 @@ void LatticeFlood::settle(const Item& item, int level) {
   const int word = static_cast<int>(item.word) % words_;
   const int heading = row / height_;
   const int y = row % height_;
+  const int column = 64 * word;
   std::uint16_t* const levels =
-      memory_.level.data() + static_cast<std::size_t>(row) * width_ + 64 * word;
+      memory_.level.data() + static_cast<std::size_t>(row) * width_ + column;
   for (std::uint64_t left = fresh; left != 0; left &= left - 1)
     levels[std::countr_zero(left)] = static_cast<std::uint16_t>(level);
   for (const int e : lattice_.from(heading)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,9 @@ class LatticeFlood {
 
   /// Whether every motion costs less than kBuckets units.
   static bool takes(const Lattice& lattice) noexcept;
-  static int units(double cost) noexcept { return static_cast<int>(cost / kUnit + 0.5); }
+  static int units(double cost) noexcept {
+    return static_cast<int>(std::floor(cost / kUnit + 0.5));
+  }
   static int units(const Edge& edge) noexcept {
     const int whole = units(static_cast<double>(edge.cost));
     return whole > 0 ? whole : 1;

@@ -218,7 +218,7 @@ class Search {
       offer(c.x, c.y, c.heading, layer_of(c.gear), c.cost, 0, ~static_cast<std::int32_t>(i));
     }
     std::int64_t expanded = 0;
-    std::int64_t next_probe = 2 * kProbed;
+    std::int64_t next_probe = std::int64_t{2} * kProbed;
     std::uint32_t shots = 0;
     while (queue_.advance(poller_)) {
       if (best_.goal >= 0 && best_.cost <= queue_.floor()) break;

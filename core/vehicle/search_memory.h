@@ -39,7 +39,7 @@ class States {
     const std::int32_t block = block_[static_cast<std::size_t>(y) * width_ + x];
     return block < 0 ? nullptr
                      : &states_[static_cast<std::size_t>(block) * per_cell_ +
-                                layer * Lattice::kHeadings + heading];
+                                static_cast<std::size_t>(layer) * Lattice::kHeadings + heading];
   }
   State& operator[](std::uint32_t index) { return states_[index]; }
   Cell cell(std::uint32_t index) const { return cells_[index / per_cell_]; }

@@ -46,8 +46,9 @@ class CoverGround {
     return 64 + static_cast<std::int64_t>(2 * half_ * (length + 2 * half_) * per_cell_ * per_cell_);
   }
   Point at(std::int64_t sample) const noexcept {
-    return {(static_cast<double>(sample % columns_) + 0.5) * spacing(),
-            (static_cast<double>(sample / columns_) + 0.5) * spacing()};
+    const std::int64_t column = sample % columns_, row = sample / columns_;
+    return {(static_cast<double>(column) + 0.5) * spacing(),
+            (static_cast<double>(row) + 0.5) * spacing()};
   }
   /// A place of the region; none where the tool has no place.
   const std::optional<Point>& place() const noexcept { return place_; }

@@ -42,6 +42,7 @@ std::vector<Strip> strips_of(const ToolLines& lines, const Heading& heading, dou
   const int count = std::max(1, static_cast<int>(extent.length() / width * kStripsOfWidth));
   const double step = extent.length() / count;
   std::vector<Strip> strips;
+  strips.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     strips.push_back({extent.from + i * step, extent.from + (i + 1) * step});
   return strips;

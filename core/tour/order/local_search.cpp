@@ -160,8 +160,9 @@ bool LocalSearch::kick(ArrayTour& tour, std::int64_t times, kernels::RandomStrea
       // What ends at a cut goes on with the segment that began two cuts before it, of four; of
       // three with the one that begins at the next.
       const int behind = 2 * ((j + (cuts == 4 ? 2 : 1)) % cuts) + 1;
-      exchange.partner[2 * j] = behind;
-      exchange.partner[behind] = 2 * j;
+      const int end = 2 * j;
+      exchange.partner[end] = behind;
+      exchange.partner[behind] = end;
     }
     const std::int64_t before = tour.cost();
     for (const int place : exchange.cut_span())

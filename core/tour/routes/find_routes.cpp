@@ -222,6 +222,7 @@ class RouteSearch {
   void share_one_tour() {
     const int n = problem_.size(), routes = static_cast<int>(problem_.routes.size());
     std::vector<int> stops;
+    stops.reserve(static_cast<std::size_t>(n) + problem_.routes.size());
     for (int task = 0; task < n; ++task) stops.push_back(best_.stop(task));
     for (const Ends& ends : problem_.routes) stops.push_back(ends.start);
     std::vector<int> tour = ordered(stops, {}, std::min(options_.generations, kGenerationsOfOne));

@@ -211,6 +211,7 @@ class Ascent {
   // task: the cheapest, of as many routes as is cheapest.
   Sum returns() {
     std::vector<Leg> back;
+    back.reserve(static_cast<std::size_t>(tasks_));
     for (int task = 0; task < tasks_; ++task) back.push_back(of_depot(task, to_depot_));
     std::partial_sort(
         back.begin(), back.begin() + most_, back.end(),

@@ -69,7 +69,7 @@ TEST(CellChords, ReachIsTheLeastOverAnInterval) {
   const CellChords chords(4);
   const std::vector<double> values{1, 1.2, 1.1, 1.4, 1.3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   for (int interval = 0; interval < 4; ++interval) {
-    double out[11];
+    double out[11 + 3];
     chords.reach(interval, values[interval], values[interval + 1], 2, out);
     for (int i = 0; i < 11; ++i) {
       double least = 1e9;

@@ -246,7 +246,8 @@ TEST(Routes, CostWhatTheirLegsCost) {
   for (const auto& routes : kRoutes) {
     const Instance instance = random_instance(30, 3);
     const RouteProblem problem = problem_of(30, routes, 5, true);
-    RouteState state(problem, instance.costs());
+    const Costs costs = instance.costs();
+    RouteState state(problem, costs);
     kernels::RandomStream random(9, 0, 0);
     for (int step = 0; step < 300; ++step) {
       const int task = random.below(problem.size());
