@@ -129,6 +129,27 @@ void CostField::check_size(const Grid& grid) const {
          "use costs of the map's size");
 }
 
+std::vector<double> slope(int width, int height, std::span<const double> heights) {
+  (void)CostField(width, height);  // throws
+  check_count(heights.size(), width, height);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (!std::isfinite(heights[i]))
+      refuse("a height is " + number_text(heights[i]) + in_cell(i, width), "use finite ones");
+  const auto at = [&](int x, int y) { return heights[static_cast<std::size_t>(y) * width + x]; };
+  std::vector<double> slopes;
+  slopes.reserve(heights.size());
+  for (int y = 0; y < height; ++y) {
+    const int up = std::max(y - 1, 0), down = std::min(y + 1, height - 1);
+    for (int x = 0; x < width; ++x) {
+      const int left = std::max(x - 1, 0), right = std::min(x + 1, width - 1);
+      const double dx = left < right ? (at(right, y) - at(left, y)) / (right - left) : 0;
+      const double dy = up < down ? (at(x, down) - at(x, up)) / (down - up) : 0;
+      slopes.push_back(std::sqrt(dx * dx + dy * dy));
+    }
+  }
+  return slopes;
+}
+
 Costmap read_costmap(int width, int height, std::span<const std::uint8_t> values, double weight,
                      bool unknown_is_free) {
   constexpr int kInscribed = 253, kUnknown = 255;

@@ -76,6 +76,12 @@ class LASIUS_EXPORT CostField {
   std::vector<double> weights_;
 };
 
+/// A terrain's slope, a layer for CostField::add: of each cell the length of its height's gradient,
+/// by the heights on both sides of it, at the map's edge on one side; 1 is a rise of 45 degrees.
+/// @param heights  of the cells, in cells, row by row from the top left
+/// @throws Error(invalid_parameter) unless there are width x height finite ones
+LASIUS_EXPORT std::vector<double> slope(int width, int height, std::span<const double> heights);
+
 /// Which cells a ROS costmap blocks, and what the others cost.
 struct Costmap {
   Grid grid;        ///< the cells that may be planned on

@@ -18,6 +18,22 @@ namespace {
 
 constexpr double kRoot2 = 1.4142135623730951;
 
+TEST(CostField, SlopesAreGradients) {
+  // Heights 3 x + y^2: by hand, one-sided at the edges.
+  std::vector<double> heights;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 2; ++x) heights.push_back(3 * x + y * y);
+  const std::vector<double> slopes = slope(2, 3, heights);
+  const double expected[] = {std::sqrt(10.0), std::sqrt(10.0), std::sqrt(13.0),
+                             std::sqrt(13.0), std::sqrt(18.0), std::sqrt(18.0)};
+  ASSERT_EQ(slopes.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(slopes[i], expected[i]);
+  EXPECT_EQ(slope(1, 1, std::vector<double>{7}), std::vector<double>{0});
+  EXPECT_THROW((void)slope(2, 2, heights), Error);
+  heights[3] = std::nan("");
+  EXPECT_THROW((void)slope(2, 3, heights), Error);
+}
+
 TEST(CostField, AddsLayersToOne) {
   CostField costs(2, 1);
   costs.add(std::vector<double>{0.5, 3}, 2);
