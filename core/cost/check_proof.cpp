@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/cost/cell_chords.h"
 #include "core/cost/coarse_bound.h"
+#include "core/cost/level_values.h"
 #include "core/cost/terrain.h"
 #include "lasius/cost_proof.h"
 
@@ -30,48 +31,18 @@ using Fault = std::optional<std::string>;
 class Field {
  public:
   Field(const CostProof::Level& level, const Terrain& terrain)
-      : level_(level), terrain_(terrain), chords_(level.intervals) {}
+      : terrain_(terrain),
+        chords_(level.intervals),
+        values_(level, terrain.width(), terrain.height()) {}
 
   /// Reads cells and values. @param before  the cells of the level have to be cells of it
   Fault read(const Field* before) {
-    const int k = level_.intervals, places = 4 * k;
-    slot_.assign(static_cast<std::size_t>(terrain_.stride()) * (terrain_.height() + 2), -1);
-    if (level_.runs.empty() || level_.runs.size() % 3 != 0) return "runs are not of three numbers";
-    std::size_t next = 0;
-    std::int64_t last = -1;
-    for (std::size_t i = 0; i < level_.runs.size(); i += 3) {
-      const int y = level_.runs[i], x = level_.runs[i + 1], count = level_.runs[i + 2];
-      if (y < 0 || y >= terrain_.height() || x < 0 || count < 1 || count > terrain_.width() - x)
-        return "the run at " + pair_text(x, y) + " leaves the map";
-      if (static_cast<std::int64_t>(terrain_.index(x, y)) <= last)
-        return "the run at " + pair_text(x, y) + " is out of order";
-      for (int j = x; j < x + count; ++j) {
-        const std::size_t at = terrain_.index(j, y);
-        last = static_cast<std::int64_t>(at);
-        if (!terrain_.free(j, y)) return named(at) + " is blocked";
-        if (before != nullptr && !before->has(at)) return named(at) + " is not in the level before";
-        values_.resize(values_.size() + places);
-        slot_[at] = static_cast<std::int64_t>(cells_.size());
-        cells_.push_back(at);
-        double* values = values_.data() + values_.size() - places;
-        const double *above = find(at - terrain_.stride()), *left = find(at - 1);
-        for (int place = 0; place < places; ++place) {
-          const bool on_top = above != nullptr && place <= k;
-          const bool on_left = left != nullptr && (place >= 3 * k || place == 0);
-          if (!on_top && !on_left) {
-            if (next == level_.values.size()) return "values are missing from " + named(at) + " on";
-            values[place] = level_.values[next++];
-            if (!std::isfinite(values[place])) return named(at) + " has a value that is no number";
-            continue;
-          }
-          values[place] = on_top ? above[3 * k - place] : left[place == 0 ? k : 5 * k - place];
-          if (on_top && on_left && values[place] != left[k])
-            return named(at) + " has two values in a corner";
-        }
-      }
-    }
-    if (next != level_.values.size()) return "there are more values than places for them";
-    return {};
+    return values_.read([&](std::size_t at) -> Fault {
+      if (!(terrain_.at(at) < kInfinity)) return values_.named(at) + " is blocked";
+      if (before != nullptr && !before->has(at))
+        return values_.named(at) + " is not in the level before";
+      return {};
+    });
   }
 
   /// Every chord of every cell, and the ways from the source's centre.
@@ -82,11 +53,12 @@ class Field {
         chords_.excess_from(cost::kMiddle, around, terrain_.weight(source.x, source.y));
     if (from > 1 + kMostExcess) return "values around its end are above what they cost from there";
     double most = from, greatest = 0;
-    for (const std::size_t at : cells_) {
+    for (const std::size_t at : values_.cells()) {
       const double* values = find(at);
       const double excess = chords_.excess(values, terrain_.at(at));
       if (!(excess <= 1 + kMostExcess))
-        return named(at) + " has values that differ by more than a chord between them costs";
+        return values_.named(at) +
+               " has values that differ by more than a chord between them costs";
       most = std::max(most, excess);
       greatest = std::max(greatest, *std::max_element(values, values + chords_.places()));
     }
@@ -95,13 +67,11 @@ class Field {
     return {};
   }
 
-  bool has(std::size_t at) const noexcept { return slot_[at] >= 0; }
+  bool has(std::size_t at) const noexcept { return values_.has(at); }
   double excess() const noexcept { return excess_; }
   const CellChords& chords() const noexcept { return chords_; }
   /// The values around a cell; null for one that is not in the level.
-  const double* find(std::size_t at) const noexcept {
-    return has(at) ? values_.data() + slot_[at] * chords_.places() : nullptr;
-  }
+  const double* find(std::size_t at) const noexcept { return values_.find(at); }
   /// What no path costs less that ends in the centre of a cell; infinite off the level.
   double at_centre(Cell cell) const noexcept {
     const double* values = find(terrain_.index(cell.x, cell.y));
@@ -114,7 +84,7 @@ class Field {
   template <class Visit>
   void each_border(const Field* before, const Visit& visit) const {
     const int beside[4] = {-terrain_.stride(), 1, terrain_.stride(), -1};
-    for (const std::size_t at : cells_) {
+    for (const std::size_t at : values_.cells()) {
       for (int edge = 0; edge < 4; ++edge) {
         const std::size_t other = at + beside[edge];
         if (has(other) || !(terrain_.at(other) < kInfinity)) continue;
@@ -132,18 +102,10 @@ class Field {
   }
 
  private:
-  std::string named(std::size_t at) const {
-    const Cell cell = terrain_.cell(at);
-    return (level_.block > 1 ? "block " : "cell ") + pair_text(cell.x, cell.y);
-  }
-
-  const CostProof::Level& level_;
   const Terrain& terrain_;
   CellChords chords_;
   double excess_ = 1;
-  std::vector<std::int64_t> slot_;  // by index of the terrain, -1: none
-  std::vector<std::size_t> cells_;
-  std::vector<double> values_;
+  cost::LevelValues values_;
 };
 
 /// What a path that leaves a level costs at least, where `before` tells what is left from there.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <iterator>
 #include <tuple>
 
 #include "core/base/special_values.h"
@@ -81,7 +81,9 @@ class Search {
     for (const Via& via : candidates()) {
       if (static_cast<int>(found.size()) == count || poller_.stop_after(kPerCandidate)) break;
       const auto beside = [&](std::uint32_t i) { return taken_.holds(point(out_.corners[i])); };
-      if (std::ranges::all_of(via.corners, beside)) continue;
+      std::vector<std::uint32_t> apart;
+      std::ranges::remove_copy_if(via.corners, std::back_inserter(apart), beside);
+      if (apart.empty()) continue;
       std::vector<Point> way = way_over(via);
       const auto size = static_cast<std::int64_t>(way.size());
       if (poller_.stop_after(size * taken_.size())) break;
@@ -91,9 +93,8 @@ class Search {
       if (poller_.stop_after(vertex * (size - vertex))) break;
       if (crosses_itself(way, vertex)) continue;
       bool stopped = false;
-      const bool good = std::ranges::any_of(via.corners, [&](std::uint32_t i) {
-        return !stopped && !beside(i) &&
-               shortest_around(way, out_.corners[i], via.length, shortest, stopped);
+      const bool good = std::ranges::any_of(apart, [&](std::uint32_t i) {
+        return !stopped && shortest_around(way, out_.corners[i], via.length, shortest, stopped);
       });
       if (stopped) break;
       if (!good) continue;

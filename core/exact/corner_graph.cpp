@@ -203,13 +203,14 @@ void CornerGraph::Builder::scan() {
 // Found by all threads, listed in the order of the corners.
 void CornerGraph::Builder::list_one_ways() {
   CornerGraph& g = *graph_;
-  std::vector<std::vector<DirectedEdge>> found(g.chunks_.size());
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(g.chunks_.size());
   std::vector<Poller> pollers(static_cast<std::size_t>(threads_), Poller(options_.stop));
   parallel_for(static_cast<int>(found.size()), threads_, [&](int chunk, int thread) {
     const std::uint32_t begin = static_cast<std::uint32_t>(chunk) << kChunkBits;
     for (std::uint32_t v = begin; v < std::min(begin + kChunk, g.size()) && !stopped_; ++v) {
       for (const GraphEdge& edge : g.edges(v)) {
-        if (!g.leads_back(v, edge)) found[static_cast<std::size_t>(chunk)].push_back({v, edge});
+        if (!g.leads_back(v, edge))
+          found[static_cast<std::size_t>(chunk)].push_back({v, edge.to()});
       }
       const auto work = static_cast<std::int64_t>(kWordsPerEdge * g.edges(v).size());
       if (pollers[static_cast<std::size_t>(thread)].stop_after(work)) stopped_ = true;
@@ -226,7 +227,7 @@ void CornerGraph::Builder::list_one_ways() {
   g.one_ways_.reserve(count);
   g.one_ways_.push_back({});
   for (const auto& edges : found) {
-    for (const DirectedEdge& e : edges) g.add_one_way(e.from, e.edge.to());
+    for (const auto& [from, to] : edges) g.add_one_way(from, to);
   }
 }
 

@@ -82,12 +82,6 @@ struct GraphEdge {
 };
 static_assert(sizeof(GraphEdge) == 8);
 
-/// An edge and where it comes from.
-struct DirectedEdge {
-  std::uint32_t from;
-  GraphEdge edge;
-};
-
 class ArrayWriter;
 class ArrayReader;
 
@@ -107,6 +101,10 @@ class CornerGraph {
   /// How many corners there are.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
   const GraphCorner& corner(std::uint32_t i) const noexcept { return corners_[i]; }
+  /// Is there one at a lattice point inside the map?
+  bool has_corner(int x, int y) const noexcept {
+    return (tiles_[static_cast<std::int64_t>(tile_of(x, y))] >> place_of(x, y) & 1) != 0;
+  }
   /// The corner at a lattice point that is one.
   std::uint32_t index(int x, int y) const noexcept {
     const std::size_t tile = tile_of(x, y);
@@ -137,7 +135,7 @@ class CornerGraph {
   const Landmarks& landmarks() const noexcept { return landmarks_; }
 
   /// How many times its straight distance the way from a landmark to a corner is at most, for nine
-  /// corners in ten, when the graph was made; infinite without landmarks.
+  /// corners in ten; infinite without landmarks.
   double detour() const noexcept { return detour_; }
 
   std::int64_t edge_count() const noexcept { return edge_count_; }
@@ -176,9 +174,6 @@ class CornerGraph {
     }
     one_ways_.push_back({from, one_way_[to]});
     one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
-  }
-  bool has_corner(int x, int y) const noexcept {
-    return (tiles_[static_cast<std::int64_t>(tile_of(x, y))] >> place_of(x, y) & 1) != 0;
   }
   std::size_t tile_of(int x, int y) const noexcept {
     return static_cast<std::size_t>(y >> 3) * tiles_across_ + static_cast<std::size_t>(x >> 3);

@@ -12,8 +12,7 @@
 namespace lasius::exact {
 
 /// Landmarks L, and for each a number p(v) for each corner v such that |p(v) - p(w)| <= |vw| for
-/// every edge vw of the graph. When the map is prepared these are distances from L along shortest
-/// paths; after edits they are as near to that as the edges allow.
+/// every edge vw of the graph: distances from L along shortest paths.
 ///
 /// From a corner v where a shortest path bends it goes to a goal t along edges of the graph to a
 /// corner w that t sees. So |vt| = |vw| + |wt|, and p(w) is from p(v) - |vw| to p(v) + |vw|. With
@@ -21,7 +20,7 @@ namespace lasius::exact {
 /// p(w) - |wt|, follows |vt| >= low - p(v) and |vt| >= p(v) - high.
 ///
 /// All p are multiples of a grain, a power of two, and lengths of edges count as rounded down to
-/// such. So sums and differences are exact in floats, and no edit adds to what rounding takes off.
+/// such. So sums and differences are exact in floats.
 /// Low and high are off by at most 2^-23 of themselves, a difference by as much once more:
 /// 2^-21 of each is taken off, in Goal and in bound().
 class Landmarks {

@@ -140,8 +140,12 @@ bool ExactSearch::scan_cone(std::uint32_t index) {
   const auto depth = static_cast<double>(heading.down() * (here.y - parent.y));
   constexpr double kOne = static_cast<double>(kernels::kOne);
   constexpr double kLevel = static_cast<double>(kernels::kLevelSlope) / kOne;
-  const Fixed slope =
-      u >= kLevel * depth ? kernels::kLevelSlope : static_cast<Fixed>(u * kOne / depth);
+  Fixed slope = u >= kLevel * depth ? kernels::kLevelSlope : static_cast<Fixed>(u * kOne / depth);
+  // Scans are about rays through half cells, which are never so near to a column: here the cone is
+  // a little wider, and what more is found lies on paths that are valid, but not taut.
+  constexpr Fixed kLeastSlope = kernels::kOne >> 12;
+  if (corner.parent == CornerTable::kStart && slope < kLeastSlope && start_.off() > 0)
+    slope = heading.towards_column() ? kLeastSlope : 0;
   root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
   const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, heading.down());
   Visitor<S> visitor{*this, heading.down(), cone.line0};

@@ -265,7 +265,7 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
   if (!placed.run()) return {};
   // Looks read what the floods found, so that their order does not matter.
   std::vector<Landmarks::Distances> distances;
-  distances.reserve(placed.distances.capacity());
+  distances.reserve(placed.distances.size());
   Poller poller(stop);
   for (const Landmarks::Distances& known : placed.distances) {
     if (poller.stop_after(kWords)) return {};

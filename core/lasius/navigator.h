@@ -155,7 +155,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   double goal_tolerance() const noexcept override;
   double move_cost(Cell from, Cell to) override;
   void begin_drive() override;  ///< as with NavigatorOptions::doubt_after = 0 from then on
-  /// What came of the visibility graph; its edges and bytes are those of now.
+  /// What came of the visibility graph, as it was when made: edits of the map do not change it.
+  /// State::none once it was dropped.
   Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held, a colony's trail not counted
 

@@ -13,7 +13,7 @@ enum class Status {
   limit,        ///< a Limit ended it; the best so far
   interrupted,  ///< the stop token or an observer ended it; the best path so far, if any
   unreachable,  ///< proven: no path exists
-  no_path,      ///< its iterations ended without a path
+  no_path,      ///< none was found, none is proven impossible
   invalid,      ///< start or goal outside or blocked
 };
 /// The name, as in "no_path".

@@ -194,7 +194,8 @@ std::optional<std::string> fault_of(const PlanningMap& map, const Result& result
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
   const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
-  check_alternatives(asked, find_algorithm(given.algorithm()), robot);
+  const Algorithm& algorithm = find_algorithm(given.algorithm());
+  check_alternatives(asked, algorithm, robot);
   if (!asked.via.empty()) {
     const auto plan = [&](const Request& leg) {
       return answer(map, leg, given, workspace, observer, own);
@@ -204,7 +205,6 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     return whole;
   }
   validate(given, own);
-  const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
   check_serves(algorithm, robot);
@@ -237,12 +237,12 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   } else if (algorithm.kind == Algorithm::Kind::exact) {
     result = map.search ? map.search(request, observer)
                         : run_exact(map, request, places, memory, observer);
-    // Cells may be joined where a disc is not: then the search has proven it. Of a point it saw
-    // nothing from an end.
+    // Cells may be joined where a disc is not: then the search has proven it. Of a point the cells
+    // prove more: it is within rounding of a corner, and the search lost its ways.
     if (result.status == Status::unreachable && map.disc == nullptr) {
       result.status = Status::no_path;
       result.error = "start " + start.name() + " or goal " + goal.name() +
-                     " is too near to what is blocked for the search to see past it; move it by "
+                     " is so near to what is blocked that no way was found from it; move it by "
                      "0.0001 cells, or onto the grid line";
       return result;
     }
@@ -283,10 +283,10 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     if (legs_alone && places.from != centre(request.start)) on_grid = on_grid.subspan(1);
     if (legs_alone && places.to != centre(request.goal))
       on_grid = on_grid.first(on_grid.size() - 1);
-    // What an edge was stored for needs no second look.
+    // What an edge was stored for was looked at then, or since the map's edit.
     const bool stored = algorithm.kind == Algorithm::Kind::exact && map.disc == nullptr &&
-                        (map.graph != nullptr || map.sure.graph != nullptr) && !map.from_file &&
-                        memory.exact_answer.stored_legs && on_grid.size() > 2;
+                        !map.search && !map.from_file && memory.exact_answer.stored_legs &&
+                        on_grid.size() > 2;
     auto fault = fault_of(map, result, stored ? on_grid.first(2) : on_grid, corners);
     if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
     if (fault) throw std::logic_error("a planned path is not valid: " + *fault);

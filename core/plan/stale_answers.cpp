@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "core/base/held_bytes.h"
@@ -106,26 +105,19 @@ bool StaleAnswers::search(Memory memory, const Grid& now, Point from, Point to,
   if (!tells_ || !is_free(grid, from) || !is_free(grid, to)) return false;
   // The ordinary search has some path early, tells of better ones, and ends at a gap.
   if (options.improved != nullptr || options.target_gap > 0) return false;
-  if (older_->labels == nullptr) {
-    const bool may_be_stopped =
-        stop.token.stop_possible() || stop.deadline != Clock::time_point::max();
-    const double straight =
-        std::sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
-    const bool doubtful = std::ranges::any_of(freed_, [&](const auto& freed) {
-      return to_cell(from, freed->cell) + to_cell(to, freed->cell) < straight * (1 + 1e-9);
-    });
-    if (may_be_stopped || doubtful) return false;
-  }
   if (older_->labels != nullptr) {
     if (!memory.labels.search(grid, *older_->graph, *older_->labels, from, to, {}, stop, answer))
       return false;
   } else {
+    if (stop.token.stop_possible() || stop.deadline != Clock::time_point::max()) return false;
+    const double straight = exact::distance(2 * from.x, 2 * from.y, 2 * to.x, 2 * to.y);
+    for (const auto& freed : freed_)
+      if (to_cell(from, freed->cell) + to_cell(to, freed->cell) < straight * (1 + 1e-9))
+        return false;
     memory.prepared.search(grid, *older_->graph, from, to, {}, stop, answer);
   }
   if (!answer.optimal || path_fault(now, answer.path)) return false;
-  if (!none_shorter(memory, from, to, answer.length)) return false;
-  answer.stored_legs = false;
-  return true;
+  return none_shorter(memory, from, to, answer.length);
 }
 
 bool StaleAnswers::none_shorter(Memory memory, Point from, Point to, double length) const {

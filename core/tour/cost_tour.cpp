@@ -166,7 +166,7 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
   sum_up(tour);
   if (found.bound > 0 || *tour.cost == 0)
     tour.lower_bound = std::min(*tour.cost, static_cast<double>(found.bound) / legs.scale());
-  tour.optimal = tour.gap() && *tour.gap() <= 1e-9 && tour.status == Status::solved;
+  settle_optimal(tour);
   return tour;
 }
 

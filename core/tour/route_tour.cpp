@@ -55,8 +55,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     first.generations = 0;
     RoutesFound early = find_routes(problem, costs, first);
     const std::int64_t bound = bound_of(early);
-    options.target = static_cast<std::int64_t>(static_cast<double>(bound) *
-                                               std::min(1 + request.target_gap, kMostTarget));
+    options.target = target_of(bound, request.target_gap);
     if (early.optimal || early.cost <= options.target) return answer(std::move(early), bound);
   }
   RoutesFound found = find_routes(problem, costs, options);
@@ -146,19 +145,29 @@ Orders orders_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   return {};
 }
 
+void add_legs(std::span<const int> order, bool open, TourResult& tour) {
+  const std::size_t n = order.size(), count = n < 2 ? 0 : open ? n - 1 : n;
+  for (std::size_t i = 0; i < count; ++i)
+    tour.legs.push_back({order[i], order[(i + 1) % n], 0, {}, 0});
+}
+
+void settle_optimal(TourResult& tour) {
+  constexpr double kRounding = 1e-9;
+  tour.optimal = tour.gap() && *tour.gap() <= kRounding && tour.status == Status::solved;
+}
+
 void set_orders(const TourRequest& request, const TourStops& stops, const Orders& found,
                 TourResult& tour) {
   for (const std::vector<int>& places : found.orders) {
     std::vector<int> order;
     order.reserve(places.size());
     for (const int v : places) order.push_back(stops.indices[v]);
-    const std::size_t n = order.size(), count = n < 2 ? 0 : request.open ? n - 1 : n;
-    const int first = static_cast<int>(tour.legs.size());
-    for (std::size_t i = 0; i < count; ++i)
-      tour.legs.push_back({order[i], order[(i + 1) % n], 0, {}, 0});
+    const auto first = static_cast<int>(tour.legs.size());
+    add_legs(order, request.open, tour);
+    const auto count = static_cast<int>(tour.legs.size()) - first;
     tour.order.insert(tour.order.end(), order.begin(), order.end());
     if (!request.robots.empty())
-      tour.tours.push_back({order.front(), order, first, static_cast<int>(count), 0, 0});
+      tour.tours.push_back({order.front(), order, first, count, 0, 0});
   }
 }
 

@@ -35,7 +35,11 @@ Orders orders_and_bound(const tour::Costs& costs, const tour::Costs& lower, cons
 /// Sets the orders by the stops' indices, and the legs' ends.
 void set_orders(const TourRequest& request, const TourStops& stops, const Orders& found,
                 TourResult& tour);
+/// The ends of the legs of an order, behind those that are there.
+void add_legs(std::span<const int> order, bool open, TourResult& tour);
 /// Sums up the legs, once they are planned.
 void sum_up(TourResult& tour);
+/// Whether length (or cost) and bound, once they are known, prove the tour shortest.
+void settle_optimal(TourResult& tour);
 
 }  // namespace lasius

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/parallel.h"
 #include "core/tour/ants/ant_colony.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/subset_dp.h"
@@ -81,8 +80,7 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
     tour.lower_bound = tour.length;
   else if (found.bound > 0 || tour.length == 0)
     tour.lower_bound = std::min(tour.length, static_cast<double>(found.bound) / tour::kGrains);
-  constexpr double kRounding = 1e-9;
-  tour.optimal = tour.gap() && *tour.gap() <= kRounding && tour.status == Status::solved;
+  settle_optimal(tour);
   return tour;
 }
 

@@ -66,6 +66,11 @@ Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
                                                    : Status::solved;
 }
 
+std::int64_t target_of(std::int64_t bound, double gap) {
+  constexpr double kMost = 1e6;  // bounds
+  return static_cast<std::int64_t>(static_cast<double>(bound) * std::min(1 + gap, kMost));
+}
+
 void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
                TourResult& tour) {
   std::vector<Workspace> workspaces(thread_count(threads));
@@ -149,8 +154,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     first.generations = 0;
     Ordered early{.found = find_order(costs, ends, places, first)};
     early.bound = bound_of(early.found);
-    options.target = static_cast<std::int64_t>(static_cast<double>(early.bound) *
-                                               std::min(1 + request.target_gap, kMostTarget));
+    options.target = target_of(early.bound, request.target_gap);
     if (!ants && (early.found.order.empty() || early.found.cost <= options.target)) return early;
   }
   Ordered ordered;
@@ -223,14 +227,11 @@ TourStops stops_of(const Planner& planner, const TourRequest& request, TourResul
     if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
     return stops;
   }
-  const auto inner = [&](const std::optional<int>& end) {
-    return end ? static_cast<int>(std::find(indices.begin(), indices.end(), *end) - indices.begin())
-               : -1;
-  };
   for (const int i : indices) stops.places.push_back(points[i]);
-  stops.ends = {request.open, inner(request.start), inner(request.goal)};
   stops.given = given_order(request, indices, static_cast<int>(points.size()));
   stops.indices = std::move(indices);
+  const auto inner = [&](const std::optional<int>& end) { return end ? stops.place_of(*end) : -1; };
+  stops.ends = {request.open, inner(request.start), inner(request.goal)};
   if (is_routed(request)) add_routes(request, stops, tour);
   return stops;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,10 +19,12 @@ inline bool by_ants(const TourRequest& request) { return request.ants.algorithm(
 /// Where the stops are.
 std::vector<Point> points_of(const TourRequest& request);
 
-constexpr double kMostTarget = 1e6;  ///< of a target gap, in bounds
 constexpr double kOrderShare = 0.6;  ///< of the time to a deadline, for the order
 /// A stop condition with this share of the time to its deadline.
 StopCondition earlier(StopCondition stop, double share);
+
+/// What is short enough for a target gap, where a bound is known.
+std::int64_t target_of(std::int64_t bound, double gap);
 
 /// What is given of the order of some of `all` stops, by their places among these.
 tour::PartialOrder given_order(const TourRequest& request, const std::vector<int>& indices,

@@ -129,7 +129,7 @@ bool holds(const Space& space, const Request& request, int goal, std::span<const
   };
   Pose at = request.start;
   for (const Segment& s : path) {
-    const bool drives = s.gear > 0 ? true : s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place;
+    const bool drives = s.gear > 0 || (s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place);
     const double bent = std::fabs(s.curvature) * vehicle.turning_radius;
     if (!drives || (s.gear != 0 && s.angle != 0 && !vehicle.sideways) || !(bent <= 1 + 1e-12) ||
         (vehicle.turning_radius == 0 && s.curvature != 0) || !(apart(at, s.begin) <= kOff) ||

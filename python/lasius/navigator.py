@@ -37,7 +37,8 @@ class Navigator:
         goal: cell (x, y).
         params: an algorithm's name or Params; None: `exact`. A colony goes on with its pheromone.
         radius: of the robot, in cells.
-        prepare: keeps a visibility graph; for `exact` only.
+        prepare: makes the visibility graph of the map once; after changes its answers are used where they are
+                proven to hold still; for `exact` only.
         target_gap: as of Planner.plan.
         search_on: goes on searching in every step; for colonies only.
         goal_tolerance: as of Planner.plan.

@@ -346,7 +346,8 @@ class Planner:
             radius, scaling, weight, inscribed = Inflation(*inflation)
             given.inflate(self.grid, radius, scaling, weight=weight, inscribed=inscribed)
             costs = given
-        return CostPlanner(self, costs if isinstance(costs, CostField) else CostField.of(np.asarray(costs)))._raw
+        assert costs is not None
+        return CostPlanner(self, costs)._raw
 
     def cover(
         self,

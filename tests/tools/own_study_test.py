@@ -189,14 +189,16 @@ class OwnStudy(ProgramTest):
         self.refused(self.run_program("study", "run", "m.yaml", "--start", "0.5,4", "--goal", "9,5", "--algorithm", "as"),
                      2, "add --frame world")
 
-    def test_costs_of_inflation_take_the_place_of_lengths(self):
-        self.write("s.yaml", """
+    TWO = """
 seeds: 2..2
 contenders:
   - {name: mmas, algorithm: mmas, set: {iterations: 5}}
   - {name: exact, algorithm: exact}
 questions:
-  - {map: small.map, start: [0, 0], goal: [9, 5], inflation: [3, 0.7, 4]}
+"""
+
+    def test_costs_of_inflation_take_the_place_of_lengths(self):
+        self.write("s.yaml", self.TWO + """  - {map: small.map, start: [0, 0], goal: [9, 5], inflation: [3, 0.7, 4]}
 """)
         self.ended(self.run_program("study", "s.yaml", "-o", "s"), 0)
         mmas, exact = self.runs_of("s")
@@ -211,13 +213,7 @@ questions:
 
     def test_costs_of_layers(self):
         self.write("a.pgm", "P2 10 6 4 " + " ".join(str((3 * x + 5 * y) % 5) for y in range(6) for x in range(10)))
-        self.write("s.yaml", """
-seeds: 2..2
-contenders:
-  - {name: mmas, algorithm: mmas, set: {iterations: 5}}
-  - {name: exact, algorithm: exact}
-questions:
-  - {name: a, map: small.map, start: [0, 0], goal: [9, 5], cost: a.pgm*3}
+        self.write("s.yaml", self.TWO + """  - {name: a, map: small.map, start: [0, 0], goal: [9, 5], cost: a.pgm*3}
   - {name: b, map: small.map, start: [0, 0], goal: [9, 5], cost: [a.pgm*3, a.pgm], inflation: [3, 0.7, 4]}
 """)
         self.ended(self.run_program("study", "s.yaml", "-o", "s"), 0)

@@ -324,11 +324,10 @@ Forms BitmapProblem::show(const Record& run) const {
                       std::ostream& out) { write_ros_path(out, poses(map_->frame.has_value())); },
           .page =
               [&](std::ostream& out) {
-                write_bitmap_report(out, run, *map_, command_.run,
-                                    {answer_.start.cell, answer_.goal.cell}, answer_.result.path,
+                write_bitmap_report(out, run, *map_, command_.run, answer_,
                                     frames_ ? &*frames_ : nullptr);
               },
-          .proof = proven ? decltype(Forms::proof)(write_proof) : decltype(Forms::proof)()};
+          .proof = proven ? Forms::WriteProof(write_proof) : nullptr};
 }
 
 }  // namespace lasius::tool

@@ -15,6 +15,15 @@ namespace {
 
 constexpr int kMostWallPixels = 1024;  // of the map, a side
 
+/// [[x, y, x, y], ...] to a hundredth of a cell.
+Json lines_json(const std::vector<std::array<Point, 2>>& lines) {
+  Json list = Json::array();
+  const auto rounded = [](double value) { return std::round(100 * value) / 100; };
+  for (const auto& [from, to] : lines)
+    list.push_back({rounded(from.x), rounded(from.y), rounded(to.x), rounded(to.y)});
+  return list;
+}
+
 }  // namespace
 
 Json walls_json(const Grid& grid, const Window& window) {
@@ -58,14 +67,16 @@ Json clearance_json(const Grid& grid, const std::vector<Point>& path, double len
 }
 
 void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMap& map,
-                         const RunOptions& run, const std::vector<Cell>& ends,
-                         const std::vector<Point>& path, const RunFrames* frames) {
+                         const RunOptions& run, const Answer& answer, const RunFrames* frames) {
   Json content = run_json(record, "bitmap", map_title(map, run));
-  content["map"] = map_view_json(map, shown_of(map, ends));
+  const Window window = shown_of(map, {answer.start.cell, answer.goal.cell});
+  content["map"] = map_view_json(map, window);
   if (map.costs)
-    content["map"]["weights"] =
-        weights_view_json(map.costs->field, map.as_read(), shown_of(map, ends));
-  content["clearance"] = clearance_json(map.as_read(), path, record.result.length);
+    content["map"]["weights"] = weights_view_json(map.costs->field, map.as_read(), window);
+  if (answer.over_costs && answer.over_costs->proof)
+    content["map"]["level_lines"] =
+        lines_json(level_lines(*answer.over_costs->proof, map.as_read()));
+  content["clearance"] = clearance_json(map.as_read(), answer.result.path, record.result.length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
   write_report_page(out, content);

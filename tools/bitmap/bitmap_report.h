@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <vector>
 
+#include "tools/bitmap/answer.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/run_frames.h"
 #include "tools/record/record.h"
@@ -22,7 +23,6 @@ Json clearance_json(const Grid& grid, const std::vector<Point>& path, double len
 
 /// `frames` may be null.
 void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMap& map,
-                         const RunOptions& run, const std::vector<Cell>& ends,
-                         const std::vector<Point>& path, const RunFrames* frames);
+                         const RunOptions& run, const Answer& answer, const RunFrames* frames);
 
 }  // namespace lasius::tool

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/cost/level_values.h"
 #include "tools/draw/axes.h"
 #include "tools/draw/colours.h"
 #include "tools/report/packed.h"
@@ -15,7 +16,6 @@ namespace lasius::tool {
 namespace {
 
 constexpr Colour kCosts[] = {{1, 1, 1}, {1, 0.94, 0.74}, {0.99, 0.77, 0.5}, {0.85, 0.5, 0.42}};
-constexpr Colour kLevelLine{0.35, 0.45, 0.62};
 constexpr int kLevelLines = 12;
 
 /// The mean weight of the free cells; NaN: there is none.
@@ -32,49 +32,6 @@ double mean_weight(const CostField& costs, const Grid& map, Span columns, Span r
   return free > 0 ? sum / free : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A cell of a level with the values at its corners, clockwise from the upper left one.
-struct Valued {
-  Cell cell;
-  std::array<double, 4> values;
-};
-
-/// A level's cells row by row. Values on an edge between two of its cells are those of the first.
-std::vector<Valued> corners_of(const CostProof::Level& level) {
-  std::vector<Valued> cells;
-  const int k = level.intervals;
-  auto value = level.values.begin();
-  std::size_t above = 0;  // the first cell that may be the one above
-  for (std::size_t run = 0; run + 2 < level.runs.size(); run += 3) {
-    const int y = level.runs[run], first = level.runs[run + 1], count = level.runs[run + 2];
-    for (int x = first; x < first + count; ++x) {
-      while (above < cells.size() && (cells[above].cell.y < y - 1 ||
-                                      (cells[above].cell.y == y - 1 && cells[above].cell.x < x)))
-        ++above;
-      const Valued* const over =
-          above < cells.size() && cells[above].cell == Cell{x, y - 1} ? &cells[above] : nullptr;
-      const Valued* const left =
-          !cells.empty() && cells.back().cell == Cell{x - 1, y} ? &cells.back() : nullptr;
-      Valued one{.cell = {x, y}, .values = {}};
-      for (int place = 0; place < 4 * k; ++place) {
-        const bool from_over = over != nullptr && place <= k;
-        const bool from_left = left != nullptr && (place == 0 || place >= 3 * k);
-        double at = 0;
-        if (!from_over && !from_left) {
-          if (value == level.values.end()) return cells;
-          at = *value++;
-        }
-        if (place % k != 0) continue;
-        const auto corner = static_cast<std::size_t>(place / k);
-        one.values[corner] = from_over   ? over->values[3 - corner]
-                             : from_left ? left->values[corner == 0 ? 1 : 2]
-                                         : at;
-      }
-      cells.push_back(one);
-    }
-  }
-  return cells;
-}
-
 }  // namespace
 
 ColourScale cost_scale(const CostField& costs, const Grid& map) {
@@ -88,35 +45,38 @@ Colour cost_ground(const CostField& costs, const Grid& map, const ColourScale& s
   return weight == weight ? scale.at(weight) : kFree;
 }
 
-void draw_level_lines(Canvas& canvas, const Axes& axes, const CostProof& proof) {
+std::vector<std::array<Point, 2>> level_lines(const CostProof& proof, const Grid& map) {
+  std::vector<std::array<Point, 2>> lines;
   const auto widest = std::ranges::find(proof.levels, 1, &CostProof::Level::block);
-  if (widest == proof.levels.end()) return;
-  const std::vector<Valued> cells = corners_of(*widest);
-  double most = 0;
-  for (const Valued& one : cells) most = std::max(most, std::ranges::max(one.values));
-  const auto marks = ticks(0, std::max(most, 1e-9), kLevelLines);
-  const double apart = marks.size() > 1 ? marks[1] - marks[0] : 0;
-  if (!(apart > 0)) return;
-  for (const auto& [cell, values] : cells) {
+  if (widest == proof.levels.end()) return lines;
+  cost::LevelValues level(*widest, map.width(), map.height());
+  const auto any = [](std::size_t) { return std::optional<std::string>(); };
+  if (level.read(any)) return lines;
+  const int k = widest->intervals;
+  const auto corner = [&](std::size_t at, std::size_t i) { return level.find(at)[i * k]; };
+  double most = 1e-9;
+  for (const std::size_t at : level.cells())
+    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, corner(at, i));
+  const double apart = ticks(0, most, kLevelLines)[1];
+  constexpr Point kCorners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const std::size_t at : level.cells()) {
+    const std::array values{corner(at, 0), corner(at, 1), corner(at, 2), corner(at, 3)};
+    const Cell cell = level.cell(at);
     const auto [low, high] = std::ranges::minmax(values);
     for (double line = apart * std::ceil(low / apart); line < high; line += apart) {
-      const Point corners[] = {{1.0 * cell.x, 1.0 * cell.y},
-                               {cell.x + 1.0, 1.0 * cell.y},
-                               {cell.x + 1.0, cell.y + 1.0},
-                               {1.0 * cell.x, cell.y + 1.0}};
       std::vector<Point> crossed;
       for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
-        const double from = values[i], to = values[next];
-        if ((from < line) == (to < line)) continue;
-        const double t = (line - from) / (to - from);
-        crossed.push_back(axes.at(corners[i].x + t * (corners[next].x - corners[i].x),
-                                  corners[i].y + t * (corners[next].y - corners[i].y)));
+        if ((values[i] < line) == (values[next] < line)) continue;
+        const double t = (line - values[i]) / (values[next] - values[i]);
+        crossed.push_back({cell.x + kCorners[i].x + t * (kCorners[next].x - kCorners[i].x),
+                           cell.y + kCorners[i].y + t * (kCorners[next].y - kCorners[i].y)});
       }
       for (std::size_t i = 0; i + 1 < crossed.size(); i += 2)
-        canvas.line(crossed[i], crossed[i + 1], kLevelLine, 1);
+        lines.push_back({crossed[i], crossed[i + 1]});
     }
   }
+  return lines;
 }
 
 Json weights_view_json(const CostField& costs, const Grid& map, const Window& window) {

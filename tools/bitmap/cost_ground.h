@@ -1,6 +1,9 @@
 // Costs as pictures and pages show them under paths.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "lasius/cost_field.h"
 #include "lasius/cost_proof.h"
 #include "tools/bitmap/sheet.h"
@@ -14,8 +17,9 @@ ColourScale cost_scale(const CostField& costs, const Grid& map);
 Colour cost_ground(const CostField& costs, const Grid& map, const ColourScale& scale, Span columns,
                    Span rows);
 
-/// The lines on which a proof's widest level has round values: costs to where it begins.
-void draw_level_lines(Canvas& canvas, const Axes& axes, const CostProof& proof);
+/// The lines on which a proof's widest level has round values, as short pieces in cells: equal
+/// costs to where it begins.
+std::vector<std::array<Point, 2>> level_lines(const CostProof& proof, const Grid& map);
 
 /// The weights for pages: width, height, shares (a byte a pixel, 0 the least), least, most.
 Json weights_view_json(const CostField& costs, const Grid& map, const Window& window);

@@ -18,6 +18,7 @@ namespace lasius::tool {
 namespace {
 
 constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
+constexpr Colour kLevelLine{0.35, 0.45, 0.62};
 constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
 constexpr Colour kFar[] = {
     {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
@@ -68,7 +69,9 @@ Panel path_panel(const Sheet& sheet, const Answer& answer, std::string caption) 
     });
     if (proof != nullptr) {
       canvas.clip(box);
-      draw_level_lines(canvas, sheet.axes(box), *proof);
+      const Axes axes = sheet.axes(box);
+      for (const auto& line : level_lines(*proof, sheet.map.as_read()))
+        canvas.line(axes.at(line[0].x, line[0].y), axes.at(line[1].x, line[1].y), kLevelLine, 1);
       canvas.unclip();
     }
     draw_bar(canvas, box, scale);

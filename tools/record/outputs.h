@@ -23,8 +23,9 @@ struct Forms {
   using Write = std::function<void(std::ostream&)>;
   Write json = {}, csv = {};
   std::function<void(const std::string& file)> picture = {};
-  Write yaml = {}, film = {}, page = {};                       ///< of those that have it
-  std::function<void(std::ostream&, bool binary)> proof = {};  ///< likewise
+  Write yaml = {}, film = {}, page = {};  ///< of those that have it
+  using WriteProof = std::function<void(std::ostream&, bool binary)>;
+  WriteProof proof = {};  ///< likewise
 };
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws

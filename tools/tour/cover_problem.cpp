@@ -49,12 +49,7 @@ class CoverProblem : public Problem {
                          .threads = asked.threads,
                          .stop = asked.stop};
     if (start_) request.start = start_->at();
-    TourObserver observer;
-    if (watch)
-      observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
-        watch(++told, best_text(answer_.map.length_in(run.frame, length), unit()));
-        return true;
-      };
+    const TourObserver observer = told_to(watch, answer_.map.length_in(run.frame, 1), unit());
     in_metres_asked(answer_.map, run, [&] {
       const auto begin = Clock::now();
       cover_ = plan_cover(*answer_.map.planner, request, observer);

@@ -54,7 +54,7 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   given("after", command.stops.after);
   given("loads", command.stops.loads);
   given("groups", command.stops.groups);
-  if (result.contains("parameters") && result["parameters"].contains("capacity"))
+  if (result["parameters"].contains("capacity"))
     command.capacity = static_cast<int>(
         recorded_integer(result, "parameters/capacity", 0, TourCommand::kMostLoad));
   if (result["parameters"].contains("most_stops"))
@@ -109,6 +109,14 @@ void choose_ants(TourCommand& command) {
 
 void add_course(Json& json, const Record& record) {
   if (record.algorithm.kind == Algorithm::Kind::colony) json::add_convergence(json, record.result);
+}
+
+TourObserver told_to(const Problem::Watch& watch, double scale, const std::string& unit) {
+  if (!watch) return {};
+  return [=, told = std::int64_t{0}](std::span<const int>, double length) mutable {
+    watch(++told, best_text(scale * length, unit));
+    return true;
+  };
 }
 
 SearchResult search_result(const TourResult& tour) {

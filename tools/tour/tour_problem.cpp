@@ -69,12 +69,7 @@ class TourProblem : public Problem {
     }
     const CostPlanner* const over = answer_.map.costs ? &*answer_.map.costs->planner : nullptr;
     const double scale = over != nullptr ? 1 : answer_.map.length_in(run.frame, 1);
-    TourObserver observer;
-    if (watch)
-      observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
-        watch(++told, best_text(scale * length, over != nullptr ? "" : unit()));
-        return true;
-      };
+    const TourObserver observer = told_to(watch, scale, over != nullptr ? "" : unit());
     in_metres_asked(answer_.map, run, [&] {
       const auto begin = Clock::now();
       tour = over != nullptr ? plan_tour(*over, request, observer)

@@ -153,7 +153,9 @@ Subcommand add_tour(CLI::App& app) {
                  {kBadFile, "map, stops or problem are missing or broken"},
                  {kInvalidQuery, "start or goal outside or blocked, or no stop is free"},
                  {kUnreachable,
-                  "the goal cannot be reached from the start, or no order keeps what is given"},
+                  "start, goal or a robot's start cannot be reached from another, or no order "
+                  "keeps what "
+                  "is given"},
                  {kNoPath, "no order was found that keeps the capacity"},
                  kOutput,
                  {kInterrupted, "interrupted, the best so far written"}},

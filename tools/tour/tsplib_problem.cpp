@@ -22,14 +22,8 @@ class TsplibProblem : public Problem {
     return std::nullopt;
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
-    TourObserver observer;
-    if (watch)
-      observer = [&, told = std::int64_t{0}](std::span<const int>, double length) mutable {
-        watch(++told, best_text(length, ""));
-        return true;
-      };
     const auto begin = Clock::now();
-    tour_ = plan_tour(problem_, request_of(command_, stop), observer);
+    tour_ = plan_tour(problem_, request_of(command_, stop), told_to(watch, 1, ""));
     elapsed_ms_ = ms_since(begin);
   }
   Record record() const override {

@@ -23,6 +23,8 @@ std::unique_ptr<Problem> tour_problem(TourCommand command);
 
 /// The question, without its stops and ends.
 TourRequest request_of(const TourCommand& command, const StopCondition& stop);
+/// Tells of each shorter tour, in `unit` after times `scale`; none where nobody watches.
+TourObserver told_to(const Problem::Watch& watch, double scale, const std::string& unit);
 SearchResult search_result(const TourResult& tour);
 void add_parameters(Json& json, const TourCommand& command);
 /// {order}, null without a tour.

@@ -158,22 +158,14 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
 
 std::vector<std::uint32_t> CornerLabels::order_of(const CornerGraph& own,
                                                   const CornerGraph& graph) const {
-  constexpr std::size_t kShareOfNew = 50;  // at most one in so many
-  using Ranked = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Ranked> ranks;  // by place
-  const auto place = [](const GraphCorner& c) {
-    return static_cast<std::uint32_t>(c.y()) << 16 | static_cast<std::uint32_t>(c.x());
-  };
-  for (std::uint32_t v = 0; v < own.size(); ++v)
-    ranks.emplace_back(place(own.corner(v)), arrays_.corners[v].rank);
-  std::ranges::sort(ranks);
-  std::vector<Ranked> order;  // rank and number
+  constexpr std::size_t kShareOfNew = 50;                      // at most one in so many
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // rank and number
   std::size_t more = 0;
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    const auto at = std::ranges::lower_bound(ranks, place(graph.corner(v)), {}, &Ranked::first);
-    const bool known = at != ranks.end() && at->first == place(graph.corner(v));
-    if (!known) ++more;
-    order.emplace_back(known ? at->second : own.size(), v);
+    const int x = graph.corner(v).x(), y = graph.corner(v).y();
+    const bool known = own.has_corner(x, y);
+    more += !known;
+    order.emplace_back(known ? arrays_.corners[own.index(x, y)].rank : own.size(), v);
   }
   if (more * kShareOfNew > graph.size()) return {};
   std::ranges::sort(order);

@@ -1,12 +1,10 @@
 #include "lasius/tour/cover.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "core/base/number_text.h"
-#include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/tour/cover/cover_ground.h"
 #include "core/tour/cover/swath_order.h"
@@ -56,14 +54,6 @@ void check(const Grid& grid, const CoverRequest& request) {
         "give a larger one, or parts of the map");
   if (request.generations < 0)
     refuse("generations are " + number_text(request.generations), "give 0 or more");
-}
-
-StopCondition share_of(const StopCondition& stop, double share) {
-  StopCondition part = stop;
-  if (stop.deadline == Clock::time_point::max()) return part;
-  const auto now = stop.now();
-  part.deadline = deadline_in(share * std::chrono::duration<double>(stop.deadline - now), now);
-  return part;
 }
 
 // Shares of area, by what swaths and the whole tour come near.
@@ -121,7 +111,7 @@ void order_swaths(const Planner& planner, const CoverRequest& request, CoverResu
   };
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
-                             .stop = share_of(request.stop, kShareOfOrder)};
+                             .stop = earlier(request.stop, kShareOfOrder)};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
       return observer(order, cells(cost));
@@ -166,7 +156,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   std::optional<tour::SwathPlan> plan;
   if (ground->place()) {
     plan = tour::SwathMaker(unprepared, lines, *ground)
-               .best(request.threads, share_of(request.stop, kShareOfSwaths));
+               .best(request.threads, earlier(request.stop, kShareOfSwaths));
     if (!plan) return result;
   }
   if (!plan || plan->swaths.empty()) {
@@ -198,18 +188,15 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
     return result;
   }
   order_swaths(planner, request, result, observer);
-  const auto n = static_cast<int>(found.order.size());
-  for (int i = 0; n > 1 && i < (request.open ? n - 1 : n); ++i)
-    found.legs.push_back({found.order[i], found.order[(i + 1) % n], 0, {}, 0});
+  add_legs(found.order, request.open, found);
   plan_legs(planner, result.stops, request.threads, found);
   for (const TourLeg& leg : found.legs)
     if (leg.path.empty()) return without_path(std::move(result), leg);
   sum_up(found);
   // The way back along a single swath is no leg that the order pays for.
-  if (n == 2 && !request.open) found.lower_bound = 2 * result.swept;
+  if (found.order.size() == 2 && !request.open) found.lower_bound = 2 * result.swept;
   if (found.lower_bound) found.lower_bound = std::min(found.length, *found.lower_bound);
-  constexpr double kRounding = 1e-9;
-  found.optimal = found.gap() && *found.gap() <= kRounding && found.status == Status::solved;
+  settle_optimal(found);
   measure(*ground, plan->swaths, result);
   return result;
 }

@@ -143,14 +143,13 @@ std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& pr
   }
   const unsigned subsets = ways.subsets();
   // shares[r * subsets + s]: what route r takes on of s, if those up to r do all of s.
-  std::vector<double> least(subsets, kNone), before;
+  std::vector<double> least(subsets, kNone), before, own(subsets);
   std::vector<unsigned> shares(count * subsets, 0);
   least[0] = 0;
   for (std::size_t r = 0; r < count; ++r) {
     if (!ways.run(problem.routes[r], -1, poller)) return std::nullopt;
     before = least;
     std::fill(least.begin(), least.end(), kNone);
-    std::vector<double> own(subsets);
     for (unsigned s = 0; s < subsets; ++s)
       own[s] = std::popcount(s) <= problem.room() ? ways.least(s) : kNone;
     for (unsigned s = 0; s < subsets; ++s)
@@ -164,7 +163,8 @@ std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& pr
   unsigned left = subsets - 1;
   for (std::size_t r = count; r-- > 0;) {
     const unsigned share = shares[r * subsets + left];
-    if (!ways.run(problem.routes[r], -1, poller)) return std::nullopt;
+    // The last route's ways are still there.
+    if (r + 1 < count && !ways.run(problem.routes[r], -1, poller)) return std::nullopt;
     orders[r] = ways.way(share);
     left ^= share;
   }

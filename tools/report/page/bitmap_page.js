@@ -164,6 +164,9 @@ class BitmapStage {
       (context, view) => {
         for (const image of [walls, inner, !content.map.unknown_free && unknown]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
       },
+      (context, view) => {
+        for (const [ax, ay, bx, by] of content.map.level_lines ?? []) view.line(context, [[ax, ay], [bx, by]], themeColour("--level-line"), 1);
+      },
       (context, view) => this.drawPath(context, view),
     ];
     card.append(this.readout, this.legend);
@@ -192,6 +195,7 @@ class BitmapStage {
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
+                               ...(map.level_lines ? [["cost to the goal by the proof, at equal distances", "--level-line", "line"]] : []),
                                ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
