@@ -166,8 +166,7 @@ void set_orders(const TourRequest& request, const TourStops& stops, const Orders
     add_legs(order, request.open, tour);
     const auto count = static_cast<int>(tour.legs.size()) - first;
     tour.order.insert(tour.order.end(), order.begin(), order.end());
-    if (!request.robots.empty())
-      tour.tours.push_back({order.front(), order, first, count, 0, 0});
+    if (!request.robots.empty()) tour.tours.push_back({order.front(), order, first, count, 0, 0});
   }
 }
 
