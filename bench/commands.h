@@ -22,6 +22,7 @@ void add_labels_command(CLI::App& app);
 void add_edits_command(CLI::App& app);
 void add_competition_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
+void add_hunt_command(CLI::App& app);
 void add_overshoot_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);

@@ -31,6 +31,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_edits_command(app);
   add_competition_command(app);
   add_colony_command(app);
+  add_hunt_command(app);
   add_overshoot_command(app);
   add_quality_command(app);
   add_validity_command(app);

@@ -19,6 +19,7 @@ constexpr const char* kLines[] = {
     "tours --generated 96 --kinds blobs --stops 20 --seeds 1 --seconds 0.05",
     "cover --generated 96 --kinds rooms --generations 0",
     "vehicles --generated 96",
+    "hunt --answers 2000",
     "overshoot --generated 96 --cuts 2 --limit 2",
     "quality --seeds 1 --blobs 1 --no-fan",
     "validity --random 20 --side 96",

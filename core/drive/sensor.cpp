@@ -20,6 +20,11 @@ bool sees(const Grid& world, Cell robot, Cell cell) noexcept {
   return std::ranges::any_of(beside, in_sight);
 }
 
+bool within(Cell robot, Cell cell, double range) noexcept {
+  const double dx = cell.x - robot.x, dy = cell.y - robot.y;
+  return dx * dx + dy * dy <= range * range;
+}
+
 /// Calls visit(cell) for the cells in range whose bits word_of(word, y) has.
 template <class WordOf, class Visit>
 void for_each_in_range(const Grid& world, Cell robot, double range, const WordOf& word_of,
@@ -32,8 +37,7 @@ void for_each_in_range(const Grid& world, Cell robot, double range, const WordOf
     for (int word = left >> 6; word <= right >> 6; ++word) {
       for (std::uint64_t bits = word_of(word, y); bits != 0; bits &= bits - 1) {
         const Cell cell{word * 64 + std::countr_zero(bits), y};
-        const double dx = cell.x - robot.x, dy = cell.y - robot.y;
-        if (dx * dx + dy * dy <= range * range) visit(cell);
+        if (within(robot, cell, range)) visit(cell);
       }
     }
   }
@@ -76,10 +80,13 @@ void sense(const Grid& world, const Grid& known, Cell robot, double range, const
            News& news) {
   news.blocked.clear();
   news.free.clear();
+  const double covered = 1.5 * robot_disc.reach();  // no cell that it covers is farther
   for_each_in_range(
-      world, robot, range, [&](int word, int y) { return world.row(y)[word] ^ known.row(y)[word]; },
+      world, robot, std::max(range, covered),
+      [&](int word, int y) { return world.row(y)[word] ^ known.row(y)[word]; },
       [&](Cell cell) {
-        if (!robot_disc.blocks(robot, cell) && !sees(world, robot, cell)) return;
+        const bool seen = within(robot, cell, range) && sees(world, robot, cell);
+        if (!seen && !robot_disc.blocks(robot, cell)) return;
         (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
       });
 }

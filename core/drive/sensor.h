@@ -24,9 +24,9 @@ Grid walls_of_both(const Grid& a, const Grid& b);
 std::vector<Cell> walls_without(const Grid& walls, const Grid& a, const Grid* b);
 
 /// The cells whose centre is at most `range` cells from the robot's and that it sees, and those
-/// that it covers, as far as they are not as `known` has them. It sees a free cell where there is
-/// sight from centre to centre, a blocked one where there is sight to a free cell at one of its
-/// edges.
+/// that it covers, be they farther, as far as they are not as `known` has them. It sees a free cell
+/// where there is sight from centre to centre, a blocked one where there is sight to a free cell at
+/// one of its edges.
 void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
            News& news);
 

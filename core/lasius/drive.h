@@ -65,7 +65,7 @@ LASIUS_EXPORT Changes read_changes_file(const std::string& path, int width, int 
 struct DriveOptions {
   /// The robot sees cells whose centre is at most so far from its own, in cells: a free one where
   /// `visible` holds between the centres, a blocked one at whose edge it sees a free cell, or
-  /// stands. At least 1.
+  /// stands; and all cells that its disc covers. At least 1.
   double sense = 20;
   std::int64_t max_ticks = 1'000'000;  ///< 0 or more; after them it ends as Status::limit
   /// Time for planning in a tick, in seconds of the stop condition's clock, above 0: a search that

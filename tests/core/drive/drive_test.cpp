@@ -86,6 +86,18 @@ TEST(Drive, LearnsAWallWhenItIsInSight) {
   EXPECT_GT(r.replans.back().tick, 0);
 }
 
+TEST(Drive, KnowsWhatItCoversThoughItSeesLess) {
+  Grid map(9, 9);
+  map.set_blocked({3, 3}, true);  // of which the truth knows nothing
+  std::vector<Cell> learned;
+  const DriveResult r = drive(map, Grid(9, 9), {4, 4}, {7, 4}, {}, {.sense = 1}, {.radius = 1}, {},
+                              [&](const DriveTick& tick) {
+                                if (tick.tick == 0) learned = tick.news;
+                              });
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(learned, std::vector<Cell>({{3, 3}}));
+}
+
 TEST(Drive, AnObstacleHidesWhatIsBehind) {
   const Grid truth = drawn({"@@@@@@@",  //
                             ".@.....",  //
