@@ -41,7 +41,7 @@ HuntCase make_case(std::uint64_t seed) {
 }
 
 // The world is drawn from the seed, and so is not cut down.
-HuntCase make_drive(std::uint64_t seed) { return {Grid(2, 1), {{0, 0}, {1, 0}}, seed}; }
+HuntCase make_seed(std::uint64_t seed) { return {Grid(2, 1), {{0, 0}, {1, 0}}, seed}; }
 
 constexpr std::array kKinds{
     HuntKind{"shortest", "exact, prepared, edited, distances, alternatives: a visibility graph",
@@ -54,8 +54,11 @@ constexpr std::array kKinds{
     HuntKind{"tour", "stops with every option: all orders", make_case<6, 20, 6>, judge_tour},
     HuntKind{"vehicle", "vehicles: separating axes along the sweep", make_case<16, 40, 3>,
              judge_vehicle},
-    HuntKind{"drive", "drives through changing worlds: the world simulated anew", make_drive,
+    HuntKind{"drive", "drives through changing worlds: the world simulated anew", make_seed,
              judge_drive},
+#ifdef LASIUS_HAVE_POLYGON
+    HuntKind{"polygon", "paths among polygons: GEOS", make_seed, judge_polygon},
+#endif
 };
 
 // Without columns [from, from + count); nothing where a place is lost or too little stays.

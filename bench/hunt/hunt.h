@@ -64,5 +64,6 @@ HuntVerdict judge_costs(const HuntCase& problem);
 HuntVerdict judge_tour(const HuntCase& problem);
 HuntVerdict judge_vehicle(const HuntCase& problem);
 HuntVerdict judge_drive(const HuntCase& problem);
+HuntVerdict judge_polygon(const HuntCase& problem);
 
 }  // namespace lasius::bench
