@@ -284,6 +284,18 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   return run(problem);
 }
 
+// What plans and batches both take.
+void add_planning(OptionTable& table, PlanText& text, const SearchHelp& help) {
+  add_run_options(table, text.run, help);
+  add_costs(table, text.run.map.costs);
+  add_tracks(table, text.run);
+  add_spacing(table, text.run);
+  add_via(table, text);
+  add_alternatives(table, text.run);
+  add_vehicle(table, text.vehicle);
+  add_world_options(table, text.world);
+}
+
 }  // namespace
 
 Subcommand add_plan(CLI::App& app) {
@@ -296,14 +308,7 @@ Subcommand add_plan(CLI::App& app) {
   table.repeatable("--goal", text->goals,
                    "Where it ends; likewise. Of a vehicle repeatable: one of them is met", "X,Y");
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
-  add_run_options(table, text->run, kRunHelp);
-  add_costs(table, text->run.map.costs);
-  add_tracks(table, text->run);
-  add_spacing(table, text->run);
-  add_via(table, *text);
-  add_alternatives(table, text->run);
-  add_vehicle(table, text->vehicle);
-  add_world_options(table, text->world);
+  add_planning(table, *text, kRunHelp);
   return table.command(
       {.examples = {{"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179",
                      "the shortest path: status, length, vertices"},
@@ -341,14 +346,7 @@ Subcommand add_batch(CLI::App& app) {
   table.file("MAP", text->run.map.file, kMapHelp, map_endings(true))->required();
   SearchHelp help = kRunHelp;
   help.endings = kBatchEndings;
-  add_run_options(table, text->run, help);
-  add_costs(table, text->run.map.costs);
-  add_tracks(table, text->run);
-  add_spacing(table, text->run);
-  add_via(table, *text);
-  add_alternatives(table, text->run);
-  add_vehicle(table, text->vehicle);
-  add_world_options(table, text->world);
+  add_planning(table, *text, help);
   table
       .file("QUERIES", text->queries,
             "A TSV with columns sx sy gx gy, with --vehicle syaw and gyaw too; of a bitmap also a "
