@@ -74,7 +74,8 @@ class CostContest {
     for (std::size_t i = 0; i < std::size(kProvenGaps); ++i) {
       cost::CostAnswer answer;
       const ThreadStopwatch watch;
-      search_.search(terrain_, query.start, query.goal, {.target_gap = kProvenGaps[i]}, {}, answer);
+      search_.search(terrain_, {query.start, query.goal}, {.target_gap = kProvenGaps[i]}, {},
+                     answer);
       const double seconds = watch.seconds();
       const bool proven = answer.length - answer.lower_bound <= kProvenGaps[i] * answer.lower_bound;
       sample.gap[i].push_back(proven ? seconds : kInfinity);

@@ -78,150 +78,203 @@ std::vector<Point> centres_of(std::span<const Cell> walk) {
 
 }  // namespace
 
-void CostSearch::search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
-                        const StopCondition& stop, CostAnswer& answer,
-                        std::vector<CostProof::Level>* proof, Point from, Point to) {
-  const double began = processor_seconds();
-  levels_.clear();
-  most_bytes_ = 0;
-  answer = {};
-  Poller poller(stop);
-  Best best(terrain, options);
-  const Point begin{start.x + from.x, start.y + from.y}, end{goal.x + to.x, goal.y + to.y};
-  double lower = StraightBound(terrain, begin).proven(end, goal);
-  bool go_on = true;
-  const auto walk = eight_moves_.search(terrain, start, goal, Corners::one_side, poller, true);
-  const CellChords two(2);
-  auto before = std::make_unique<EdgeField>(terrain), now = std::make_unique<EdgeField>(terrain);
-  if (!walk.empty()) {
-    std::vector<Point> centres = centres_of(walk);
-    centres.front() = begin;
-    centres.back() = end;
-    go_on = best.offer(std::move(centres), lower);
-    const Tube tube(terrain, walk, kTubeReach);
-    now->begin(two, start, 0, nullptr, from, best.cost());
-    if (go_on && now->march(tube, best.cost(), poller)) {
-      auto legs = now->trace(goal, to);
-      if (!legs) {
-        const auto steps =
-            eight_moves_.search(terrain, start, goal, Corners::one_side, poller, false);
-        if (!steps.empty()) {
-          legs = legs_of(steps);
-          legs->back().to = end;
-        }
-      }
-      if (legs) go_on = best.offer(begin, *legs, lower, poller);
+/// One search, step by step.
+class CostSearch::Run {
+ public:
+  Run(CostSearch& search, const Terrain& terrain, const Question& asked,
+      const ExactOptions& options, const StopCondition& stop, bool proof)
+      : search_(search),
+        terrain_(terrain),
+        asked_(asked),
+        options_(options),
+        poller_(stop),
+        best_(terrain, options),
+        wants_proof_(proof),
+        begin_{asked.start.x + asked.from.x, asked.start.y + asked.from.y},
+        end_{asked.goal.x + asked.to.x, asked.goal.y + asked.to.y},
+        lower_(StraightBound(terrain, begin_).proven(end_, asked.goal)),
+        before_(std::make_unique<EdgeField>(terrain)),
+        now_(std::make_unique<EdgeField>(terrain)) {}
+
+  void run() {
+    first_path();
+    search_.levels_.push_back({1, 0, 0, lower_, best_.cost(), 1, seconds()});
+    if (goes_on()) bound_by_blocks();
+    const int most = options_.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals;
+    for (int k = 2; k <= most && goes_on() && !reached(); k *= 2) level(k);
+    // Levels that prove a target gap need not lead from end to end: what they left out may still
+    // be a little cheaper.
+    if (goes_on() && !traced_any_ && search_.levels_.size() > 1) {
+      now_->begin(two_, asked_.goal, march_of(2, 0).slack, nullptr, asked_.to, best_.cost());
+      if (now_->march(*rest_, best_.cost(), poller_)) offer_traced(*now_, true);
     }
   }
-  levels_.push_back({1, 0, 0, lower, best.cost(), 1, processor_seconds() - began});
-  const auto reached = [&] {
-    return best.cost() - lower <= std::max(options.target_gap, 1e-9) * lower;
-  };
-  // What leaving a level must cost, so that the best path is good enough if nothing is cheaper in
-  // it.
-  const auto enough = [&] {
-    return best.cost() * std::min(1 - 1e-4, 1 / (1 + options.target_gap));
-  };
-  // A path that leaves the cells of some level costs this at least.
-  double leaving = kInfinity;
-  // The first level comes back from the goal, towards what the start's bound leaves.
-  std::optional<Terrain> coarse;
-  std::optional<CoarseBound> rest;
-  if (go_on && !poller.stopped()) {
-    coarse.emplace(blocks_of(terrain));
-    rest.emplace(terrain, *coarse, two, start, begin);
-    rest->make(best.cost(), poller);
+
+  void tell(CostAnswer& answer) const {
+    answer.path = best_.path();
+    answer.length = best_.cost();
+    answer.lower_bound = std::min(lower_, answer.length);
+    answer.optimal = answer.length - answer.lower_bound <= 1e-9 * answer.length;
+    // What is proven by then is so, though time ran out behind it.
+    const bool stopped = !go_on_ || (poller_.stopped() && !reached());
+    answer.cause = !stopped ? StopCondition::Cause::none
+                   : go_on_ ? poller_.cause()
+                            : StopCondition::Cause::token;
+    answer.end = stopped          ? ExactEnd::stopped
+                 : answer.optimal ? ExactEnd::proven
+                                  : ExactEnd::target_gap;
   }
-  // Levels that are done, how many of them the bound rests on, and the one above them.
-  std::vector<CostProof::Level> done, top;
-  std::size_t base = 0;
-  if (proof != nullptr && rest && !poller.stopped())
-    done.push_back(proof_level(*coarse, rest->field(), true, Blocks::kSide));
-  // The path that a field leads back along, to where it has come to the other end.
-  const auto offer_traced = [&](const EdgeField& field, bool backward) {
-    const auto legs = field.trace(backward ? start : goal, backward ? from : to);
+
+  /// The levels that prove the lower bound.
+  std::vector<CostProof::Level> proof() && {
+    done_.resize(base_);
+    done_.insert(done_.end(), top_.begin(), top_.end());
+    return std::move(done_);
+  }
+
+ private:
+  double seconds() const { return processor_seconds() - began_; }
+  bool goes_on() const { return go_on_ && !poller_.stopped(); }
+  bool reached() const {
+    return best_.cost() - lower_ <= std::max(options_.target_gap, 1e-9) * lower_;
+  }
+  /// What leaving a level must cost, so that the best path is good enough if nothing is cheaper in
+  /// it.
+  double enough() const { return best_.cost() * std::min(1 - 1e-4, 1 / (1 + options_.target_gap)); }
+
+  /// The cheapest walk by eight moves, then the cheapest path of any angle around it.
+  void first_path() {
+    const auto& [start, goal, from, to] = asked_;
+    const auto walk =
+        search_.eight_moves_.search(terrain_, start, goal, Corners::one_side, poller_, true);
+    if (walk.empty()) return;
+    std::vector<Point> centres = centres_of(walk);
+    centres.front() = begin_;
+    centres.back() = end_;
+    go_on_ = best_.offer(std::move(centres), lower_);
+    const Tube tube(terrain_, walk, kTubeReach);
+    now_->begin(two_, start, 0, nullptr, from, best_.cost());
+    if (!go_on_ || !now_->march(tube, best_.cost(), poller_)) return;
+    auto legs = now_->trace(goal, to);
+    if (!legs) {
+      const auto steps =
+          search_.eight_moves_.search(terrain_, start, goal, Corners::one_side, poller_, false);
+      if (!steps.empty()) {
+        legs = legs_of(steps);
+        legs->back().to = end_;
+      }
+    }
+    if (legs) go_on_ = best_.offer(begin_, *legs, lower_, poller_);
+  }
+
+  /// The first level comes back from the goal, towards what the start's bound leaves.
+  void bound_by_blocks() {
+    coarse_.emplace(blocks_of(terrain_));
+    rest_.emplace(terrain_, *coarse_, two_, asked_.start, begin_);
+    rest_->make(best_.cost(), poller_);
+    if (wants_proof_ && !poller_.stopped())
+      done_.push_back(proof_level(*coarse_, rest_->field(), true, Blocks::kSide));
+  }
+
+  /// A level with k intervals an edge, from either end in turn.
+  void level(int k) {
+    const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
+    const March how = march_of(k, options_.target_gap);
+    chords_ = std::make_unique<const CellChords>(k);
+    now_->begin(*chords_, backward ? asked_.goal : asked_.start, how.slack,
+                chords_before_ ? before_.get() : nullptr, backward ? asked_.to : asked_.from,
+                best_.cost());
+    Level level{.intervals = k};
+    rounds(level, backward, how.margin);
+    level.lower = lower_;
+    level.upper = best_.cost();
+    level.seconds = seconds();
+    search_.levels_.push_back(level);
+    if (wants_proof_ && goes_on()) done_.push_back(proof_level(terrain_, *now_, !backward, 1));
+    search_.most_bytes_ = std::max(search_.most_bytes_,
+                                   search_.eight_moves_.bytes() + before_->bytes() + now_->bytes());
+    std::swap(before_, now_);
+    std::swap(chords_before_, chords_);
+  }
+
+  /// Marches farther until leaving what was reached costs enough.
+  void rounds(Level& level, bool backward, double margin) {
+    bool traced = false;
+    for (level.rounds = 1;; ++level.rounds) {
+      if (!now_->march(*rest_, enough() * (1 + margin), poller_)) break;
+      if (!traced) traced = offer_traced(*now_, backward);
+      if (!go_on_ || !now_->certify(poller_)) break;
+      level.excess = now_->excess();
+      const double within =
+          now_->bound(backward ? asked_.start : asked_.goal, backward ? asked_.from : asked_.to);
+      const double out = now_->bound_of_leaving();
+      level.cells = static_cast<std::int64_t>(now_->cells().size());
+      raise(std::min({within, out, leaving_}), backward);
+      const double miss = enough() - out;
+      if (!(miss > 0) || reached() || level.rounds == 8) {
+        leaving_ = std::min(leaving_, out);
+        break;
+      }
+      margin += std::max(margin, 1.5 * miss / best_.cost());
+    }
+    traced_any_ = traced_any_ || traced;
+  }
+
+  void raise(double proven, bool backward) {
+    if (!(proven > lower_)) return;
+    lower_ = proven;
+    if (!wants_proof_) return;
+    base_ = done_.size();
+    top_.assign(1, proof_level(terrain_, *now_, !backward, 1));
+  }
+
+  /// The path that a field leads back along, to where it has come to the other end.
+  bool offer_traced(const EdgeField& field, bool backward) {
+    const auto legs =
+        field.trace(backward ? asked_.start : asked_.goal, backward ? asked_.from : asked_.to);
     if (!legs) return false;
     std::vector<Leg> path = *legs;
     if (backward) {
       // Traced from the start: the same pieces the other way.
       for (std::size_t i = 0; i < path.size(); ++i)
-        path[path.size() - 1 - i] = {(*legs)[i].cell, i > 0 ? (*legs)[i - 1].to : end};
+        path[path.size() - 1 - i] = {(*legs)[i].cell, i > 0 ? (*legs)[i - 1].to : end_};
     }
-    go_on = best.offer(begin, path, lower, poller);
+    go_on_ = best_.offer(begin_, path, lower_, poller_);
     return true;
-  };
-  bool traced = false, traced_any = false;
-  std::unique_ptr<const CellChords> chords_before, chords;
-  for (int k = 2; go_on && !poller.stopped() && !reached(); k *= 2) {
-    if (k > (options.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals)) break;
-    const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
-    const Cell source = backward ? goal : start, target = backward ? start : goal;
-    const Point source_at = backward ? to : from, target_at = backward ? from : to;
-    const March how = march_of(k, options.target_gap);
-    chords = std::make_unique<const CellChords>(k);
-    now->begin(*chords, source, how.slack, chords_before ? before.get() : nullptr, source_at,
-               best.cost());
-    Level level{.intervals = k};
-    double margin = how.margin;
-    traced = false;
-    for (level.rounds = 1;; ++level.rounds) {
-      const double limit = enough() * (1 + margin);
-      if (!now->march(*rest, limit, poller)) break;
-      if (!traced) traced = offer_traced(*now, backward);
-      if (!go_on) break;
-      if (!now->certify(poller)) break;
-      level.excess = now->excess();
-      const double within = now->bound(target, target_at);
-      const double out = now->bound_of_leaving();
-      level.cells = static_cast<std::int64_t>(now->cells().size());
-      if (const double proven = std::min({within, out, leaving}); proven > lower) {
-        lower = proven;
-        if (proof != nullptr) {
-          base = done.size();
-          top.assign(1, proof_level(terrain, *now, !backward, 1));
-        }
-      }
-      const double miss = enough() - out;
-      if (!(miss > 0) || reached() || level.rounds == 8) {
-        leaving = std::min(leaving, out);
-        break;
-      }
-      margin += std::max(margin, 1.5 * miss / best.cost());
-    }
-    traced_any = traced_any || traced;
-    level.lower = lower;
-    level.upper = best.cost();
-    level.seconds = processor_seconds() - began;
-    levels_.push_back(level);
-    if (proof != nullptr && go_on && !poller.stopped())
-      done.push_back(proof_level(terrain, *now, !backward, 1));
-    most_bytes_ = std::max(most_bytes_, eight_moves_.bytes() + before->bytes() + now->bytes());
-    std::swap(before, now);
-    std::swap(chords_before, chords);
   }
-  // Levels that prove a target gap need not lead from end to end: what they left out may still be
-  // a little cheaper.
-  if (go_on && !poller.stopped() && !traced_any && levels_.size() > 1) {
-    now->begin(two, goal, march_of(2, 0).slack, nullptr, to, best.cost());
-    if (now->march(*rest, best.cost(), poller)) offer_traced(*now, true);
-  }
-  if (proof != nullptr) {
-    done.resize(base);
-    done.insert(done.end(), top.begin(), top.end());
-    *proof = std::move(done);
-  }
-  answer.path = best.path();
-  answer.length = best.cost();
-  answer.lower_bound = std::min(lower, answer.length);
-  answer.optimal = answer.length - answer.lower_bound <= 1e-9 * answer.length;
-  // What is proven by then is so, though time ran out behind it.
-  const bool stopped = !go_on || (poller.stopped() && !reached());
-  answer.cause = !stopped ? StopCondition::Cause::none
-                 : go_on  ? poller.cause()
-                          : StopCondition::Cause::token;
-  answer.end = stopped          ? ExactEnd::stopped
-               : answer.optimal ? ExactEnd::proven
-                                : ExactEnd::target_gap;
+
+  const double began_ = processor_seconds();
+  CostSearch& search_;
+  const Terrain& terrain_;
+  const Question& asked_;
+  const ExactOptions& options_;
+  Poller poller_;
+  Best best_;
+  const bool wants_proof_;
+  const Point begin_, end_;
+  double lower_;
+  bool go_on_ = true, traced_any_ = false;
+  double leaving_ = kInfinity;  // a path that leaves the cells of some level costs this at least
+  const CellChords two_{2};
+  std::unique_ptr<EdgeField> before_, now_;  // the level before and this one
+  std::unique_ptr<const CellChords> chords_before_, chords_;
+  std::optional<Terrain> coarse_;
+  std::optional<CoarseBound> rest_;
+  // Levels that are done, how many of them the bound rests on, and the one above them.
+  std::vector<CostProof::Level> done_, top_;
+  std::size_t base_ = 0;
+};
+
+void CostSearch::search(const Terrain& terrain, const Question& asked, const ExactOptions& options,
+                        const StopCondition& stop, CostAnswer& answer,
+                        std::vector<CostProof::Level>* proof) {
+  levels_.clear();
+  most_bytes_ = 0;
+  answer = {};
+  Run run(*this, terrain, asked, options, stop, proof != nullptr);
+  run.run();
+  run.tell(answer);
+  if (proof != nullptr) *proof = std::move(run).proof();
 }
 
 void CostSearch::search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,

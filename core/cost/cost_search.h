@@ -26,14 +26,18 @@ class CostSearch {
  public:
   static constexpr int kMostIntervals = 16;
 
-  /// Start and goal are free, differ and are joined; the terrain outlives the call.
+  /// Two free cells that differ and are joined, and where in them it begins and ends, inside of
+  /// them: as in [0, 1] x [0, 1].
+  struct Question {
+    Cell start, goal;
+    Point from = kMiddle, to = kMiddle;
+  };
+  /// The terrain outlives the call.
   /// @param proof  where it is not null: becomes the levels that prove the lower bound, between
   /// the cells' centres alone
-  /// @param from, to  where in the cells it begins and ends, inside of them: as in [0, 1] x [0, 1]
-  void search(const Terrain& terrain, Cell start, Cell goal, const ExactOptions& options,
+  void search(const Terrain& terrain, const Question& asked, const ExactOptions& options,
               const StopCondition& stop, CostAnswer& answer,
-              std::vector<CostProof::Level>* proof = nullptr, Point from = kMiddle,
-              Point to = kMiddle);
+              std::vector<CostProof::Level>* proof = nullptr);
   /// The cheapest walk by eight moves, from centre to centre; `optimal` means of those.
   void search_eight_moves(const Terrain& terrain, Cell start, Cell goal, Corners corners,
                           const StopCondition& stop, CostAnswer& answer);
@@ -50,6 +54,8 @@ class CostSearch {
   std::int64_t most_bytes() const noexcept { return most_bytes_; }  ///< of the last search
 
  private:
+  class Run;
+
   EightMoves eight_moves_;
   std::vector<Level> levels_;
   std::int64_t most_bytes_ = 0;

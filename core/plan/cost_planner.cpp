@@ -78,10 +78,11 @@ CostAnswer CostPlanner::Impl::search(const Terrain& over, Run& run) const {
     return point ? Point{point->x - c.x, point->y - c.y} : cost::kMiddle;
   };
   const ExactOptions how{.target_gap = request.target_gap, .improved = &improved};
-  search.search(over, request.start, run.goal, how, request.stop, answer,
-                run.options.proof ? &run.levels : nullptr,
-                within(request.start_point, request.start),
-                within(run.goal == request.goal ? request.goal_point : std::nullopt, run.goal));
+  const auto goal_point = run.goal == request.goal ? request.goal_point : std::nullopt;
+  search.search(over,
+                {request.start, run.goal, within(request.start_point, request.start),
+                 within(goal_point, run.goal)},
+                how, request.stop, answer, run.options.proof ? &run.levels : nullptr);
   return answer;
 }
 

@@ -23,7 +23,7 @@ CostProof proof_of(const WeightedWorld& world, double target_gap = 0) {
                   .goal = world.goal,
                   .map_hash = world.grid.hash(),
                   .costs_hash = world.costs.hash()};
-  search.search(terrain, world.start, world.goal, {.target_gap = target_gap}, {}, answer,
+  search.search(terrain, {world.start, world.goal}, {.target_gap = target_gap}, {}, answer,
                 &proof.levels);
   proof.lower_bound = answer.lower_bound;
   return proof;

@@ -26,7 +26,7 @@ TEST(CostSearch, TinyMapsAgainstBruteForce) {
     const Terrain terrain(grid, costs);
     CostSearch search;
     CostAnswer answer;
-    search.search(terrain, start, goal, {}, {}, answer);
+    search.search(terrain, {start, goal}, {}, {}, answer);
     const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
     const double best = oracle::cost_over_points(grid, weight, start, goal, 7);
     ASSERT_FALSE(answer.path.empty());
@@ -93,7 +93,7 @@ TEST(CostSearch, StraightWhereWeightsAreEqual) {
   const Terrain terrain(grid, CostField(40, 30));
   CostSearch search;
   CostAnswer answer;
-  search.search(terrain, {2, 3}, {37, 21}, {}, {}, answer);
+  search.search(terrain, {{2, 3}, {37, 21}}, {}, {}, answer);
   EXPECT_NEAR(answer.length, std::hypot(35, 18), 1e-9);
   EXPECT_GT(answer.lower_bound, answer.length * 0.999);
 }
@@ -106,7 +106,7 @@ TEST(CostSearch, BendsAsLightDoes) {
   const Terrain terrain(grid, CostField(20, 20, weights));
   CostSearch search;
   CostAnswer answer;
-  search.search(terrain, {2, 2}, {17, 17}, {}, {}, answer);
+  search.search(terrain, {{2, 2}, {17, 17}}, {}, {}, answer);
   double best = 1e300;
   for (int i = 0; i <= 200000; ++i) {
     const double x = 2.5 + 15.0 * i / 200000;
@@ -221,7 +221,7 @@ TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
     cheaper += walked[1] < walked[0] * (1 - 1e-9) ? 1 : 0;
     CostSearch search;
     CostAnswer answer;
-    search.search(terrain, start, goal, {.target_gap = 0.001}, {}, answer);
+    search.search(terrain, {start, goal}, {.target_gap = 0.001}, {}, answer);
     EXPECT_LE(search.levels().front().upper, walked[1]);
     dearer += search.levels().front().upper / answer.length - 1;
   }
@@ -238,9 +238,9 @@ TEST(CostSearch, TargetGapsAreProvenByLessAndPathsStayCheap) {
     const Terrain terrain(world.grid, world.costs);
     CostSearch search;
     CostAnswer whole, answer;
-    search.search(terrain, world.start, world.goal, {}, {}, whole);
+    search.search(terrain, {world.start, world.goal}, {}, {}, whole);
     for (const double gap : {0.03, 0.01, 0.002}) {
-      search.search(terrain, world.start, world.goal, {.target_gap = gap}, {}, answer);
+      search.search(terrain, {world.start, world.goal}, {.target_gap = gap}, {}, answer);
       EXPECT_LE(answer.length - answer.lower_bound, gap * answer.lower_bound) << i;
       EXPECT_LE(answer.lower_bound, whole.length * (1 + 1e-12)) << i;
       EXPECT_LE(answer.length, whole.length * 1.003) << i;
@@ -254,13 +254,13 @@ TEST(CostSearch, TargetGapsAreProvenByLessAndPathsStayCheap) {
 TEST(CostSearch, WeightsOfAllOrders) {
   std::mt19937 random(37);
   std::vector<double> weights(40 * 40);
-  for (double& w : weights) w = std::exp(13.0 * (random() % 1000) / 1000);
+  for (double& w : weights) w = std::exp(13 * static_cast<double>(random() % 1000) / 1000);
   const Grid grid(40, 40);
   const CostField costs(40, 40, weights);
   const Terrain terrain(grid, costs);
   CostSearch search;
   CostAnswer answer, walk;
-  search.search(terrain, {1, 2}, {38, 36}, {}, {}, answer);
+  search.search(terrain, {{1, 2}, {38, 36}}, {}, {}, answer);
   search.search_eight_moves(terrain, {1, 2}, {38, 36}, Corners::one_side, {}, walk);
   EXPECT_LE(answer.length, walk.length);
   EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
@@ -284,7 +284,7 @@ TEST(CostSearch, StopsAtTheTargetGap) {
   for (const double gap : {0.05, 0.01, 0.0005}) {
     CostSearch search;
     CostAnswer answer;
-    search.search(terrain, start, goal, {.target_gap = gap, .improved = &told}, {}, answer);
+    search.search(terrain, {start, goal}, {.target_gap = gap, .improved = &told}, {}, answer);
     EXPECT_LE(answer.length - answer.lower_bound, gap * answer.lower_bound);
     EXPECT_GE(answer.lower_bound, bound * (1 - 1e-9));
   }
@@ -293,7 +293,7 @@ TEST(CostSearch, StopsAtTheTargetGap) {
   source.request_stop();
   CostSearch search;
   CostAnswer answer;
-  search.search(terrain, start, goal, {}, {.token = source.get_token()}, answer);
+  search.search(terrain, {start, goal}, {}, {.token = source.get_token()}, answer);
   EXPECT_EQ(answer.cause, StopCondition::Cause::token);
   EXPECT_LE(answer.lower_bound, answer.path.empty() ? 0 : answer.length);
 }
