@@ -72,14 +72,14 @@ std::vector<Cell> walls_without(const Grid& walls, const Grid& a, const Grid* b)
   return cells;
 }
 
-void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
+void sense(const Grid& world, const Grid& known, Cell robot, double range, const Covers& covers,
            News& news) {
   news.blocked.clear();
   news.free.clear();
   for_each_in_range(
       world, robot, range, [&](int word, int y) { return world.row(y)[word] ^ known.row(y)[word]; },
       [&](Cell cell) {
-        if (!robot_disc.blocks(robot, cell) && !sees(world, robot, cell)) return;
+        if (!covers(cell) && !sees(world, robot, cell)) return;
         (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
       });
 }
