@@ -1,6 +1,4 @@
 // Scans and points in metres as cells: worked by hand, and against rays followed in small steps.
-#include "lasius/scan.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +8,9 @@
 #include <random>
 
 #include "lasius/error.h"
+#include "lasius/vehicle/scan.h"
 
-namespace lasius {
+namespace lasius::vehicle {
 namespace {
 
 bool holds(const std::vector<Cell>& cells, Cell c) {
@@ -105,4 +104,4 @@ TEST(Scan, RefusesNumbersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace lasius
+}  // namespace lasius::vehicle

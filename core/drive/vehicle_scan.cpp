@@ -1,5 +1,3 @@
-#include "lasius/scan.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,8 +6,9 @@
 
 #include "core/base/invalid_parameter.h"
 #include "kernels/base/sine.h"
+#include "lasius/vehicle/scan.h"
 
-namespace lasius {
+namespace lasius::vehicle {
 namespace {
 
 constexpr double kBeyond = 0.01;  // cells, by which what is met lies behind a range
@@ -115,4 +114,4 @@ SeenCells seen_cells(Point sensor, std::span<const Point> points, double most,
   return rays.cells();
 }
 
-}  // namespace lasius
+}  // namespace lasius::vehicle

@@ -1,4 +1,4 @@
-// What a robot's sensor saw, in metres of the map's frame, as cells of its map.
+// What a robot's sensor saw, in metres of the map's frame, as cells of its map: for any Navigator.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 #include "lasius/map_io.h"
 #include "lasius/poses.h"
 
-namespace lasius {
+namespace lasius::vehicle {
 
 /// Ranges around a sensor, as a laser scanner has them (sensor_msgs/LaserScan).
 struct Scan {
-  Pose sensor = {};        ///< in the map's frame: metres, y up, radians
+  lasius::Pose sensor = {};  ///< in the map's frame: metres, y up, radians
   double first_angle = 0;  ///< of the first range from where the sensor looks, radians, |.| <= 100
   double step = 0;         ///< from a range to the next, radians
   double least = 0;        ///< metres; nearer ranges mean nothing
@@ -39,4 +39,4 @@ LASIUS_EXPORT SeenCells seen_cells(const Scan& scan, const WorldFrame& frame, in
 LASIUS_EXPORT SeenCells seen_cells(Point sensor, std::span<const Point> points, double most,
                                    const WorldFrame& frame, int width, int height);
 
-}  // namespace lasius
+}  // namespace lasius::vehicle
