@@ -76,17 +76,16 @@ std::vector<Cell> walls_without(const Grid& walls, const Grid& a, const Grid* b)
   return cells;
 }
 
-void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
+void sense(const Grid& world, const Grid& known, Cell robot, double range, const Body& body,
            News& news) {
   news.blocked.clear();
   news.free.clear();
-  const double covered = 1.5 * robot_disc.reach();  // no cell that it covers is farther
   for_each_in_range(
-      world, robot, std::max(range, covered),
+      world, robot, std::max(range, body.reach),
       [&](int word, int y) { return world.row(y)[word] ^ known.row(y)[word]; },
       [&](Cell cell) {
         const bool seen = within(robot, cell, range) && sees(world, robot, cell);
-        if (!seen && !robot_disc.blocks(robot, cell)) return;
+        if (!seen && !body.covers(cell)) return;
         (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
       });
 }

@@ -28,29 +28,29 @@ World::World(const Grid& truth, const Changes& changes, double radius)
   std::ranges::stable_sort(movers_, {}, [](const Mover& m) { return m.what.tick; });
 }
 
-void World::advance(std::int64_t tick, const HeldCells& robot) {
+void World::advance(std::int64_t tick, const Holds& holds) {
   tick_ = tick;
   touched_.clear();
-  for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, robot);
+  for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, holds);
   for (; next_ < changes_.size() && changes_[next_].tick <= tick; ++next_) {
-    change(changes_[next_], robot);
+    change(changes_[next_], holds);
   }
   for (Mover& mover : movers_) {
-    if (mover.what.tick <= tick) move(mover, robot);
+    if (mover.what.tick <= tick) move(mover, holds);
   }
   if (!touched_.empty()) changed_at_ = tick;
   show();
 }
 
-void World::change(const Change& change, const HeldCells& robot) {
-  for_each_cell(change.part, [&](Cell cell) { set_still(cell, change.blocked, robot); });
+void World::change(const Change& change, const Holds& holds) {
+  for_each_cell(change.part, [&](Cell cell) { set_still(cell, change.blocked, holds); });
 }
 
-void World::set_still(Cell cell, bool blocked, const HeldCells& robot) {
+void World::set_still(Cell cell, bool blocked, const Holds& holds) {
   // The last word on a cell counts.
   if (!deferred_.empty()) std::erase(deferred_, cell);
   if (still_.blocked(cell) == blocked) return;
-  if (blocked && hits(cell, robot)) {
+  if (blocked && holds({cell.x, cell.y, 1, 1})) {
     deferred_.push_back(cell);
     ++deferrals_;
     return;
@@ -60,9 +60,9 @@ void World::set_still(Cell cell, bool blocked, const HeldCells& robot) {
   touched_.push_back(cell);
 }
 
-void World::move(Mover& mover, const HeldCells& robot) {
+void World::move(Mover& mover, const Holds& holds) {
   if (!mover.there) {
-    if (hits(mover.cells(mover.at), robot)) return;
+    if (holds(mover.cells(mover.at))) return;
     mover.there = true;
     cover(mover.cells(mover.at), 1);
     return;
@@ -70,7 +70,7 @@ void World::move(Mover& mover, const HeldCells& robot) {
   mover.waits = false;
   if (!mover.travels()) return;
   for (mover.moves += mover.what.speed; mover.moves >= 1; mover.moves -= 1) {
-    if (!step(mover, robot)) {
+    if (!step(mover, holds)) {
       mover.moves = 0;
       mover.waits = true;
       return;
@@ -79,7 +79,7 @@ void World::move(Mover& mover, const HeldCells& robot) {
 }
 
 // One move towards the next point of the track; false if the robot is in the way.
-bool World::step(Mover& mover, const HeldCells& robot) {
+bool World::step(Mover& mover, const Holds& holds) {
   const auto& track = mover.what.track;
   for (std::size_t turns = 0; mover.at == track[mover.towards]; ++turns) {
     if (turns > 2 * track.size()) return true;  // all its points are one
@@ -89,22 +89,19 @@ bool World::step(Mover& mover, const HeldCells& robot) {
   }
   const Cell to = track[mover.towards];
   const Cell next{mover.at.x + sign(to.x - mover.at.x), mover.at.y + sign(to.y - mover.at.y)};
-  if (hits(mover.cells(next), robot)) return false;
+  if (holds(mover.cells(next))) return false;
   cover(mover.cells(mover.at), -1);
   mover.at = next;
   cover(mover.cells(next), 1);
   return true;
 }
 
-bool World::hits(const Rectangle& part, const HeldCells& robot) const noexcept {
-  return std::ranges::any_of(robot.cells(), [&](Cell held) {
-    const Cell nearest{std::clamp(held.x, part.x, part.x + part.width - 1),
-                       std::clamp(held.y, part.y, part.y + part.height - 1)};
-    return map_.growth().blocks(held, nearest);
+bool World::held(const HeldCells& robot, const Rectangle& part) const noexcept {
+  return std::ranges::any_of(robot.cells(), [&](Cell at) {
+    const Cell nearest{std::clamp(at.x, part.x, part.x + part.width - 1),
+                       std::clamp(at.y, part.y, part.y + part.height - 1)};
+    return map_.growth().blocks(at, nearest);
   });
-}
-bool World::hits(Cell cell, const HeldCells& robot) const noexcept {
-  return hits({cell.x, cell.y, 1, 1}, robot);
 }
 
 void World::cover(const Rectangle& part, int by) {
@@ -139,7 +136,8 @@ std::vector<Cell> World::felt(const HeldCells& robot) const {
   const Cell at = robot.cells().front();
   const int reach = growth().reach() + 1, side = 2 * reach + 1;
   for_each_cell({at.x - reach, at.y - reach, side, side}, [&](Cell cell) {
-    if (now().contains(cell) && now().blocked(cell) && hits(cell, robot)) cells.push_back(cell);
+    if (now().contains(cell) && now().blocked(cell) && held(robot, {cell.x, cell.y, 1, 1}))
+      cells.push_back(cell);
   });
   return cells;
 }
@@ -148,7 +146,7 @@ bool World::stirs() const noexcept {
   return std::ranges::any_of(movers_, [](const Mover& m) { return m.travels(); });
 }
 
-bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
+Grid World::walls(Without without) const {
   Grid grid = still_;
   for (const Mover& mover : movers_) {
     const bool moves = mover.travels() && !mover.waits;
@@ -156,6 +154,11 @@ bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
     if (moves && without == Without::those_that_move) continue;
     grid.fill(mover.cells(mover.at), true);
   }
+  return grid;
+}
+
+bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
+  Grid grid = walls(without);
   if (growth().reach() > 0) grid = *grow_obstacles(grid, growth(), {});
   return Components(grid, connectivity_of(corners)).connected(grid, from, to);
 }

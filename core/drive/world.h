@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -29,8 +30,12 @@ class World {
   /// @throws Error(invalid_parameter) for changes that are not inside the map.
   World(const Grid& truth, const Changes& changes, double radius);
 
+  /// Whether the robot holds one of some cells.
+  using Holds = std::function<bool(const Rectangle&)>;
   /// The changes of a tick take place, and obstacles move; not onto what the robot holds.
-  void advance(std::int64_t tick, const HeldCells& robot);
+  void advance(std::int64_t tick, const Holds& holds);
+  /// What a robot of the radius holds in a move.
+  bool held(const HeldCells& robot, const Rectangle& part) const noexcept;
 
   const Grid& now() const noexcept { return map_.map(); }
   /// Where the robot's centre may be.
@@ -56,6 +61,7 @@ class World {
 
   /// Can the robot get from cell to cell as things stand? Looks at the whole map.
   enum class Without { nothing, those_that_move, all_obstacles };
+  Grid walls(Without without) const;  ///< not grown
   bool joined(Cell from, Cell to, Corners corners, Without without) const;
 
  private:
@@ -73,12 +79,10 @@ class World {
     }
   };
 
-  void change(const Change& change, const HeldCells& robot);
-  void set_still(Cell cell, bool blocked, const HeldCells& robot);
-  void move(Mover& mover, const HeldCells& robot);
-  bool step(Mover& mover, const HeldCells& robot);
-  bool hits(const Rectangle& part, const HeldCells& robot) const noexcept;
-  bool hits(Cell cell, const HeldCells& robot) const noexcept;
+  void change(const Change& change, const Holds& holds);
+  void set_still(Cell cell, bool blocked, const Holds& holds);
+  void move(Mover& mover, const Holds& holds);
+  bool step(Mover& mover, const Holds& holds);
   void cover(const Rectangle& part, int by);
   void show();
   static std::uint32_t key(Cell c) noexcept {

@@ -18,10 +18,12 @@ namespace lasius::vehicle {
 
 class Planner::Impl {
  public:
-  Impl(const Grid& grid, Space the_space, Poller& poller)
+  Impl(const Grid& grid, Space the_space, std::shared_ptr<const Lattice> of_vehicle, Poller& poller)
       : space(std::move(the_space)),
-        lattice(space.vehicle(), space.impl().outline()),
-        free(space.impl(), lattice, poller),
+        lattice(of_vehicle
+                    ? std::move(of_vehicle)
+                    : std::make_shared<const Lattice>(space.vehicle(), space.impl().outline())),
+        free(space.impl(), *lattice, poller),
         bound(grid, space.vehicle()) {}
 
   /// Memory that no other search holds.
@@ -38,7 +40,7 @@ class Planner::Impl {
   }
 
   Space space;
-  Lattice lattice;
+  std::shared_ptr<const Lattice> lattice;  ///< of the vehicle alone
   FreeHeadings free;
   Bound bound;
   MadeOnce<EdgePlanes> planes;
@@ -172,13 +174,23 @@ Planner::Planner(const Grid& grid, const Vehicle& vehicle) : Planner(*make(grid,
 
 std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
                                      const StopCondition& stop) {
-  std::optional<Space> space = Space::make(grid, vehicle, stop);
-  if (!space) return std::nullopt;
-  Poller poller(stop);
   Planner planner;
-  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), poller);
-  if (poller.stopped()) return std::nullopt;
-  return planner;
+  return planner.prepare(grid, vehicle, stop) ? std::optional(std::move(planner)) : std::nullopt;
+}
+
+std::optional<Planner> Planner::on(const Grid& grid, const StopCondition& stop) const {
+  Planner planner(*this);
+  return planner.prepare(grid, space().vehicle(), stop) ? std::optional(std::move(planner))
+                                                        : std::nullopt;
+}
+
+bool Planner::prepare(const Grid& grid, const Vehicle& vehicle, const StopCondition& stop) {
+  std::optional<Space> space = Space::make(grid, vehicle, stop);
+  if (!space) return false;
+  Poller poller(stop);
+  impl_ = std::make_shared<const Impl>(grid, std::move(*space), impl_ ? impl_->lattice : nullptr,
+                                       poller);
+  return !poller.stopped();
 }
 
 Planner::Planner(const Planner&) noexcept = default;
@@ -207,13 +219,13 @@ Result Planner::plan(const Request& asked) const {
     if (request.bound) result.lower_bound = 0;
     return result;
   }
-  const std::vector<Goal> goals = goals_of(space, impl_->lattice, request);
+  const std::vector<Goal> goals = goals_of(space, *impl_->lattice, request);
   if (goals.empty() && request.goal_tolerance <= 0) {
     refuse(result, space, request.goals.front(), false);
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prepared prepared{space.impl(), impl_->lattice, impl_->free, impl_->planes};
+  const Prepared prepared{space.impl(), *impl_->lattice, impl_->free, impl_->planes};
   SearchOptions options{request.weight,
                         request.goal_tolerance,
                         request.heading_tolerance,

@@ -21,6 +21,7 @@ PYBIND11_MODULE(_lasius, module) {
   bind_tour(module);
   bind_costs(module);
   bind_vehicle(module);
+  bind_vehicle_navigator(module);
   bind_results(module);
 #ifdef LASIUS_PYTHON_POLYGON
   py::module_ polygon = module.def_submodule("polygon");

@@ -18,6 +18,7 @@ void bind_drive(pybind11::module_& module);
 void bind_tour(pybind11::module_& module);
 void bind_costs(pybind11::module_& module);
 void bind_vehicle(pybind11::module_& module);
+void bind_vehicle_navigator(pybind11::module_& module);
 void bind_results(pybind11::module_& module);
 void bind_polygon(pybind11::module_& module);  ///< where the component was built
 void bind_arm(pybind11::module_& module);      ///< likewise

@@ -47,14 +47,6 @@ py::tuple step(SharedNavigator& shared, Cell robot, std::optional<double> time_l
   return py::make_tuple(call.error(), fields(way));
 }
 
-/// A member that asks or changes the navigator, when no other thread does.
-template <class Use>
-auto alone(SharedNavigator& shared, const Use& use) {
-  const py::gil_scoped_release released;
-  const std::lock_guard lock(shared.mutex);
-  return use(shared.navigator);
-}
-
 }  // namespace
 
 void bind_navigator(py::module_& module) {

@@ -12,11 +12,21 @@
 namespace lasius::python {
 
 /// A Navigator that Python threads take in turns.
-struct SharedNavigator {
-  explicit SharedNavigator(Navigator made) : navigator(std::move(made)) {}
+template <class Owned>
+struct Shared {
+  explicit Shared(Owned made) : navigator(std::move(made)) {}
   std::mutex mutex;  ///< of the navigator; never waited for with the interpreter's lock
-  Navigator navigator;
+  Owned navigator;
 };
+using SharedNavigator = Shared<Navigator>;
+
+/// A member that asks or changes the navigator, when no other thread does.
+template <class Owned, class Use>
+auto alone(Shared<Owned>& shared, const Use& use) {
+  const py::gil_scoped_release released;
+  const std::lock_guard lock(shared.mutex);
+  return use(shared.navigator);
+}
 
 /// Radius, scaling, weight, inscribed radius.
 using InflationNumbers = std::tuple<double, double, double, double>;

@@ -1,11 +1,11 @@
 // Vehicles.
 #include <array>
 
-#include "lasius/vehicle/planner.h"
 #include "lasius/vehicle/profile.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
+#include "python/extension/vehicle_class.h"
 
 namespace lasius::python {
 namespace {
@@ -14,27 +14,6 @@ using vehicle::Pose;
 using vehicle::Segment;
 
 constexpr py::ssize_t kColumns = 8;  // x, y, yaw, curvature, curvature rate, length, gear, angle
-
-vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
-                              double reverse_cost, double cusp_cost, bool rotate_in_place,
-                              double rotation_cost, bool sideways) {
-  return {.footprint = points_from(footprint, "footprint"),
-          .turning_radius = turning_radius,
-          .reverse = reverse,
-          .reverse_cost = reverse_cost,
-          .cusp_cost = cusp_cost,
-          .rotate_in_place = rotate_in_place,
-          .rotation_cost = rotation_cost,
-          .sideways = sideways};
-}
-
-std::vector<Pose> poses_from(const Rows& rows, const char* name) {
-  std::vector<Pose> poses;
-  const auto n = row_count(rows, 3, name);
-  for (py::ssize_t i = 0; i < n; ++i)
-    poses.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
-  return poses;
-}
 
 py::array_t<double> segment_rows(const std::vector<Segment>& segments) {
   py::array_t<double> rows({static_cast<py::ssize_t>(segments.size()), kColumns});
@@ -63,7 +42,29 @@ std::vector<Segment> segments_from(const Rows& rows) {
   return segments;
 }
 
-/// The fields of lasius.VehicleResult.
+}  // namespace
+
+vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
+                              double reverse_cost, double cusp_cost, bool rotate_in_place,
+                              double rotation_cost, bool sideways) {
+  return {.footprint = points_from(footprint, "footprint"),
+          .turning_radius = turning_radius,
+          .reverse = reverse,
+          .reverse_cost = reverse_cost,
+          .cusp_cost = cusp_cost,
+          .rotate_in_place = rotate_in_place,
+          .rotation_cost = rotation_cost,
+          .sideways = sideways};
+}
+
+std::vector<Pose> poses_from(const Rows& rows, const char* name) {
+  std::vector<Pose> poses;
+  const auto n = row_count(rows, 3, name);
+  for (py::ssize_t i = 0; i < n; ++i)
+    poses.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
+  return poses;
+}
+
 py::tuple fields(const vehicle::Result& found) {
   const bool path = !found.segments.empty();
   return py::make_tuple(text(to_string(found.status)), text(to_string(found.fault)), found.error,
@@ -71,6 +72,8 @@ py::tuple fields(const vehicle::Result& found) {
                         path ? found.cost : NAN, found.cusps, found.goal, found.lower_bound,
                         path ? found.gap() : std::nullopt, found.touched, found.expanded);
 }
+
+namespace {
 
 py::tuple plan(const vehicle::Planner& planner, const Pose& start, const Rows& goals,
                double goal_tolerance, double heading_tolerance, double weight, bool smooth,

@@ -38,6 +38,7 @@ from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
 from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
+from .vehicle_navigator import VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan
 
 __all__ = [
     "Algorithm",
@@ -77,13 +78,17 @@ __all__ = [
     "RobotTour",
     "TourResult",
     "Vehicle",
+    "VehicleNavigator",
     "VehiclePlanner",
     "VehicleResult",
+    "VehicleWay",
     "Way",
     "Workspace",
     "WorldFrame",
     "__version__",
     "algorithms",
+    "cells_of_points",
+    "cells_of_scan",
     "clearance",
     "drive",
     "generate",

@@ -337,6 +337,52 @@ def make_vehicle_planner(
     rotation_cost: float,
     sideways: bool,
 ) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
+
+class VehicleNavigator:
+    def __init__(
+        self,
+        map: Grid,
+        footprint: npt.NDArray[np.float64],
+        turning_radius: float,
+        reverse: bool,
+        reverse_cost: float,
+        cusp_cost: float,
+        rotate_in_place: bool,
+        rotation_cost: float,
+        sideways: bool,
+        goals: npt.NDArray[np.float64],
+        goal_tolerance: float,
+        heading_tolerance: float,
+        weight: float,
+        smooth: bool,
+        doubt_after: int,
+    ) -> None: ...
+    def observe(self, cells: npt.NDArray[np.int32], blocked: bool) -> None: ...
+    def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None: ...
+    def step(self, robot: Sequence[float], time_limit: Optional[float]) -> Tuple[_Error, Tuple[Any, ...]]: ...
+    def set_goals(self, goals: npt.NDArray[np.float64]) -> None: ...
+    def forget(self) -> None: ...
+    def map(self) -> Grid: ...
+
+def cells_of_scan(
+    sensor: Sequence[float],
+    ranges: npt.NDArray[np.float64],
+    first_angle: float,
+    step: float,
+    least: float,
+    most: float,
+    frame: WorldFrame,
+    width: int,
+    height: int,
+) -> Tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]: ...
+def cells_of_points(
+    sensor: Sequence[float],
+    points: npt.NDArray[np.float64],
+    most: float,
+    frame: WorldFrame,
+    width: int,
+    height: int,
+) -> Tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]: ...
 def vehicle_timed_poses(
     segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]
 ) -> npt.NDArray[np.float64]: ...

@@ -110,6 +110,14 @@ class Contact:
     proven: bool  #: False: it comes nearer than 0.001 cells
 
 
+def vehicle_values(vehicle: Vehicle) -> Tuple[Any, ...]:
+    """What the extension takes."""
+    return (
+        np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse, vehicle.reverse_cost,
+        vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost, vehicle.sideways,
+    )
+
+
 @explained
 class VehiclePlanner:
     """A map made ready for a vehicle. It never changes: use one from many threads.
@@ -128,11 +136,7 @@ class VehiclePlanner:
     __slots__ = ("_raw",)
 
     def __init__(self, grid: Grid, vehicle: Vehicle) -> None:
-        self._raw = made(*_lasius.make_vehicle_planner(
-            grid, np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse,
-            vehicle.reverse_cost, vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost,
-            vehicle.sideways,
-        ))
+        self._raw = made(*_lasius.make_vehicle_planner(grid, *vehicle_values(vehicle)))
 
     def plan(
         self,

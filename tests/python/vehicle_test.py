@@ -66,3 +66,30 @@ def test_what_is_refused(yard):
             VehiclePlanner(yard, vehicle)
     with pytest.raises(lasius.InvalidParameter):
         plan_vehicle(yard, CAR, (8, 8, 0), (70, 50, 0), weight=0.5)
+
+
+def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
+    frame = lasius.WorldFrame(0.1, origin_x=-1.0, origin_y=2.0)
+    navigator = lasius.VehicleNavigator(yard, CAR, (70, 50, 0))
+    way = navigator.step((8, 8, 0))
+    assert way.status == "solved" and way.replanned
+    pose = way.poses(4.0)[3, :3]
+    kept = navigator.step(tuple(pose))
+    assert not kept.replanned and kept.length < way.length and kept.segments[0, :3] == pytest.approx(pose)
+    # A wall across the way, 2 m ahead of where the scanner stands.
+    x, y, yaw = kept.poses(2.0)[2, :3]
+    sensor = (-1.0 + 0.1 * x, 2.0 + 0.1 * (60 - y), -yaw)
+    angles = np.linspace(-1.0, 1.0, 201)
+    free, blocked = lasius.cells_of_scan(sensor, 1.5 / np.cos(angles), -1.0, 0.01, 9.0, frame, yard)
+    assert len(free) > 50 and len(blocked) > 20
+    navigator.observe(free, False)
+    navigator.observe(blocked, True)
+    other = navigator.step(tuple(pose))
+    assert other.replanned and other.status == "solved"
+    assert VehiclePlanner(navigator.map, CAR).first_contact(other.poses(0.25)[:, :3]) is None
+    points = [(sensor[0] + 1, sensor[1])]
+    assert lasius.cells_of_points(sensor[:2], points, 9.0, frame, yard)[1].shape == (1, 2)
+    navigator.set_goal([(8, 8, 0), (70, 50, 0)])
+    assert navigator.step((8, 8, 0)).goal == 0
+    with pytest.raises(lasius.InvalidParameter):
+        navigator.step((np.nan, 0, 0))

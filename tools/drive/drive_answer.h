@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "lasius/drive.h"
 #include "tools/bitmap/map_file.h"
+#include "tools/drive/driven_vehicle.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -17,6 +19,7 @@ struct DriveAnswer {
   std::uint64_t changes_hash = 0;
   Place start, goal;
   double sense = 0;  ///< cells
+  std::optional<DrivenVehicle> vehicle;
   DriveResult result;
   double elapsed_ms = 0;  ///< of the drive
   /// What costs the cells have without inflation, if any.
@@ -32,6 +35,10 @@ struct DriveAnswer {
     return (layers ? result.cost : result.length) / *optimum;
   }
 };
+
+/// The map of what is there. @throws Error(file_broken) unless it is as large as the map, and lies
+/// where that does.
+LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMap& map);
 
 /// The world with its changes up to a tick, without moving obstacles; those that were put off too.
 Grid world_at(const DriveAnswer& answer, std::int64_t tick);

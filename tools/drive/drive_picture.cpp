@@ -9,6 +9,7 @@
 #include "tools/draw/colours.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
+#include "tools/vehicle/vehicle_picture.h"
 
 namespace lasius::tool {
 namespace {
@@ -77,9 +78,18 @@ void draw_obstacles(Canvas& canvas, const Axes& axes, const DriveAnswer& answer,
   }
 }
 
-void draw_track(Canvas& canvas, const Axes& axes, const Sheet& sheet, const DriveResult& result) {
+void draw_track(Canvas& canvas, const Axes& axes, const Sheet& sheet, const DriveAnswer& answer) {
+  const DriveResult& result = answer.result;
   std::vector<Point> track;
-  for (const Cell c : result.track) track.push_back(centre(c));
+  if (const auto& driven = answer.vehicle) {
+    for (const vehicle::Pose& pose : driven->poses) track.push_back({pose.x, pose.y});
+    canvas.clip(axes.box);
+    draw_sweep(canvas, axes, driven->vehicle.vehicle, driven->poses, driven->start.pose,
+               driven->goal.pose);
+    canvas.unclip();
+  } else {
+    for (const Cell c : result.track) track.push_back(centre(c));
+  }
   draw_path(canvas, axes.box, sheet, track, 2.5, 1);
   const double cell = axes.box.width / sheet.window.width();
   for (const Replan& replan : result.replans) {
@@ -115,6 +125,7 @@ std::vector<Key> keys(const DriveAnswer& answer, const Walls& walls) {
   const auto any = [](const Grid& grid) {
     return grid.count_free() < std::int64_t{1} * grid.width() * grid.height();
   };
+  if (answer.vehicle) keys.push_back(sweep_key());
   keys.push_back(area_key("blocked, as on the map", kWall));
   if (any(walls.only_on_map)) keys.push_back(area_key("blocked on the map only", kOnlyOnMap));
   if (any(walls.learnable)) {
@@ -127,6 +138,13 @@ std::vector<Key> keys(const DriveAnswer& answer, const Walls& walls) {
 }
 
 }  // namespace
+
+std::string drive_title(const DriveAnswer& answer, const RunOptions& run) {
+  const LoadedMap& map = answer.map;
+  if (!answer.vehicle) return "drive, " + map_title(map, run);
+  return "drive of a vehicle on " + file_name(map.file) + ", " + std::to_string(map.width) + " x " +
+         std::to_string(map.height) + " cells";
+}
 
 void write_drive_picture(const std::string& file, const RunOptions& run, const DriveAnswer& answer,
                          const DriveRecorder& recorder) {
@@ -147,10 +165,10 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
     });
     const Axes axes = sheet.axes(box);
     draw_obstacles(canvas, axes, answer, recorder.obstacles());
-    if (answer.result.status != Status::invalid) draw_track(canvas, axes, sheet, answer.result);
+    if (answer.result.status != Status::invalid) draw_track(canvas, axes, sheet, answer);
     draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
   };
-  std::string title = "drive, " + map_title(answer.map, run);
+  std::string title = drive_title(answer, run);
   if (answer.world) title += ", through " + file_name(truth.file);
   Page page = sheet.page(std::move(title));
   page.legend = keys(answer, walls);

@@ -9,6 +9,9 @@
 
 namespace lasius::tool {
 
+/// What drives where, as pictures and pages are headed.
+std::string drive_title(const DriveAnswer& answer, const RunOptions& run);
+
 /// One panel: the world as it was at last, shaded by when the robot saw it; walls that the map has
 /// not, by when they were learned; those that only the map has; the track, with a mark where a way
 /// was planned; the tracks of moving obstacles, and where they were at last.

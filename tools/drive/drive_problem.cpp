@@ -37,33 +37,6 @@ class DrivingTime final : public TimeSource {
   Clock::duration paused_{};
 };
 
-constexpr const char* kSamePlace = "give both for the same place, in cells of the same size";
-
-/// @throws Error(file_broken) unless it is as large as the map, and lies where that does.
-LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMap& map) {
-  options.file = file;
-  LoadedMap world = read_map(options, Frame::cell);
-  if (world.width != map.width || world.height != map.height)
-    throw Error(ErrorCode::file_broken, {.file = file},
-                printed("is %d x %d cells, the map %d x %d", world.width, world.height, map.width,
-                        map.height),
-                kSamePlace);
-  const auto differ = [&](const char* what, double of_world, double of_map) {
-    if (of_world == of_map) return;
-    throw Error(
-        ErrorCode::file_broken, {.file = file},
-        std::string(what) + " is " + to_text(of_world) + ", that of the map " + to_text(of_map),
-        kSamePlace);
-  };
-  if (world.frame && map.frame) {
-    differ("resolution", world.frame->resolution, map.frame->resolution);
-    differ("x of the origin", world.frame->origin_x, map.frame->origin_x);
-    differ("y of the origin", world.frame->origin_y, map.frame->origin_y);
-    differ("yaw of the origin", world.frame->yaw, map.frame->yaw);
-  }
-  return world;
-}
-
 /// A sense that was given in metres, in cells. @throws UsageError where it is out of range.
 double sense_in_cells(double metres, double resolution) {
   const double cells = metres / resolution;
@@ -91,8 +64,14 @@ class DriveProblem : public Problem {
       answer_.changes = read_changes_file(command_.changes, answer_.map.width, answer_.map.height);
       answer_.changes_hash = file_hash(command_.changes);
     }
-    answer_.start = to_place(answer_.map, command_.start, run.frame);
-    answer_.goal = to_place(answer_.map, command_.goal, run.frame);
+    if (command_.vehicle) {
+      answer_.vehicle = read_driven_vehicle(command_, answer_.map, recorded_);
+      answer_.start = answer_.vehicle->start.place;
+      answer_.goal = answer_.vehicle->goal.place;
+    } else {
+      answer_.start = to_place(answer_.map, command_.start, run.frame);
+      answer_.goal = to_place(answer_.map, command_.goal, run.frame);
+    }
     answer_.sense = command_.sense.value_or(DriveOptions{}.sense);
     if (command_.sense && run.map.radius_metres)
       answer_.sense = sense_in_cells(answer_.sense, answer_.map.frame->resolution);
@@ -104,7 +83,7 @@ class DriveProblem : public Problem {
                                                 map->width, map->height,
                                                 hash_text(map->hash).c_str(), map->read_ms));
     }
-    if (run.messages.verbose)
+    if (run.messages.verbose && !command_.vehicle)
       run.notes.push_back(algorithm_text(run, find_algorithm(run.params.algorithm()), true));
     return std::nullopt;
   }
@@ -133,15 +112,20 @@ class DriveProblem : public Problem {
       time.go_on();
     };
     const auto begin = time.now();
-    Navigator navigator(answer_.map.grid(), answer_.goal.cell, navigator_options(stop));
+    std::optional<Navigator> navigator;
+    if (!answer_.vehicle)
+      navigator.emplace(answer_.map.grid(), answer_.goal.cell, navigator_options(stop));
     // Time counts from when the map is prepared.
     StopCondition until = again(stop, command_.run.time_limit);
     until.time = &time;
     const DriveOptions how{
         .sense = answer_.sense, .max_ticks = command_.max_ticks, .seed = command_.run.params.seed};
-    const DriveResult& driven = answer_.result =
-        drive(navigator, answer_.truth().grid(), answer_.start.cell, answer_.changes, how, until,
-              untimed);
+    const Grid& truth = answer_.truth().grid();
+    answer_.result = answer_.vehicle ? drive_vehicle(*answer_.vehicle, command_, answer_.map, truth,
+                                                     answer_.changes, how, until, untimed)
+                                     : drive(*navigator, truth, answer_.start.cell, answer_.changes,
+                                             how, until, untimed);
+    const DriveResult& driven = answer_.result;
     answer_.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
     result_.status = driven.status;
     result_.limit = driven.limit;
@@ -149,13 +133,23 @@ class DriveProblem : public Problem {
     result_.error = driven.error;
     if (result_.status == Status::invalid) return;
     result_.length = driven.length;
-    if (at_start) look_for_optimum(*at_start, again(stop, command_.run.time_limit));
+    if (at_start && answer_.vehicle)
+      look_for_bound(*answer_.vehicle, command_, answer_.map, *at_start,
+                     again(stop, command_.run.time_limit));
+    else if (at_start)
+      look_for_optimum(*at_start, again(stop, command_.run.time_limit));
   }
   Record record() const override {
     const DriveResult& driven = answer_.result;
     const bool metres = in_metres();
-    const MapEnds ends(answer_.map, command_.run, answer_.start, answer_.goal, driven);
-    Record record = map_record(ends, result_);
+    MapEnds ends(answer_.map, command_.run, answer_.start, answer_.goal, driven);
+    if (answer_.vehicle) {  // its error says all
+      ends.status = Status::no_path;
+      ends.fault = Fault::none;
+    }
+    Record record = answer_.vehicle ? map_record(ends, result_, lattice_algorithm())
+                                    : map_record(ends, result_);
+    if (answer_.vehicle) record_vehicle(record, *answer_.vehicle, command_, answer_.map);
     record.format = kDriveFormat;
     record.inputs = inputs();
     record.parameters["sense"] = number(answer_.sense);
@@ -165,7 +159,7 @@ class DriveProblem : public Problem {
     record.arrived = result_.status == Status::solved;
     Json costs = Json::object();
     if (answer_.layers) record_costs(*answer_.map.costs, costs, record.parameters);
-    if (record.has_path()) record.path = coordinates(track(metres));
+    if (record.has_path() && !answer_.vehicle) record.path = coordinates(track(metres));
     if (!driven.track.empty()) {
       const Cell at = driven.track.back();
       record.reached = " after " + counted(driven.ticks, "tick") +
@@ -179,7 +173,14 @@ class DriveProblem : public Problem {
     return record;
   }
   Forms show(const Record& run) const override {
-    return {.picture =
+    return {.csv =
+                [&](auto& out) {
+                  if (answer_.vehicle)
+                    write_poses(out, *answer_.vehicle, command_, answer_.map);
+                  else
+                    write_csv(out, run);
+                },
+            .picture =
                 [&](auto& file) { write_drive_picture(file, command_.run, answer_, *recorder_); },
             .film = [&](auto& out) { film_->write(out); },
             .page = [&](auto& out) { write_page(out, run); }};
@@ -188,6 +189,7 @@ class DriveProblem : public Problem {
 
  private:
   bool in_metres() const { return command_.run.frame == Frame::world; }
+
   std::string note_on(const DriveTick& tick) const {
     const std::string text = "tick " + std::to_string(tick.tick);
     if (tick.way == nullptr) return text;
@@ -200,6 +202,10 @@ class DriveProblem : public Problem {
         counted(driven.ticks, "tick") + ", " + counted(driven.replans.size(), "plan") + ", " +
         counted(driven.seen, "cell") + " learned, " + counted(driven.waits, "wait") +
         (answer_.layers ? ", cost " + decimal_text(driven.cost, 3) : "");
+    if (answer_.vehicle && answer_.vehicle->lower_bound)
+      return text + "; on what is there no way of this vehicle is below " +
+             decimal_text(record.scale * *answer_.vehicle->lower_bound, 3) +
+             (in_metres() ? " m" : "");
     const auto ratio = answer_.ratio();
     if (!ratio) return text;
     const double scale = answer_.layers ? 1 : record.scale;
@@ -208,7 +214,7 @@ class DriveProblem : public Problem {
   }
   void write_page(std::ostream& out, const Record& run) const {
     const LoadedMap& map = answer_.map;
-    Json content = run_json(run, "drive", "drive, " + map_title(map, command_.run));
+    Json content = run_json(run, "drive", drive_title(answer_, command_.run));
     content["map"] = map_view_json(map, shown_of(map, {answer_.start.cell, answer_.goal.cell}));
     content["sense"] = answer_.sense;
     content["frames"] = frames_->json();
@@ -225,14 +231,18 @@ class DriveProblem : public Problem {
   Json answer_of(const MapEnds& ends, const Record& record) const {
     const DriveResult& driven = answer_.result;
     Json json = Json::object();
-    add_goal_reached(json, ends);
-    Json& cells = json["track"];
-    if (record.has_path())
-      for (const Cell c : driven.track) cells.push_back({c.x, c.y});
-    if (in_metres()) {
-      json["start_world"] = point(answer_.start.asked);
-      json["goal_world"] = point(answer_.goal.asked);
-      json["track_world"] = record.has_path() ? points(track(true)) : Json();
+    if (answer_.vehicle) {
+      add_track(json, *answer_.vehicle, command_, answer_.map, record.has_path());
+    } else {
+      add_goal_reached(json, ends);
+      Json& cells = json["track"];
+      if (record.has_path())
+        for (const Cell c : driven.track) cells.push_back({c.x, c.y});
+      if (in_metres()) {
+        json["start_world"] = point(answer_.start.asked);
+        json["goal_world"] = point(answer_.goal.asked);
+        json["track_world"] = record.has_path() ? points(track(true)) : Json();
+      }
     }
     json["ticks"] = driven.ticks;
     json["replans"] = Json::array();
@@ -245,11 +255,12 @@ class DriveProblem : public Problem {
     json["length"] = number(result_.length);
     if (answer_.layers) json["cost"] = record.has_path() ? number(driven.cost) : Json();
     if (in_metres()) json["length_m"] = number(record.scale * result_.length);
+    if (answer_.vehicle) json["lower_bound"] = optional_number(answer_.vehicle->lower_bound);
     json["optimum"] = optional_number(answer_.optimum);
     json["ratio"] = optional_number(answer_.ratio());
     json["waits"] = driven.waits;
     json["deferred"] = driven.deferred_changes;
-    json.update(end_findings(ends));
+    if (!answer_.vehicle) json.update(end_findings(ends));
     return json;
   }
   /// The robot's cells; in metres their centres.
@@ -319,7 +330,8 @@ class DriveProblem : public Problem {
 };
 
 std::unique_ptr<Problem> drive_again(const Recorded& from, const Problem*) {
-  DriveCommand command{recorded_plan(from)};
+  DriveCommand command =
+      of_vehicle(from.result) ? recorded_drive_of_vehicle(from) : DriveCommand{recorded_plan(from)};
   const auto file = [&](const char* role) -> std::string {
     if (value_at(from.result, role).is_null()) return {};
     return from.found(recorded<std::string>(from.result, role + std::string("/file")));
@@ -344,15 +356,6 @@ const ProblemKind& drive_kind() {
                                           value_at(result, "parameters/max_ticks");
                                  }};
   return kKind;
-}
-
-Grid world_at(const DriveAnswer& answer, std::int64_t tick) {
-  auto changes = answer.changes.cells;
-  std::ranges::stable_sort(changes, {}, &Change::tick);
-  Grid grid = answer.truth().grid();
-  for (const Change& change : changes)
-    if (change.tick <= tick) grid.fill(change.part, change.blocked);
-  return grid;
 }
 
 int run_command(const DriveCommand& command) {

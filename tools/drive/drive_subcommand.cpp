@@ -1,6 +1,7 @@
 // lasius drive.
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "tools/bitmap/cost_layers.h"
@@ -9,6 +10,7 @@
 #include "tools/console/parameters.h"
 #include "tools/drive/drive_kind.h"
 #include "tools/options/commands.h"
+#include "tools/vehicle/vehicle_answer.h"
 
 namespace lasius::tool {
 namespace {
@@ -38,11 +40,40 @@ void finish_costs(RunOptions& run) {
   for (const auto& layer : run.map.costs.layers) run.inputs.push_back(layer.file);
 }
 
+/// How a vehicle's drive is asked for. @throws UsageError for what is of points and discs.
+void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::string& start,
+                    const std::string& goal) {
+  RunOptions& run = drive.run;
+  if (!run.algorithm.empty() && run.algorithm != lattice_algorithm().name)
+    throw UsageError("--algorithm " + run.algorithm +
+                     ": vehicles are planned by lattice alone; leave it out");
+  run.algorithm.clear();
+  VehicleCommand& vehicle = *drive.vehicle;
+  if (table.given("--polish")) {
+    constexpr std::array<std::string_view, 2> kPolish{"none", "taut"};
+    vehicle.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);
+    run.named.clear();
+  }
+  for (const char* option :
+       {"--radius", "--cost", "--inflation", "--set", "--ants", "--iterations", "--preset",
+        "--neighbours", "--corners", "--prepare", "--prepared", "--target-gap"})
+    if (table.given(option))
+      throw UsageError(std::string(option) +
+                       " with --vehicle: it is of drives from cell to cell; leave it out");
+  require("", "--start", start);
+  require("", "--goal", goal);
+  finish_run(run);
+  vehicle.start = pose_value("--start", start, run.frame);
+  vehicle.goals = {pose_value("--goal", goal, run.frame)};
+  run.inputs.push_back(vehicle.file);
+}
+
 }  // namespace
 
 Subcommand add_drive(CLI::App& app) {
   struct Text : DriveCommand {
     std::string start_text, goal_text, sense_text;
+    VehicleCommand driven;
   };
   auto text = std::make_shared<Text>();
   OptionTable table(app, "drive",
@@ -57,6 +88,17 @@ Subcommand add_drive(CLI::App& app) {
              {});
   table.text("--sense", text->sense_text,
              "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
+  table.file("--vehicle", text->driven.file,
+             "A vehicle drives, of this footprint and smallest turn (see lasius help vehicles), by "
+             "motions whose sweep meets nothing; start and goal are X,Y,YAW",
+             kDocuments);
+  table.add("--heading-tolerance",
+            "Of a vehicle: it may end turned so far from the goal's YAW (radians, or as in 15deg; "
+            "180deg: any heading)",
+            "ANGLE", [=](const auto& angle) {
+              text->driven.heading_tolerance =
+                  angle_value("--heading-tolerance", angle, 0, std::numbers::pi);
+            });
   table.integer("--max-ticks", text->max_ticks, 0, DriveCommand::kMostTicks,
                 "Moves and waits at most (default 1000000)", "N");
   table
@@ -98,10 +140,17 @@ Subcommand add_drive(CLI::App& app) {
         if (is_polygon_file(run.map.file))
           throw UsageError(run.map.file + ": drives are on bitmaps only");
         const bool prepare = run.map.prepare;
-        static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
-        for (End* end : {&drive.start, &drive.goal}) {  // a drive goes from cell to cell
-          if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
-          end->point = false;
+        if (!text->driven.file.empty()) {
+          drive.vehicle = text->driven;
+          finish_vehicle(table, drive, text->start_text, text->goal_text);
+        } else {
+          if (table.given("--heading-tolerance"))
+            throw UsageError("--heading-tolerance is for --vehicle; leave it out");
+          static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
+          for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
+            if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
+            end->point = false;
+          }
         }
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +

@@ -149,6 +149,8 @@ struct DriveCommand : PlanCommand {
   std::string changes = {};          ///< empty: none
   std::optional<double> sense = {};  ///< as MapOptions::radius
   std::int64_t max_ticks = 1'000'000;
+  std::optional<VehicleCommand> vehicle =
+      {};  ///< what drives, and from where to where; not its run
 };
 
 /// Stops of a tour, and what is given of their order. The lists are one entry a stop, or empty.

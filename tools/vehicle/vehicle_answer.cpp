@@ -12,12 +12,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr Algorithm kLattice{.name = "lattice",
-                             .summary = "a lattice of headings, exact ends, certified sweeps",
-                             .source = "",
-                             .parameters = {},
-                             .kind = Algorithm::Kind::exact};
-
 bool in_metres(const VehicleCommand& command) { return command.run.frame == Frame::world; }
 
 bool at_goal(Fault fault) { return fault == Fault::goal_blocked || fault == Fault::goal_outside; }
@@ -162,6 +156,16 @@ std::string summary(const Record& record, const VehicleAnswer& answer) {
 
 }  // namespace
 
+const Algorithm& lattice_algorithm() {
+  static constexpr Algorithm kLattice{
+      .name = "lattice",
+      .summary = "a lattice of headings, exact ends, certified sweeps",
+      .source = "",
+      .parameters = {},
+      .kind = Algorithm::Kind::exact};
+  return kLattice;
+}
+
 VehicleMap load_vehicle_map(const VehicleCommand& command,
                             const std::optional<LoadedVehicle>& vehicle,
                             const std::stop_token& token) {
@@ -239,7 +243,7 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
   result.optimal = answer.has_path() && found.lower_bound && found.length <= *found.lower_bound;
   Record record{
       .options = command.run,
-      .algorithm = kLattice,
+      .algorithm = lattice_algorithm(),
       .inputs = {{"map", map_json(on.map)}},
       .start = pose_json(answer.start.pose),
       .goal = pose_json(answer.goal().pose),

@@ -34,6 +34,9 @@ struct VehicleEnd {
 };
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
 
+/// What plans for vehicles, as results name it.
+const Algorithm& lattice_algorithm();
+
 struct VehicleAnswer {
   VehicleEnd start;
   std::vector<VehicleEnd> goals;

@@ -32,6 +32,12 @@ Json pose_json(const vehicle::Pose& pose) {
   return {number(pose.x), number(pose.y), number(pose.yaw)};
 }
 
+PoseEnd recorded_pose(const Json& result, const std::string& key) {
+  const auto numbers = recorded<std::vector<double>>(result, key);
+  if (numbers.size() != 3) throw UsageError("\"" + key + "\" is no [x, y, yaw]");
+  return {{{numbers[0], numbers[1]}, true}, numbers[2]};
+}
+
 Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& segments,
                    bool metres) {
   Json list = Json::array();

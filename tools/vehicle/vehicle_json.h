@@ -10,6 +10,7 @@
 #include "lasius/vehicle/profile.h"
 #include "lasius/vehicle/vehicle.h"
 #include "tools/bitmap/map_file.h"
+#include "tools/options/options.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
@@ -24,6 +25,8 @@ vehicle::Pose to_world(const LoadedMap& map, const vehicle::Pose& cells);
 
 /// [x, y, yaw]
 Json pose_json(const vehicle::Pose& pose);
+/// A start or goal of a result, by its key. @throws UsageError
+PoseEnd recorded_pose(const Json& result, const std::string& key);
 /// A list of segments from which every pose follows; `metres`: in the map's frame.
 Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& segments,
                    bool metres);

@@ -1,3 +1,5 @@
+#include "tools/vehicle/vehicle_picture.h"
+
 #include <cmath>
 
 #include "tools/bitmap/sheet.h"
@@ -40,19 +42,9 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
   const vehicle::Vehicle& vehicle = on.vehicle.vehicle;
   const auto along = timed_poses(on, command, answer);
   canvas.clip(box);
-  constexpr double kFaint = 0.1, kEnd = 0.35;
-  // So far apart that outlines tell where it looks.
-  const double apart = vehicle::circumscribed_radius(vehicle) / 2;
-  vehicle::Pose last = answer.start.pose;
-  for (const auto& timed : along) {
-    const vehicle::Pose& pose = timed.at.pose;
-    const double turned = std::abs(pose.yaw - last.yaw) * apart;
-    if (std::hypot(pose.x - last.x, pose.y - last.y) + turned < apart) continue;
-    canvas.area(footprint_at(axes, vehicle, pose), kSweep, kFaint);
-    last = pose;
-  }
-  for (const vehicle::Pose& end : {answer.start.pose, answer.goal().pose})
-    canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
+  std::vector<vehicle::Pose> poses;
+  for (const auto& timed : along) poses.push_back(timed.at.pose);
+  draw_sweep(canvas, axes, vehicle, poses, answer.start.pose, answer.goal().pose);
   for (std::size_t i = 1; i < along.size(); ++i) {
     const vehicle::Pose &a = along[i - 1].at.pose, &b = along[i].at.pose;
     canvas.line(axes.at(a.x, a.y), axes.at(b.x, b.y), along[i].at.gear < 0 ? kBackwards : kPath,
@@ -62,6 +54,25 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
 }
 
 }  // namespace
+
+Key sweep_key() { return area_key("swept by the footprint", kSweep); }
+
+void draw_sweep(Canvas& canvas, const Axes& axes, const vehicle::Vehicle& vehicle,
+                std::span<const vehicle::Pose> poses, const vehicle::Pose& start,
+                const vehicle::Pose& goal) {
+  constexpr double kFaint = 0.1, kEnd = 0.35;
+  // So far apart that outlines tell where it looks.
+  const double apart = vehicle::circumscribed_radius(vehicle) / 2;
+  vehicle::Pose last = start;
+  for (const vehicle::Pose& pose : poses) {
+    const double turned = std::abs(pose.yaw - last.yaw) * apart;
+    if (std::hypot(pose.x - last.x, pose.y - last.y) + turned < apart) continue;
+    canvas.area(footprint_at(axes, vehicle, pose), kSweep, kFaint);
+    last = pose;
+  }
+  for (const vehicle::Pose& end : {start, goal})
+    canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
+}
 
 void write_vehicle_picture(const std::string& file, const VehicleMap& on,
                            const VehicleCommand& command, const VehicleAnswer& answer) {
@@ -78,7 +89,7 @@ void write_vehicle_picture(const std::string& file, const VehicleMap& on,
   if (answer.has_path()) {
     page.legend.push_back(line_key("forwards", kPath, 2.5));
     if (answer.result.cusps > 0) page.legend.push_back(line_key("backwards", kBackwards, 2.5));
-    page.legend.push_back(area_key("swept by the footprint", kSweep));
+    page.legend.push_back(sweep_key());
   }
   page.bands = {{{{{caption(sheet, on, answer), draw}}}}};
   write_page(file, page);

@@ -85,12 +85,6 @@ class VehicleProblem : public Problem {
   VehicleAnswer answer_;
 };
 
-PoseEnd recorded_end(const Json& result, const std::string& key) {
-  const auto numbers = recorded<std::vector<double>>(result, key);
-  if (numbers.size() != 3) throw UsageError("\"" + key + "\" is no [x, y, yaw]");
-  return {{{numbers[0], numbers[1]}, true}, numbers[2]};
-}
-
 std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   const Json& result = from.result;
   VehicleCommand command;
@@ -102,13 +96,13 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   const bool metres = recorded<std::string>(parameters, "frame") == kFrames[1];
   LoadedVehicle vehicle{.vehicle = recorded_vehicle(parameters),
                         .speeds = recorded_speeds(parameters)};
-  command.start = recorded_end(result, metres ? "start_world" : "start");
+  command.start = recorded_pose(result, metres ? "start_world" : "start");
   const std::string goals = metres ? "goals_world" : "goals";
   if (!result.contains(goals))
-    command.goals = {recorded_end(result, metres ? "goal_world" : "goal")};
+    command.goals = {recorded_pose(result, metres ? "goal_world" : "goal")};
   else
     for (const Json& goal : result[goals])
-      command.goals.push_back(recorded_end(Json{{goals, goal}}, goals));
+      command.goals.push_back(recorded_pose(Json{{goals, goal}}, goals));
   command.heading_tolerance = recorded_real(parameters, "heading_tolerance", 0, kNoLimit);
   command.smooth = recorded<bool>(parameters, "smooth");
   if (parameters.contains("spacing"))

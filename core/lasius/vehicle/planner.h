@@ -72,6 +72,9 @@ class LASIUS_EXPORT Planner {
   /// The same, or empty if stopped.
   [[nodiscard]] static std::optional<Planner> make(const Grid& grid, const Vehicle& vehicle,
                                                    const StopCondition& stop);
+  /// Of the same vehicle on another map: what depends on the vehicle alone is shared. Empty if
+  /// stopped.
+  [[nodiscard]] std::optional<Planner> on(const Grid& grid, const StopCondition& stop = {}) const;
   Planner(const Planner&) noexcept;
   Planner& operator=(const Planner&) noexcept;
   Planner(Planner&&) noexcept;
@@ -86,6 +89,7 @@ class LASIUS_EXPORT Planner {
 
  private:
   Planner() = default;
+  bool prepare(const Grid& grid, const Vehicle& vehicle, const StopCondition& stop);
   std::shared_ptr<const Impl> impl_;
 };
 

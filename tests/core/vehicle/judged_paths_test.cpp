@@ -11,6 +11,7 @@
 #include "lasius/map_io.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
+#include "tests/oracle/vehicle/motions.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
@@ -18,6 +19,7 @@ namespace {
 
 using oracle::FootprintJudge;
 using oracle::Motion;
+using oracle::motions_of;
 
 /// Blocks of up to 9 x 9 cells.
 Grid rooms(int width, int height, int blocks, std::mt19937& random) {
@@ -27,13 +29,6 @@ Grid rooms(int width, int height, int blocks, std::mt19937& random) {
     grid.fill({random_in(0, width - w, random), random_in(0, height - h, random), w, h}, true);
   }
   return grid;
-}
-
-std::vector<Motion> motions_of(const std::vector<Segment>& segments) {
-  std::vector<Motion> motions;
-  for (const Segment& s : segments)
-    motions.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
-  return motions;
 }
 
 double apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {

@@ -1,0 +1,259 @@
+#include "core/drive/kept_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/drive/vehicle_window.h"
+#include "core/vehicle/angle.h"
+#include "core/vehicle/outline.h"
+#include "core/vehicle/steering.h"
+
+namespace lasius::vehicle {
+namespace {
+
+/// An angle driven, of `most`: below 0 and above it the nearer end.
+double clamped_angle(double angle, double most) noexcept {
+  const double a = turned(angle);
+  if (a <= most) return a;
+  return a - most < kTurn - a ? most : 0;
+}
+
+/// The extent of a motion at the place nearest to a pose, by its point; in place by its yaw.
+double nearest(const Segment& s, const Pose& pose) noexcept {
+  if (s.gear == 0) {
+    const double turn = pose.yaw - s.begin.yaw;
+    return clamped_angle(s.angle < 0 ? -turn : turn, s.extent());
+  }
+  const auto [sine, cosine] = kernels::sine_cosine(half_turned(s.begin.yaw + s.angle));
+  const double dx = pose.x - s.begin.x, dy = pose.y - s.begin.y;
+  if (s.curvature == 0) return std::clamp(s.gear * (dx * cosine + dy * sine), 0.0, s.length);
+  // About the centre of the circle.
+  const double r = 1 / s.curvature;
+  const double ax = sine * r, ay = -cosine * r;
+  const double bx = ax + dx, by = ay + dy;
+  const double angle = direction(ax * by - ay * bx, ax * bx + ay * by);
+  const double bend = std::fabs(s.curvature);
+  return clamped_angle((s.curvature < 0 ? -s.gear : s.gear) * angle, s.length * bend) / bend;
+}
+
+/// By which a footprint of this radius is moved from one pose to the other, at most.
+double apart(const Pose& a, const Pose& b, double around) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy) + around * std::fabs(half_turned(a.yaw - b.yaw));
+}
+
+/// Cells by which a motion moves the reference point, or in place the farthest point.
+double moved_by(const Segment& s, double around) noexcept {
+  return s.gear == 0 ? around * s.extent() : s.length;
+}
+
+}  // namespace
+
+Segment rest_of(const Segment& motion, double at) noexcept {
+  Segment rest = motion;
+  rest.begin = motion.pose(at);
+  if (motion.gear == 0)
+    rest.angle = motion.angle < 0 ? motion.angle + at : motion.angle - at;
+  else
+    rest.length = motion.length - at;
+  return rest;
+}
+
+Segment begin_of(const Segment& motion, double extent) noexcept {
+  Segment part = motion;
+  if (motion.gear == 0)
+    part.angle = motion.angle < 0 ? -extent : extent;
+  else
+    part.length = extent;
+  return part;
+}
+
+KeptWay::KeptWay(const Vehicle& vehicle) : around_(circumscribed_radius(vehicle)) {}
+
+void KeptWay::keep(std::vector<Segment> way) {
+  way_ = std::move(way);
+  place_ = {};
+}
+
+double KeptWay::locate(const Pose& robot) {
+  // Farther on the way may come back here.
+  const double most = 16 + 2 * around_;
+  double best = std::numeric_limits<double>::infinity();
+  Place found = place_;
+  double seen = 0;
+  for (std::size_t i = place_.segment; i < way_.size() && seen <= most; ++i) {
+    const Segment& s = way_[i];
+    const double from = i == place_.segment ? place_.at : 0;
+    const double at = std::max(from, nearest(s, robot));
+    const double off = apart(s.pose(at), robot, around_);
+    if (off < best - 1e-12) {
+      best = off;
+      found = {i, at};
+    }
+    const double extent = s.extent();
+    if (extent > 0) seen += moved_by(s, around_) * (1 - from / extent);
+  }
+  place_ = found;
+  return best;
+}
+
+bool KeptWay::in_first() const noexcept {
+  return kept() && place_.segment == 0 && way_[0].extent() - place_.at > kNothing;
+}
+
+std::vector<Segment> KeptWay::rest() const {
+  std::vector<Segment> rest;
+  for (std::size_t i = place_.segment; i < way_.size(); ++i) {
+    const double at = i == place_.segment ? place_.at : 0;
+    const Segment left = at > 0 ? rest_of(way_[i], at) : way_[i];
+    if (left.extent() > kNothing) rest.push_back(left);
+  }
+  if (rest.empty() && !way_.empty()) rest = {{.begin = way_.back().end(), .length = 0, .gear = 1}};
+  return rest;
+}
+
+bool meets(const Vehicle& vehicle, std::span<const Segment> way, std::span<const Cell> cells) {
+  if (cells.empty() || way.empty()) return false;
+  Cell low = cells[0], high = cells[0];
+  for (const Cell c : cells) {
+    low = {std::min(low.x, c.x), std::min(low.y, c.y)};
+    high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+  }
+  constexpr double kPiece = 2;  // cells
+  const double around = circumscribed_radius(vehicle);
+  const double near = around + kPiece + 1;
+  // A piece that begins near holds its footprint within the window.
+  const int margin = static_cast<int>(std::ceil(near + kPiece + around)) + 2;
+  Grid there(high.x - low.x + 1, high.y - low.y + 1);
+  for (const Cell c : cells) there.set_blocked({c.x - low.x, c.y - low.y});
+  const Window window(
+      vehicle,
+      {low.x - margin, low.y - margin, there.width() + 2 * margin, there.height() + 2 * margin},
+      [&](Cell c) {
+        const Cell of{c.x - low.x, c.y - low.y};
+        return there.contains(of) && there.blocked(of);
+      });
+  for (const Segment& s : way) {
+    const double extent = s.extent();
+    const double by = moved_by(s, around);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(by / kPiece)));
+    for (int i = 0; i < pieces; ++i) {
+      const double from = extent * i / pieces;
+      const Pose at = s.pose(from);
+      if (at.x < low.x - near || at.y < low.y - near || at.x > high.x + 1 + near ||
+          at.y > high.y + 1 + near)
+        continue;
+      const double to = extent * (i + 1) / pieces;
+      if (window.first_contact(begin_of(rest_of(s, from), to - from))) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Cell> met_cells(const Vehicle& vehicle, const Pose& pose) {
+  std::vector<Cell> cells;
+  const Outline outline(vehicle);
+  (void)outline.visit_cells(pose, 0, [&](int row, int first, int last) {
+    for (int x = first; x <= last; ++x) cells.push_back({x, row});
+    return false;
+  });
+  return cells;
+}
+
+std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pose& pose) {
+  constexpr double kStep = 0.25;  // cells
+  const double around = circumscribed_radius(vehicle);
+  const double most = around + 8;
+  const Rectangle part = Window::around(pose, 2 * around + most + 2);
+  const Window all(vehicle, part, [&](Cell c) { return map.blocked(c); });
+  const std::vector<Cell> met = met_cells(vehicle, pose);
+  const Window others(vehicle, part, [&](Cell c) {
+    return map.blocked(c) && std::ranges::find(met, c) == met.end();
+  });
+
+  std::vector<Segment> motions;
+  const Segment still{.begin = pose, .length = 0};
+  for (const int gear : {1, -1}) {
+    if (gear < 0 && !vehicle.reverse) continue;
+    const double bend = vehicle.turning_radius > 0 ? 1 / vehicle.turning_radius : 0;
+    for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+      if (bend == 0 && share != 0) continue;
+      Segment motion = still;
+      motion.curvature = share * bend;
+      motion.gear = gear;
+      motion.length = most;
+      motions.push_back(motion);
+    }
+  }
+  for (int side = 1; side < 16 && vehicle.sideways; ++side) {
+    Segment motion = still;
+    motion.angle = half_turned(side * (kTurn / 16));
+    motion.length = most;
+    motions.push_back(motion);
+  }
+  for (const int turn : {1, -1}) {
+    if (!vehicle.rotate_in_place) continue;
+    Segment motion = still;
+    motion.gear = 0;
+    motion.angle = turn * kPi / 2;
+    motions.push_back(motion);
+  }
+  std::vector<Segment> out;
+  for (const Segment& motion : motions) {
+    const double step = kStep * motion.extent() / moved_by(motion, std::max(1.0, around));
+    for (double at = step; at <= motion.extent(); at += step) {
+      if (!all.free(motion.pose(at))) continue;
+      const Segment part_of_it = begin_of(motion, at);
+      if (!others.first_contact(part_of_it)) out.push_back(part_of_it);
+      break;
+    }
+  }
+  std::ranges::stable_sort(out, {},
+                           [&](const Segment& s) { return moved_by(s, std::max(1.0, around)); });
+  return out;
+}
+
+std::vector<Segment> rejoined(const Vehicle& vehicle, const Grid& map, const Pose& pose, double off,
+                              std::span<const Segment> rest, int& back) {
+  constexpr int kTries = 4, kWays = 3;
+  constexpr double kFarthest = 4;  // cells beside the way, what the vehicle is turned included
+  if (!(off <= kFarthest)) return {};
+  const double around = circumscribed_radius(vehicle);
+  Steering steering(vehicle);
+  double ahead = 2 + 2 * off;
+  for (int i = 0; i < kTries; ++i, ahead *= 2) {
+    // The place so far ahead, or the end.
+    double left = ahead;
+    std::size_t segment = 0;
+    while (segment + 1 < rest.size() && moved_by(rest[segment], around) < left)
+      left -= moved_by(rest[segment++], around);
+    const Segment& to = rest[segment];
+    const double by = moved_by(to, around);
+    const double at = by > left ? to.extent() * (left / by) : to.extent();
+    const double price =
+        cost(vehicle, rest.first(segment)) + cost(vehicle, std::vector<Segment>{begin_of(to, at)});
+    steering.aim(pose, to.pose(at), kWays);
+    for (int way = 0; way < steering.size(); ++way) {
+      // What winds about to get there is no better than a new plan.
+      if (steering.cost(way) > price + 4 * off + 1) break;
+      std::vector<Segment> found;
+      if (!steering.append(way, found)) continue;
+      const Window window(vehicle, Window::around(pose, steering.cost(way) + around + 4),
+                          [&](Cell c) { return map.blocked(c); });
+      const bool clear = std::ranges::none_of(
+          found, [&](const Segment& s) { return window.first_contact(s).has_value(); });
+      if (!clear) continue;
+      back = static_cast<int>(found.size());
+      if (at < to.extent()) found.push_back(rest_of(to, at));
+      found.insert(found.end(), rest.begin() + static_cast<std::ptrdiff_t>(segment) + 1,
+                   rest.end());
+      return found;
+    }
+    if (segment + 1 == rest.size() && at == to.extent()) break;
+  }
+  return {};
+}
+
+}  // namespace lasius::vehicle

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/invalid_parameter.h"
+#include "core/drive/doubts.h"
+#include "core/drive/kept_way.h"
+#include "lasius/vehicle/navigator.h"
+
+namespace lasius::vehicle {
+namespace {
+
+double apart(double x, double y, const Pose& pose) noexcept {
+  const double dx = x - pose.x, dy = y - pose.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+class Navigator::Impl {
+ public:
+  Impl(Grid map, const Vehicle& vehicle, std::vector<Pose> goals, const NavigatorOptions& options)
+      : map_(std::move(map)),
+        options_(options),
+        doubts_(options.doubt_after),
+        planner_(map_, vehicle),
+        kept_(vehicle),
+        around_(circumscribed_radius(vehicle)) {
+    require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
+                      "give 0 or more steps");
+    set_goals(std::move(goals));
+  }
+
+  void observe(std::span<const Cell> cells, bool blocked) {
+    if (blocked) doubts_.saw_walls(map_, cells);
+    for (const Cell c : cells) set(c, blocked);
+  }
+  void observe(const Rectangle& part, bool blocked) {
+    if (blocked) doubts_.saw_walls(map_, part);
+    const auto end = [](int from, int size, int most) {
+      return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + size, 0, most));
+    };
+    for (int y = std::max(part.y, 0); y < end(part.y, part.height, map_.height()); ++y)
+      for (int x = std::max(part.x, 0); x < end(part.x, part.width, map_.width()); ++x)
+        set({x, y}, blocked);
+  }
+
+  const Way& step(const Pose& robot, const StopCondition& stop) {
+    for (const double value : {robot.x, robot.y, robot.yaw}) {
+      require_parameter(std::fabs(value) <= 1e5, "a coordinate of the vehicle", value,
+                        "give finite numbers of at most 100000");
+    }
+    const int goal = way_.goal;
+    way_ = {};
+    if (const auto rest = left_from(robot); !rest.empty()) {
+      const bool tempted = shortens(robot, cost(vehicle(), rest));
+      news_.clear();
+      if (!tempted || !shorter(robot, cost(vehicle(), rest), stop)) tell(rest, goal);
+      return way_;
+    }
+    news_.clear();
+    plan(robot, stop);
+    if (!way_.segments.empty() || stop.poll() != StopCondition::Cause::none) return way_;
+    if (const std::vector<Cell> doubtful = doubts_.wait(map_); !doubtful.empty()) {
+      for (const Cell c : doubtful) set(c, false);
+      news_.clear();
+      plan(robot, stop);
+      way_.doubted = static_cast<std::int64_t>(doubtful.size());
+    }
+    return way_;
+  }
+
+  void set_goals(std::vector<Pose> goals) {
+    if (goals.empty()) throw invalid_parameter("there is no goal", "give at least one");
+    goals_ = std::move(goals);
+    kept_.drop();
+  }
+  std::span<const Pose> goals() const noexcept { return goals_; }
+  void forget() noexcept { kept_.drop(); }
+  const Grid& map() const noexcept { return map_; }
+
+ private:
+  static constexpr double kOnWay = 1e-6;  // cells
+
+  const Vehicle& vehicle() const noexcept { return planner_.space().vehicle(); }
+
+  void set(Cell cell, bool blocked) {
+    if (!map_.contains(cell) || map_.blocked(cell) == blocked) return;
+    map_.set_blocked(cell, blocked);
+    news_.push_back(cell);
+    changed_ = true;
+  }
+
+  /// What is left of the way that is kept, as far as it still holds, from the vehicle on.
+  std::vector<Segment> left_from(const Pose& robot) {
+    if (!kept_.kept()) return {};
+    const double off = kept_.locate(robot);
+    std::vector<Segment> rest = kept_.rest();
+    std::vector<Cell> walls = news_;
+    std::erase_if(walls, [&](Cell c) { return map_.free(c); });
+    if (meets(vehicle(), rest, walls)) rest.clear();
+    if (!rest.empty() && off > kOnWay) {
+      rest = rejoined(vehicle(), map_, robot, off, rest, way_.rejoined);
+      if (!rest.empty()) kept_.keep(rest);
+      led_out_ = false;
+    }
+    if (rest.empty()) kept_.drop();
+    return rest;
+  }
+
+  /// Whether a way over a cell that has become free might be cheaper than what is left: a price is
+  /// never below the length, and the footprint comes to the cell.
+  bool shortens(const Pose& robot, double left) const {
+    constexpr double kSlack = 2;
+    return std::ranges::any_of(news_, [&](Cell c) {
+      if (map_.blocked(c)) return false;
+      const Point middle = centre(c);
+      double on = std::numeric_limits<double>::infinity();
+      for (const Pose& goal : goals_) on = std::min(on, apart(middle.x, middle.y, goal));
+      return apart(middle.x, middle.y, robot) + on - options_.goal_tolerance <
+             left + 2 * around_ + kSlack;
+    });
+  }
+  /// Plans anew; true where that is cheaper than what is left, which else stays.
+  bool shorter(const Pose& robot, double left, const StopCondition& stop) {
+    Way before = std::exchange(way_, {});
+    KeptWay kept = kept_;
+    const bool led_out = led_out_;
+    plan(robot, stop);
+    if (!way_.segments.empty() && way_.cost < left - kOnWay) return true;
+    way_ = std::move(before);
+    kept_ = std::move(kept);
+    led_out_ = led_out;
+    return false;
+  }
+
+  Request request(const Pose& from, const StopCondition& stop) const {
+    return {.start = from,
+            .goals = goals_,
+            .goal_tolerance = options_.goal_tolerance,
+            .heading_tolerance = options_.heading_tolerance,
+            .weight = options_.weight,
+            .smooth = options_.smooth,
+            .bound = false,
+            .max_states = options_.max_states,
+            .stop = stop};
+  }
+
+  void plan(const Pose& robot, const StopCondition& stop) {
+    way_ = {};
+    way_.replanned = true;
+    kept_.drop();
+    if (changed_) {
+      std::optional<Planner> planner = planner_.on(map_, stop);
+      if (!planner) {
+        way_.status =
+            stop.poll() == StopCondition::Cause::token ? Status::interrupted : Status::limit;
+        way_.error = "stopped before a path was found";
+        return;
+      }
+      planner_ = std::move(*planner);
+      changed_ = false;
+    }
+    static_cast<Result&>(way_) = planner_.plan(request(robot, stop));
+    if (way_.status == Status::invalid && way_.fault == Fault::start_blocked) lead_out(robot, stop);
+    if (way_.segments.empty()) return;
+    doubts_.end_wait();
+    kept_.keep(way_.segments);
+    led_out_ = way_.way_out > 0;
+  }
+
+  /// Out of what the vehicle meets where it stands, and on from there.
+  void lead_out(const Pose& robot, const StopCondition& stop) {
+    for (const Segment& out : ways_out(vehicle(), map_, robot)) {
+      if (stop.poll() != StopCondition::Cause::none) return;
+      Result on = planner_.plan(request(out.end(), stop));
+      if (on.segments.empty()) continue;
+      on.segments.insert(on.segments.begin(), out);
+      static_cast<Result&>(way_) = std::move(on);
+      way_.way_out = 1;
+      measure();
+      return;
+    }
+  }
+
+  void tell(std::vector<Segment> rest, int goal) {
+    way_.segments = std::move(rest);
+    way_.status = Status::solved;
+    way_.goal = goal;
+    way_.way_out = led_out_ && kept_.in_first() ? 1 : 0;
+    measure();
+  }
+  void measure() {
+    way_.length = driven_length(way_.segments);
+    way_.cost = cost(vehicle(), way_.segments);
+    way_.cusps = cusps(way_.segments);
+  }
+
+  Grid map_;
+  NavigatorOptions options_;
+  Doubts doubts_;
+  Planner planner_;       ///< on the map as it was when last planned on
+  bool changed_ = false;  ///< since then
+  KeptWay kept_;
+  bool led_out_ = false;  ///< by its first segment
+  double around_;
+  std::vector<Pose> goals_;
+  std::vector<Cell> news_;  ///< cells that changed since the last step
+  Way way_;
+};
+
+Navigator::Navigator(Grid map, const Vehicle& vehicle, std::vector<Pose> goals,
+                     const NavigatorOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(map), vehicle, std::move(goals), options)) {}
+Navigator::~Navigator() = default;
+Navigator::Navigator(Navigator&&) noexcept = default;
+Navigator& Navigator::operator=(Navigator&&) noexcept = default;
+
+void Navigator::observe(std::span<const Cell> cells, bool blocked) {
+  impl_->observe(cells, blocked);
+}
+void Navigator::observe(const Rectangle& part, bool blocked) { impl_->observe(part, blocked); }
+const Way& Navigator::step(const Pose& robot, const StopCondition& stop) {
+  return impl_->step(robot, stop);
+}
+std::span<const Pose> Navigator::goals() const noexcept { return impl_->goals(); }
+void Navigator::set_goals(std::vector<Pose> goals) { impl_->set_goals(std::move(goals)); }
+void Navigator::forget() { impl_->forget(); }
+const Grid& Navigator::map() const noexcept { return impl_->map(); }
+
+}  // namespace lasius::vehicle

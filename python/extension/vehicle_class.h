@@ -1,0 +1,19 @@
+// What VehiclePlanner and VehicleNavigator share.
+#pragma once
+
+#include <vector>
+
+#include "lasius/vehicle/planner.h"
+#include "python/extension/arrays.h"
+
+namespace lasius::python {
+
+vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
+                              double reverse_cost, double cusp_cost, bool rotate_in_place,
+                              double rotation_cost, bool sideways);
+/// Rows x, y, yaw.
+std::vector<vehicle::Pose> poses_from(const Rows& rows, const char* name);
+/// The fields of lasius.VehicleResult.
+py::tuple fields(const vehicle::Result& found);
+
+}  // namespace lasius::python

@@ -1,0 +1,122 @@
+#include "tools/drive/driven_vehicle.h"
+
+#include <ostream>
+#include <utility>
+
+#include "tools/bitmap/map_ends.h"
+#include "tools/console/values.h"
+#include "tools/record/recorded.h"
+#include "tools/vehicle/vehicle_json.h"
+
+namespace lasius::tool {
+namespace {
+
+bool in_metres(const DriveCommand& command) { return command.run.frame == Frame::world; }
+
+vehicle::NavigatorOptions driving_options(const DriveCommand& command, const LoadedMap& map) {
+  const RunOptions& run = command.run;
+  return {.goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance),
+          .heading_tolerance = command.vehicle->heading_tolerance,
+          .smooth = command.vehicle->smooth};
+}
+
+/// At each tick.
+std::vector<vehicle::Pose> driven_poses(const DrivenVehicle& driven, const LoadedMap& map,
+                                        bool metres) {
+  std::vector<vehicle::Pose> told = driven.poses;
+  if (metres)
+    for (vehicle::Pose& pose : told) pose = to_world(map, pose);
+  return told;
+}
+
+Json track_json(const std::vector<vehicle::Pose>& poses) {
+  Json json = Json::array();
+  for (const vehicle::Pose& pose : poses) json.push_back(pose_json(pose));
+  return json;
+}
+
+}  // namespace
+
+DrivenVehicle read_driven_vehicle(const DriveCommand& command, const LoadedMap& map,
+                                  const std::optional<Json>& recorded) {
+  const VehicleCommand& asked = *command.vehicle;
+  const Frame frame = command.run.frame;
+  return {.vehicle = recorded
+                         ? LoadedVehicle{.vehicle = recorded_vehicle((*recorded)["parameters"])}
+                         : read_vehicle(asked.file, map, frame),
+          .start = vehicle_end(map, asked.start, frame),
+          .goal = vehicle_end(map, asked.goals.front(), frame)};
+}
+
+DriveCommand recorded_drive_of_vehicle(const Recorded& from) {
+  DriveCommand command;
+  command.run = recorded_run(from, find_algorithm("exact"));
+  const bool metres = in_metres(command);
+  VehicleCommand& asked = command.vehicle.emplace();
+  asked.start = recorded_pose(from.result, metres ? "start_world" : "start");
+  asked.goals = {recorded_pose(from.result, metres ? "goal_world" : "goal")};
+  asked.heading_tolerance = recorded_real(from.result, "parameters/heading_tolerance", 0, kNoLimit);
+  asked.smooth = recorded<bool>(from.result, "parameters/smooth");
+  return command;
+}
+
+DriveResult drive_vehicle(DrivenVehicle& driven, const DriveCommand& command, const LoadedMap& map,
+                          const Grid& truth, const Changes& changes, const DriveOptions& how,
+                          const StopCondition& stop, const DriveObserver& observer) {
+  vehicle::DriveResult result = vehicle::drive(map.grid(), truth, driven.vehicle.vehicle,
+                                               driven.start.pose, {driven.goal.pose}, changes, how,
+                                               driving_options(command, map), stop, observer);
+  driven.poses = std::move(result.poses);
+  driven.moves = std::move(result.moves);
+  return result;
+}
+
+void look_for_bound(DrivenVehicle& driven, const DriveCommand& command, const LoadedMap& map,
+                    const Grid& world, const StopCondition& stop) {
+  const auto planner = vehicle::Planner::make(world, driven.vehicle.vehicle, stop);
+  if (!planner) return;
+  const vehicle::NavigatorOptions how = driving_options(command, map);
+  const vehicle::Result way = planner->plan({.start = driven.start.pose,
+                                             .goals = {driven.goal.pose},
+                                             .goal_tolerance = how.goal_tolerance,
+                                             .heading_tolerance = how.heading_tolerance,
+                                             .smooth = false,
+                                             .stop = stop});
+  driven.lower_bound = way.lower_bound;
+}
+
+void record_vehicle(Record& record, const DrivenVehicle& driven, const DriveCommand& command,
+                    const LoadedMap& map) {
+  record.start = pose_json(driven.start.pose);
+  record.goal = pose_json(driven.goal.pose);
+  record.parameters["vehicle"] = vehicle_json(driven.vehicle.vehicle);
+  record.parameters["heading_tolerance"] = number(command.vehicle->heading_tolerance);
+  record.parameters["smooth"] = command.vehicle->smooth;
+  record.axes = 3;
+  if (!record.has_path()) return;
+  for (const vehicle::Pose& pose : driven_poses(driven, map, in_metres(command)))
+    record.path.insert(record.path.end(), {pose.x, pose.y, pose.yaw});
+}
+
+void add_track(Json& json, const DrivenVehicle& driven, const DriveCommand& command,
+               const LoadedMap& map, bool found) {
+  json["track"] = found ? track_json(driven.poses) : Json();
+  json["segments"] = found ? segments_json(map, driven.moves, false) : Json();
+  if (!in_metres(command)) return;
+  const auto asked = [](const PoseEnd& end) {
+    return Json{number(end.x), number(end.y), number(end.yaw)};
+  };
+  json["start_world"] = asked(driven.start.asked);
+  json["goal_world"] = asked(driven.goal.asked);
+  json["track_world"] = found ? track_json(driven_poses(driven, map, true)) : Json();
+  json["segments_world"] = found ? segments_json(map, driven.moves, true) : Json();
+}
+
+void write_poses(std::ostream& out, const DrivenVehicle& driven, const DriveCommand& command,
+                 const LoadedMap& map) {
+  out << "x,y,yaw\n";
+  for (const vehicle::Pose& pose : driven_poses(driven, map, in_metres(command)))
+    out << to_text(pose.x) << "," << to_text(pose.y) << "," << to_text(pose.yaw) << "\n";
+}
+
+}  // namespace lasius::tool
