@@ -29,6 +29,7 @@ struct VehicleOptions {
   std::string kind = "reversing";
   double limit = 5;
   double cusp_cost = 0;
+  double inflation = 0;
   bool smooth = true;
   int generated = 0;
   std::string markdown;
@@ -102,13 +103,17 @@ double million_checks(const vehicle::Space& space) {
 void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs* given,
                      const VehicleOptions& options, Table& table) {
   const ThreadStopwatch preparing;
-  const vehicle::Planner planner(grid, vehicle_of(options));
+  CostField costs(grid.width(), grid.height());
+  // As Nav2's default has it, at 0.05 m a cell.
+  if (options.inflation > 0)
+    costs.add(grid, {.radius = 14, .scaling = 0.15, .weight = options.inflation, .inscribed = 4});
+  const vehicle::Planner planner(grid, vehicle_of(options), costs);
   const double prepared = 1e3 * preparing.seconds();
   const PosePairs pairs = given != nullptr ? *given : random_pairs(planner.space(), grid, 10);
   std::vector<double> times, gaps;
   oracle::FootprintJudge judge(grid, planner.space().vehicle().footprint);
   int found = 0, touching = 0;
-  double length = 0, cusps = 0;
+  double length = 0, cusps = 0, cost = 0;
   for (const auto& [start, goal] : pairs) {
     vehicle::Request request{.start = start, .goals = {goal}};
     request.smooth = options.smooth;
@@ -119,6 +124,7 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
     if (result.goal < 0) continue;
     ++found;
     length += result.length;
+    cost += result.cost;
     cusps += result.cusps;
     gaps.push_back(100 * result.gap().value_or(0));
     std::vector<oracle::Motion> path;
@@ -131,8 +137,9 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
   const auto count = static_cast<double>(times.size());
   table.row(name + " (" + std::to_string(pairs.size()) + ")",
             {1.0 * found, 1.0 * touching, median(times), sum / count, quantile(times, 0.95),
-             largest(times), length / std::max(1, found), gaps.empty() ? 0 : median(gaps),
-             cusps / std::max(1, found), prepared, million_checks(planner.space())});
+             largest(times), length / std::max(1, found), cost / std::max(1, found),
+             gaps.empty() ? 0 : median(gaps), cusps / std::max(1, found), prepared,
+             million_checks(planner.space())});
 }
 
 void run_vehicles(const VehicleOptions& options) {
@@ -142,7 +149,7 @@ void run_vehicles(const VehicleOptions& options) {
                   (options.smooth ? ", smoothed" : ", not smoothed") +
                   "; touching: by separating axes every 0.05 cells.",
               {"map (pairs)", "found", "touching", "median", "mean", "95%", "most", "length",
-               "gap %, median", "cusps", "prepared, ms", "motions / us"},
+               "cost", "gap %, median", "cusps", "prepared, ms", "motions / us"},
               options.markdown);
   if (options.folder.empty()) {
     const int side = options.generated > 0 ? options.generated : 256;
@@ -177,6 +184,8 @@ void add_vehicles_command(CLI::App& app) {
       ->capture_default_str();
   add_number(command, "--limit", options.limit, "Seconds for a plan", 0.001, 1000);
   add_number(command, "--cusp-cost", options.cusp_cost, "Cells for a change of gear", 0, 1000);
+  add_number(command, "--inflation", options.inflation,
+             "How much dearer a cell is beside what is blocked; 0: no costs", 0, 1000);
   add_number(command, "--generated", options.generated, "Side of the generated map", 64, 4096);
   command.add_flag("!--no-smooth", options.smooth, "Leave paths as the search has them");
   add_output(command, options.markdown);

@@ -18,11 +18,15 @@ namespace lasius::vehicle {
 
 class Planner::Impl {
  public:
-  Impl(const Grid& grid, Space the_space, Poller& poller)
+  Impl(const Grid& grid, Space the_space, const CostField* costs, Poller& poller)
       : space(std::move(the_space)),
         lattice(space.vehicle(), space.impl().outline()),
         free(space.impl(), lattice, poller),
-        bound(grid, space.vehicle()) {}
+        over_costs(costs != nullptr),
+        prices(grid, space.vehicle(), costs),
+        bound(grid, space.vehicle(), prices) {
+    if (prices.weighted()) edges.emplace(prices, space.vehicle(), lattice);
+  }
 
   /// Memory that no other search holds.
   std::unique_ptr<SearchMemory> take() const {
@@ -40,6 +44,9 @@ class Planner::Impl {
   Space space;
   Lattice lattice;
   FreeHeadings free;
+  bool over_costs;
+  Prices prices;
+  std::optional<EdgePrices> edges;
   Bound bound;
   MadeOnce<EdgePlanes> planes;
   mutable std::mutex mutex;
@@ -164,19 +171,22 @@ void refuse(Result& result, const Space& space, const Pose& pose, bool start) {
 std::optional<double> Result::gap() const {
   if (segments.empty() && goal < 0) return std::nullopt;
   if (!lower_bound) return std::nullopt;
-  if (length <= *lower_bound) return 0.0;
-  return *lower_bound > 0 ? std::optional((length - *lower_bound) / *lower_bound) : std::nullopt;
+  const double reached = over_costs ? cost : length;
+  if (reached <= *lower_bound) return 0.0;
+  return *lower_bound > 0 ? std::optional((reached - *lower_bound) / *lower_bound) : std::nullopt;
 }
 
 Planner::Planner(const Grid& grid, const Vehicle& vehicle) : Planner(*make(grid, vehicle, {})) {}
+Planner::Planner(const Grid& grid, const Vehicle& vehicle, const CostField& costs)
+    : Planner(*make(grid, vehicle, {}, &costs)) {}
 
 std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
-                                     const StopCondition& stop) {
+                                     const StopCondition& stop, const CostField* costs) {
   std::optional<Space> space = Space::make(grid, vehicle, stop);
   if (!space) return std::nullopt;
   Poller poller(stop);
   Planner planner;
-  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), poller);
+  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), costs, poller);
   if (poller.stopped()) return std::nullopt;
   return planner;
 }
@@ -189,6 +199,10 @@ Planner::~Planner() = default;
 
 const Space& Planner::space() const noexcept { return impl_->space; }
 
+double Planner::cost(std::span<const Segment> segments) const {
+  return impl_->prices.unit() * impl_->prices.of(segments);
+}
+
 Result Planner::plan(const Request& asked) const {
   check(asked);
   const Space& space = impl_->space;
@@ -196,6 +210,7 @@ Result Planner::plan(const Request& asked) const {
   request.start.yaw = half_turned(request.start.yaw);
   for (Pose& goal : request.goals) goal.yaw = half_turned(goal.yaw);
   Result result;
+  result.over_costs = impl_->over_costs;
   if (!space.free(request.start)) {
     refuse(result, space, request.start, true);
     return result;
@@ -213,7 +228,9 @@ Result Planner::plan(const Request& asked) const {
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prepared prepared{space.impl(), impl_->lattice, impl_->free, impl_->planes};
+  const Prices& prices = impl_->prices;
+  const Prepared prepared{space.impl(),  impl_->lattice, impl_->free,
+                          impl_->planes, prices,         impl_->edges ? &*impl_->edges : nullptr};
   SearchOptions options{request.weight,
                         request.goal_tolerance,
                         request.heading_tolerance,
@@ -234,12 +251,14 @@ Result Planner::plan(const Request& asked) const {
     if (!holds(space, request, found.goal, result.segments)) found.goal = -1;
     if (found.goal >= 0 && request.smooth && !poller.stopped()) {
       std::vector<Segment> shorter =
-          joined(smoothed(space.impl(), result.segments, result.checked, poller));
-      if (holds(space, request, found.goal, shorter)) result.segments = std::move(shorter);
+          joined(smoothed(space.impl(), prices, result.segments, result.checked, poller));
+      if (prices.of(shorter) <= prices.of(result.segments) &&
+          holds(space, request, found.goal, shorter))
+        result.segments = std::move(shorter);
     }
     if (found.goal < 0) result.segments.clear();
   }
-  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.length(request);
+  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.least(request);
   // What shortens the path, and its bound, may be cut short, too.
   StopCondition::Cause cause = poller.cause();
   if (cause == StopCondition::Cause::none && found.goal >= 0) cause = request.stop.poll();
@@ -251,7 +270,9 @@ Result Planner::plan(const Request& asked) const {
     if (!cut_short) result.status = Status::solved;
     result.goal = found.goal;
     result.length = driven_length(result.segments);
-    result.cost = cost(space.vehicle(), result.segments);
+    result.cost = cost(result.segments);
+    if (impl_->over_costs && result.lower_bound)
+      result.lower_bound = std::min(result.cost, prices.unit() * *result.lower_bound);
     result.cusps = cusps(result.segments);
     return result;
   }

@@ -130,18 +130,18 @@ void bind_vehicle(py::module_& module) {
              return planner.space().free(Pose{pose[0], pose[1], pose[2]});
            })
       .def("first_contact", &first_contact);
-  module.def(
-      "make_vehicle_planner", [](const Grid& grid, const Rows& footprint, double turning_radius,
-                                 bool reverse, double reverse_cost, double cusp_cost,
-                                 bool rotate_in_place, double rotation_cost, bool sideways) {
-        const vehicle::Vehicle vehicle =
-            vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
-                         rotate_in_place, rotation_cost, sideways);
-        Call call;
-        std::optional<vehicle::Planner> made =
-            call.run([&] { return vehicle::Planner::make(grid, vehicle, call.condition()); });
-        return py::make_tuple(call.error(), std::move(made));
-      });
+  module.def("make_vehicle_planner",
+             [](const Grid& grid, const Rows& footprint, double turning_radius, bool reverse,
+                double reverse_cost, double cusp_cost, bool rotate_in_place, double rotation_cost,
+                bool sideways, const CostField* costs) {
+               const vehicle::Vehicle vehicle =
+                   vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
+                                rotate_in_place, rotation_cost, sideways);
+               Call call;
+               std::optional<vehicle::Planner> made = call.run(
+                   [&] { return vehicle::Planner::make(grid, vehicle, call.condition(), costs); });
+               return py::make_tuple(call.error(), std::move(made));
+             });
   module.def("vehicle_timed_poses",
              [](const Rows& segments, double spacing, const std::array<double, 7>& limits) {
                return timed_poses(segments, spacing,

@@ -13,6 +13,7 @@ from . import _lasius
 from ._lasius import Grid
 from .arguments import explained
 from .arrays import Cell, FloatArray
+from .costs import CostField
 from .errors import finish, made
 from .results import Record
 
@@ -82,10 +83,10 @@ class VehicleResult(Record):
     #: length, gear (1, -1, or 0 in place), angle (of one in place, or from its yaw to the side it drives to)
     segments: FloatArray
     length: float  #: driven, cells; NaN without a path
-    cost: float  #: by the vehicle's prices; NaN without a path
+    cost: float  #: by the vehicle's prices, over costs times the weights along it; NaN without a path
     cusps: int  #: changes between forwards and backwards
     goal: int  #: which of the goals is met; -1 without a path
-    lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter
+    lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter, over costs cheaper
     gap: Optional[float]  #: certified, a fraction
     touched: Optional[Cell]  #: of a start or goal that meets something: what
     expanded: int  #: states of the lattice
@@ -123,15 +124,16 @@ class VehiclePlanner:
     Args:
         grid: the map; what is outside is blocked.
         vehicle: its footprint keeps from blocked cells, which are closed squares, over the whole sweep of each motion.
+        costs: the cheapest path over these is looked for; None: by length.
     """
 
     __slots__ = ("_raw",)
 
-    def __init__(self, grid: Grid, vehicle: Vehicle) -> None:
+    def __init__(self, grid: Grid, vehicle: Vehicle, costs: Optional[CostField] = None) -> None:
         self._raw = made(*_lasius.make_vehicle_planner(
             grid, np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse,
             vehicle.reverse_cost, vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost,
-            vehicle.sideways,
+            vehicle.sideways, None if costs is None else costs._raw,
         ))
 
     def plan(
@@ -175,8 +177,10 @@ class VehiclePlanner:
         return None if met is None else Contact(*met)
 
 
-def plan_vehicle(grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike, **options: Any) -> VehicleResult:
-    """Plans for a vehicle on a map, as `VehiclePlanner.plan`.
+def plan_vehicle(
+    grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike, *, costs: Optional[CostField] = None, **options: Any
+) -> VehicleResult:
+    """Plans for a vehicle on a map, over costs where they are given, as `VehiclePlanner.plan`.
 
     >>> grid = lasius.Grid(np.zeros((60, 80), np.uint8), free=0)
     >>> robot = Vehicle.differential(Vehicle.rectangle(2, 2, 1.5))
@@ -184,4 +188,4 @@ def plan_vehicle(grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike,
     >>> result.status, round(result.length, 6)
     ('solved', 50.0)
     """
-    return VehiclePlanner(grid, vehicle).plan(start, goal, **options)
+    return VehiclePlanner(grid, vehicle, costs).plan(start, goal, **options)

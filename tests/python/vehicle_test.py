@@ -41,6 +41,21 @@ def test_a_plan_and_its_poses(yard):
     assert pickle.loads(pickle.dumps(result)) == result == plan_vehicle(yard, CAR, start, goal)
 
 
+def test_costs(yard):
+    costs = lasius.CostField(yard)
+    hill = np.zeros((60, 80))
+    hill[:40, 36:46] = 1
+    costs.add(hill, 5)
+    start, goal = (10, 10, 0), (70, 10, 0)
+    over = plan_vehicle(yard, CAR, start, goal, costs=costs)
+    brief = plan_vehicle(yard, CAR, start, goal)
+    assert over.lower_bound <= over.cost < 1.1 * over.lower_bound and over.length > brief.length
+    assert over.gap == pytest.approx(over.cost / over.lower_bound - 1)
+    assert VehiclePlanner(yard, CAR, lasius.CostField(yard)).plan(start, goal) == brief
+    with pytest.raises(lasius.InvalidParameter):
+        VehiclePlanner(yard, CAR, lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0)))
+
+
 def test_contacts(yard):
     planner = VehiclePlanner(yard, CAR)
     assert planner.free((8, 8, 0)) and not planner.free((28, 8, 0))

@@ -4,6 +4,7 @@ import math
 import random
 import unittest
 
+from layers import npy
 from program import ProgramTest
 
 MAP = """type octile
@@ -296,6 +297,54 @@ class Vehicles(ProgramTest):
             self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no path to judge", "no_path")
         self.write("bad.json", json.dumps({**good, "parameters": []}))
         self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", "cannot be replayed")
+
+    def test_costs(self):
+        values = [[(x * 7 + y * 3) % 5 / 4 for x in range(44)] for y in range(30)]
+        self.write("hills.npy", npy(values))
+        blocked = [(x, y) for y in range(30) for x in range(44) if ROWS[y][x] == "@"]
+
+        def weight(x, y):
+            d = min(math.dist((x, y), b) for b in blocked)
+            return 1 + 2 * values[y][x] + (3 * min(1, math.exp(-0.5 * (d - 1))) if d <= 6 else 0)
+
+        weights = [[weight(x, y) for x in range(44)] for y in range(30)]
+
+        def cost(segments):
+            total = 0
+            for s in segments:
+                pieces = 1 + int(500 * s["length"])
+                ways = (pose_on(s, (i + 0.5) / pieces) for i in range(pieces))
+                total += sum(weights[int(y)][int(x)] for x, y, _ in ways) * s["length"] / pieces * (2 if s["gear"] < 0 else 1)
+            return total
+
+        asked = ["--cost", "hills.npy*2", "--inflation", "6,0.5,3"]
+        run = self.drive("car.json", "4,4,0", "38,26,180deg", *asked, "--json", "-o", "c.json", "-o", "c.svg")
+        self.assertEqual(run.code, 0, run.err)
+        self.check(run.json, CAR)
+        self.assertAlmostEqual(run.json["cost"], cost(run.json["segments"]), delta=1e-3 * run.json["cost"])
+        plain = self.drive("car.json", "4,4,0", "38,26,180deg", "--json").json
+        self.assertLess(run.json["cost"], cost(plain["segments"]))
+        self.assertLessEqual(run.json["lower_bound"], run.json["cost"])
+        self.assertGreater(run.json["lower_bound"], plain["lower_bound"])
+        self.assertAlmostEqual(run.json["gap"], run.json["cost"] / run.json["lower_bound"] - 1, places=9)
+        self.assertGreaterEqual(run.json["priced_length"], run.json["length"])
+        self.assertEqual((run.json["layers"][0]["factor"], run.json["parameters"]["inflation"]), (2, [6, 0.5, 3]))
+        self.assertNotIn("cost", plain)
+        text = "".join(self.svg_root("c.svg").itertext())
+        self.assertIn("above the least", text)
+        self.assertIn("weight of cells", text)
+        self.quiet(self.run_program("verify", "-q", "c.json"))
+        self.write("poses.tsv", "sx sy syaw gx gy gyaw\n4 4 0 38 26 180deg\n")
+        batch = self.run_program("batch", "yard.map", "poses.tsv", "--vehicle", "car.json", *asked, "-o", "b.csv")
+        self.assertEqual(batch.lines[0]["segments"], run.json["segments"])
+        self.assertEqual(float(self.rows("b.csv")[0]["cost"]), run.json["cost"])
+        # One weight everywhere: the paths without.
+        self.write("flat.npy", npy([[1] * 44] * 30))
+        flat = self.drive("car.json", "4,4,0", "38,26,180deg", "--cost", "flat.npy*0.5", "--json").json
+        self.assertEqual((flat["segments"], flat["cost"]), (plain["segments"], 1.5 * plain["priced_length"]))
+        self.write("hills.npy", npy(values[::-1]))
+        self.refused(self.run_program("verify", "c.json"), 3, "hills.npy", "has hash")
+        self.refused(self.drive("car.json", "4,4,0", "38,26,0", "--cost", "none.npy"), 3, "none.npy")
 
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""

@@ -25,6 +25,8 @@ struct VehicleMap {
 VehicleMap load_vehicle_map(const VehicleCommand& command,
                             const std::optional<LoadedVehicle>& vehicle,
                             const std::stop_token& token);
+/// The files that the map and its costs name, among the inputs; of layers without effect notes.
+void note_files(const VehicleMap& on, RunOptions& run);
 
 /// A start or goal, as it was given and in cells.
 struct VehicleEnd {

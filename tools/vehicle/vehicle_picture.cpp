@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/values.h"
 #include "tools/draw/colours.h"
@@ -28,6 +29,12 @@ std::string caption(const Sheet& sheet, const VehicleMap& on, const VehicleAnswe
   std::string text =
       "length " + sheet.length(found.length) + ", " + counted(found.cusps, "cusp") +
       printed(", %.1f s", vehicle::Profile(found.segments, on.vehicle.speeds).duration());
+  if (found.over_costs) {
+    text += ", cost " + decimal_text(found.cost, 3);
+    if (const auto gap = found.gap())
+      text += printed(", at most %.3f%% above the least", 100 * *gap);
+    return text + "; colours: weight of cells";
+  }
   if (found.lower_bound)
     text +=
         against(found.length, *found.lower_bound, "lower bound", sheet.length(*found.lower_bound));
@@ -67,8 +74,17 @@ void write_vehicle_picture(const std::string& file, const VehicleMap& on,
                            const VehicleCommand& command, const VehicleAnswer& answer) {
   const std::vector<Cell> ends{answer.start.place.cell, answer.goal().place.cell};
   const Sheet sheet{on.map, on.map.grid(), command.run, shown_of(on.map, ends)};
+  const LoadedCosts* const costs = on.map.costs ? &*on.map.costs : nullptr;
   const auto draw = [&](Canvas& canvas, const Box& box) {
-    paint_map(canvas, box, sheet, free_ground);
+    if (costs != nullptr) {
+      const ColourScale scale = cost_scale(costs->field, on.map.as_read());
+      paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
+        return cost_ground(costs->field, on.map.as_read(), scale, columns, rows);
+      });
+      draw_bar(canvas, box, scale);
+    } else {
+      paint_map(canvas, box, sheet, free_ground);
+    }
     draw_vehicle(canvas, box, sheet, on, command, answer);
     draw_marks(canvas, box, sheet, ends[0], ends[1], false);
   };
@@ -80,7 +96,9 @@ void write_vehicle_picture(const std::string& file, const VehicleMap& on,
     if (answer.result.cusps > 0) page.legend.push_back(line_key("backwards", kBackwards, 2.5));
     page.legend.push_back(area_key("swept by the footprint", kSweep));
   }
-  page.bands = {{{{{caption(sheet, on, answer), draw}}}}};
+  page.bands = {{{{{.caption = caption(sheet, on, answer),
+                    .draw = draw,
+                    .below = costs != nullptr ? kBarHeight : 0}}}}};
   write_page(file, page);
 }
 
