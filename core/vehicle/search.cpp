@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <utility>
 
-#include "core/vehicle/escape.h"
+#include "core/vehicle/search_ends.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
@@ -21,7 +21,8 @@ class Search {
  public:
   Search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
          const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller)
-      : space_(prepared.space),
+      : prepared_(prepared),
+        space_(prepared.space),
         lattice_(prepared.lattice),
         vehicle_(prepared.space.vehicle()),
         start_(start),
@@ -69,6 +70,7 @@ class Search {
     return edges_ != nullptr ? edges_->at(e, x, y) : lattice_.edges()[e].cost;
   }
   double radius() const { return std::max(vehicle_.turning_radius, 2.0); }
+  double near() const { return std::max(radius(), 4.0); }
 
   void shots_from_start() {
     for (const Goal& goal : goals_)
@@ -103,40 +105,10 @@ class Search {
     return false;
   }
 
-  double near() const { return std::max(radius(), 4.0); }
-  ConnectorReach short_reach() const { return {std::min(near(), 30.0), 12, 1.35}; }
-  ConnectorReach wide_reach() const { return {std::min(3 * near(), 60.0), 1.5 * near(), 1.35}; }
-
-  std::vector<Connector> connectors_of(const Pose& pose, bool towards,
-                                       const ConnectorReach& reach) {
-    return connectors(space_, lattice_, pose, towards, reach, counts_.checked, poller_);
-  }
-  std::vector<Connector> all_of(const Pose& pose, bool towards) {
-    if (!options_.wide) return connectors_of(pose, towards, short_reach());
-    std::vector<Connector> made = connectors_of(pose, towards, wide_reach());
-    std::vector<Connector> more =
-        escapes(space_, lattice_, pose, towards, short_reach(), counts_.checked, poller_);
-    std::ranges::move(more, std::back_inserter(made));
-    return made;
-  }
-  void lead_to(const Goal& goal, std::vector<Connector> made) {
-    for (Connector& c : made) {
-      c.end = goal.index;
-      to_goal_.push_back(std::move(c));
-    }
-  }
-
   void connect_ends() {
-    from_start_ = all_of(start_, false);
-    for (std::size_t i = 0; i < goals_.size() && !done(); ++i)
-      lead_to(goals_[i], all_of(goals_[i].pose, true));
-    for (int i = 0; i < static_cast<int>(options_.wanted.size()); ++i)
-      lead_to({{}, i}, tolerated(space_, lattice_, options_.wanted[i], options_.lattice_tolerance,
-                                 options_.heading_tolerance, poller_));
-    if (prices_.weighted()) {
-      for (std::vector<Connector>* made : {&from_start_, &to_goal_})
-        for (Connector& c : *made) c.cost = prices_.of(c.motions);
-    }
+    SearchEnds ends = ends_of_search(prepared_, start_, goals_, options_, counts_, poller_);
+    from_start_ = std::move(ends.from_start);
+    to_goal_ = std::move(ends.to_goal);
     for (const Connector& c : to_goal_) flood_.add_source(c.x, c.y, c.cost);
   }
 
@@ -376,6 +348,7 @@ class Search {
           [&](std::vector<Segment>& to) { append_reached(index, to); });
   }
 
+  const Prepared& prepared_;
   const Space::Impl& space_;
   const Lattice& lattice_;
   const Vehicle& vehicle_;
