@@ -10,6 +10,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/vehicle/angle.h"
+#include "core/vehicle/blend.h"
 #include "core/vehicle/bound.h"
 #include "core/vehicle/search.h"
 #include "core/vehicle/smooth.h"
@@ -18,13 +19,15 @@ namespace lasius::vehicle {
 
 class Planner::Impl {
  public:
-  Impl(const Grid& grid, Space the_space, const CostField* costs, Poller& poller)
-      : space(std::move(the_space)),
+  Impl(const Grid& grid, Space the_space, const Vehicle& vehicle, const CostField* costs,
+       Poller& poller)
+      : asked(vehicle),
+        space(std::move(the_space)),
         lattice(space.vehicle(), space.impl().outline()),
         free(space.impl(), lattice, poller),
         over_costs(costs != nullptr),
         prices(grid, space.vehicle(), costs),
-        bound(grid, space.vehicle(), prices) {
+        bound(grid, asked, prices) {
     if (prices.weighted()) edges.emplace(prices, space.vehicle(), lattice);
   }
 
@@ -41,6 +44,7 @@ class Planner::Impl {
     spare.push_back(std::move(memory));
   }
 
+  Vehicle asked;  ///< the space's has wider turns where its curvature may change so fast alone
   Space space;
   Lattice lattice;
   FreeHeadings free;
@@ -112,7 +116,8 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
     if (!told.empty()) {
       Segment& last = told.back();
       const bool on = s.gear == 0 ? (last.angle > 0) == (s.angle > 0) : last.angle == s.angle;
-      if (last.gear == s.gear && last.curvature == s.curvature && on) {
+      if (last.gear == s.gear && last.curvature == s.curvature && on && last.curvature_rate == 0 &&
+          s.curvature_rate == 0) {
         last.length += s.length;
         if (s.gear == 0) last.angle += s.angle;
         continue;
@@ -124,9 +129,9 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
 }
 
 /// Ends, joints, what the vehicle can drive, contacts: compared before a path is answered.
-bool holds(const Space& space, const Request& request, int goal, std::span<const Segment> path) {
+bool holds(const Space& space, const Vehicle& vehicle, const Request& request, int goal,
+           std::span<const Segment> path) {
   constexpr double kOff = 1e-7;
-  const Vehicle& vehicle = space.vehicle();
   const auto apart = [](const Pose& a, const Pose& b) {
     const double dx = a.x - b.x, dy = a.y - b.y;
     return std::sqrt(dx * dx + dy * dy);
@@ -137,7 +142,8 @@ bool holds(const Space& space, const Request& request, int goal, std::span<const
   Pose at = request.start;
   for (const Segment& s : path) {
     const bool drives = s.gear > 0 || (s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place);
-    const double bent = std::fabs(s.curvature) * vehicle.turning_radius;
+    const double bent = s.sharpest() * vehicle.turning_radius;
+    if (std::fabs(s.curvature_rate) > vehicle.curvature_rate * (1 + 1e-12)) return false;
     if (!drives || (s.gear != 0 && s.angle != 0 && !vehicle.sideways) || !(bent <= 1 + 1e-12) ||
         (vehicle.turning_radius == 0 && s.curvature != 0) || !(apart(at, s.begin) <= kOff) ||
         !(turned(at, s.begin) <= kOff))
@@ -182,11 +188,12 @@ Planner::Planner(const Grid& grid, const Vehicle& vehicle, const CostField& cost
 
 std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
                                      const StopCondition& stop, const CostField* costs) {
-  std::optional<Space> space = Space::make(grid, vehicle, stop);
+  validate(vehicle);
+  std::optional<Space> space = Space::make(grid, with_room(vehicle), stop);
   if (!space) return std::nullopt;
   Poller poller(stop);
   Planner planner;
-  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), costs, poller);
+  planner.impl_ = std::make_shared<const Impl>(grid, std::move(*space), vehicle, costs, poller);
   if (poller.stopped()) return std::nullopt;
   return planner;
 }
@@ -248,13 +255,19 @@ Result Planner::plan(const Request& asked) const {
   if (found.goal >= 0) {
     result.segments = joined(found.segments);
     // The masks' proof is of motions told another way: all is certified once more.
-    if (!holds(space, request, found.goal, result.segments)) found.goal = -1;
+    if (!holds(space, impl_->asked, request, found.goal, result.segments)) found.goal = -1;
     if (found.goal >= 0 && request.smooth && !poller.stopped()) {
       std::vector<Segment> shorter =
           joined(smoothed(space.impl(), prices, result.segments, result.checked, poller));
       if (prices.of(shorter) <= prices.of(result.segments) &&
-          holds(space, request, found.goal, shorter))
+          holds(space, impl_->asked, request, found.goal, shorter))
         result.segments = std::move(shorter);
+    }
+    if (found.goal >= 0 && impl_->asked.curvature_rate > 0) {
+      std::vector<Segment> steady =
+          blended(space.impl(), impl_->asked, result.segments, result.checked);
+      if (holds(space, impl_->asked, request, found.goal, steady))
+        result.segments = std::move(steady);
     }
     if (found.goal < 0) result.segments.clear();
   }
@@ -274,6 +287,7 @@ Result Planner::plan(const Request& asked) const {
     if (impl_->over_costs && result.lower_bound)
       result.lower_bound = std::min(result.cost, prices.unit() * *result.lower_bound);
     result.cusps = cusps(result.segments);
+    if (impl_->asked.curvature_rate > 0) result.corners = corners(result.segments);
     return result;
   }
   if (poller.stopped()) {

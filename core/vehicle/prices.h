@@ -21,16 +21,17 @@ namespace lasius::vehicle {
 template <class Weight, class OnPiece>
 double walk_cells(const Segment& s, double at, cost::PathCost<Weight, OnPiece>& sum) {
   constexpr double kBeside = 1e-3;
-  const int pieces = std::max(
-      1, static_cast<int>(std::ceil(at * std::sqrt(std::fabs(s.curvature) / (8 * kBeside)))));
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(at * std::sqrt(s.sharpest() / (8 * kBeside)))));
   Pose from = s.begin;
+  double chords = 0;
   for (int i = 1; i <= pieces; ++i) {
     const Pose to = s.pose(at * i / pieces);
     sum.add({from.x, from.y}, {to.x, to.y});
+    chords += cost::distance({from.x, from.y}, {to.x, to.y});
     from = to;
   }
-  const double half = s.curvature * at / pieces / 2;
-  return std::fabs(half) < 1e-8 ? 1 : half / kernels::sine_cosine(half).sine;
+  return s.sharpest() == 0 || chords == 0 ? 1 : at / chords;
 }
 
 /// Prices of one vehicle on one map. Costs here are divided by unit(), the least weight: then each

@@ -336,6 +336,7 @@ def make_vehicle_planner(
     rotate_in_place: bool,
     rotation_cost: float,
     sideways: bool,
+    curvature_rate: float,
     costs: Optional[CostField],
 ) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
 def vehicle_timed_poses(

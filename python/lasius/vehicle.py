@@ -37,6 +37,7 @@ class Vehicle:
     rotate_in_place: bool = False  #: may turn where it stands
     rotation_cost: float = 3.0  #: of a radian in place, cells
     sideways: bool = False  #: drives to any side with its heading kept, at the same price
+    curvature_rate: float = 0.0  #: by how much its curvature may change for each cell driven; 0: without limit
 
     @classmethod
     def car(cls, footprint: npt.ArrayLike, turning_radius: float, *, reverse: bool = True) -> Vehicle:
@@ -70,6 +71,7 @@ class SpeedLimits:
     lateral_acceleration: float = inf  #: speed^2 * |curvature|
     turn_rate: float = 1.0  #: in place, radians a second
     turn_acceleration: float = inf  #: and braking, radians / s^2
+    steady_curvature: bool = False  #: it rests where the curvature jumps
 
 
 @dataclass(eq=False, repr=False)
@@ -85,6 +87,7 @@ class VehicleResult(Record):
     length: float  #: driven, cells; NaN without a path
     cost: float  #: by the vehicle's prices, over costs times the weights along it; NaN without a path
     cusps: int  #: changes between forwards and backwards
+    corners: int  #: of a vehicle with a curvature rate: where the curvature jumps nevertheless
     goal: int  #: which of the goals is met; -1 without a path
     lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter, over costs cheaper
     gap: Optional[float]  #: certified, a fraction
@@ -94,7 +97,7 @@ class VehicleResult(Record):
     def poses(self, spacing: float = 0.5, limits: SpeedLimits = SpeedLimits()) -> FloatArray:
         """(n, 7), at most `spacing` cells apart: x, y, yaw, curvature, gear, speed, time of the fastest drive."""
         row = (limits.speed, limits.reverse_speed, limits.acceleration, limits.braking, limits.lateral_acceleration,
-               limits.turn_rate, limits.turn_acceleration)
+               limits.turn_rate, limits.turn_acceleration, float(limits.steady_curvature))
         return _lasius.vehicle_timed_poses(self.segments, spacing, row)
 
     def __repr__(self) -> str:
@@ -133,7 +136,7 @@ class VehiclePlanner:
         self._raw = made(*_lasius.make_vehicle_planner(
             grid, np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse,
             vehicle.reverse_cost, vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost,
-            vehicle.sideways, None if costs is None else costs._raw,
+            vehicle.sideways, vehicle.curvature_rate, None if costs is None else costs._raw,
         ))
 
     def plan(

@@ -1,5 +1,6 @@
 """Vehicles: what is planned is within their means, touches nothing, and is told whole."""
 
+import dataclasses
 import pickle
 
 import numpy as np
@@ -54,6 +55,16 @@ def test_costs(yard):
     assert VehiclePlanner(yard, CAR, lasius.CostField(yard)).plan(start, goal) == brief
     with pytest.raises(lasius.InvalidParameter):
         VehiclePlanner(yard, CAR, lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0)))
+
+
+def test_a_slow_wheel(yard):
+    slow = dataclasses.replace(CAR, curvature_rate=0.1)
+    result = plan_vehicle(yard, slow, (8, 8, 0.3), (70, 50, -2.0))
+    assert result.status == "solved" and result.corners <= 2
+    assert 0.09 < np.abs(result.segments[:, 4]).max() <= 0.1 + 1e-12
+    poses = result.poses(0.05, SpeedLimits(steady_curvature=True))
+    jumps = (np.abs(np.diff(poses[:, 3])) > 0.006) & (poses[1:, 4] == poses[:-1, 4])
+    assert np.count_nonzero(jumps) == result.corners and np.all(poses[:-1, 5][jumps] == 0)
 
 
 def test_contacts(yard):

@@ -212,8 +212,6 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--seed " + table.in_order("--seed").front().second +
                      ": a vehicle's plan draws nothing; leave it out");
   if (run.target_gap > 0) run.notes.emplace_back("--target-gap has no effect with --vehicle");
-  if (const auto page = std::ranges::find_if(run.outputs, is_page); page != run.outputs.end())
-    throw UsageError("-o " + *page + ": pages are of paths without a vehicle; write .svg or .png");
   if (const auto proof = std::ranges::find_if(run.outputs, is_proof); proof != run.outputs.end())
     throw UsageError("-o " + *proof + ": a vehicle's bound is not written as a proof");
   if (!command.queries.empty()) {

@@ -121,6 +121,8 @@ Json path_json(const VehicleMap& on, const VehicleCommand& command, const Vehicl
   json["path"] = points(path);
   json["segments"] = found ? segments_json(on.map, segments, false) : Json();
   json["cusps"] = found ? Json(answer.result.cusps) : Json();
+  if (on.vehicle.vehicle.curvature_rate > 0)
+    json["corners"] = found ? Json(answer.result.corners) : Json();
   json["priced_length"] = found ? number(vehicle::cost(on.vehicle.vehicle, segments)) : Json();
   if (on.map.costs) json["cost"] = found ? number(answer.result.cost) : Json();
   json["duration"] =
@@ -154,6 +156,8 @@ Json effort_json(const VehicleAnswer& answer) {
 std::string summary(const Record& record, const VehicleAnswer& answer) {
   std::string text = counted(static_cast<std::int64_t>(answer.result.segments.size()), "segment") +
                      ", " + counted(answer.result.cusps, "cusp");
+  if (answer.result.corners > 0)
+    text += ", rests at " + counted(answer.result.corners, "corner") + " where the curvature jumps";
   if (record.cost) {
     text += ", cost " + decimal_text(*record.cost, 3);
     return record.gap ? text + printed(", at most %.3f%% above the least", 100 * *record.gap)

@@ -63,10 +63,11 @@ class VehicleProblem : public Problem {
     answer_ = plan_vehicle(*on_, command_, answer_.start, answer_.goals, stop);
   }
   Record record() const override { return vehicle_record(*on_, command_, answer_); }
-  Forms show(const Record&) const override {
+  Forms show(const Record& run) const override {
     return {.csv = [&](auto& out) { write_timed_poses(out, *on_, command_, answer_); },
             .picture = [&](auto& file) { write_vehicle_picture(file, *on_, command_, answer_); },
-            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); }};
+            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); },
+            .page = [&](auto& out) { write_vehicle_page(out, run, *on_, command_, answer_); }};
   }
   SearchOptions& options() override { return command_.run; }
 
@@ -110,6 +111,7 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   const bool metres = recorded<std::string>(parameters, "frame") == kFrames[1];
   LoadedVehicle vehicle{.vehicle = recorded_vehicle(parameters),
                         .speeds = recorded_speeds(parameters)};
+  vehicle.speeds.steady_curvature = vehicle.vehicle.curvature_rate > 0;
   command.start = recorded_end(result, metres ? "start_world" : "start");
   const std::string goals = metres ? "goals_world" : "goals";
   if (!result.contains(goals))

@@ -53,6 +53,9 @@ struct Result {
   double length = 0;  ///< driven, cells
   double cost = 0;    ///< by the vehicle's prices, cells; over costs as Planner::cost has it
   int cusps = 0;      ///< changes between forwards and backwards
+  /// Of a vehicle with a curvature_rate: where the curvature jumps nevertheless, since no blend has
+  /// room there; SpeedLimits::steady_curvature lets it rest at them.
+  int corners = 0;
   /// No way of this vehicle, on this map, from the start to any of the goals is shorter, cells: the
   /// greatest of that of the disc inside the footprint around the obstacles and that of the vehicle
   /// without obstacles. Over costs none costs less: the greatest of what the disc's cheapest path
@@ -86,7 +89,8 @@ class LASIUS_EXPORT Planner {
   Planner& operator=(Planner&&) noexcept;
   ~Planner();
 
-  const Space& space() const noexcept;  ///< the map as the vehicle sees it
+  /// The map as the vehicle sees it; of one with a curvature_rate, which is given wider turns.
+  const Space& space() const noexcept;
   /// What a path costs: the integral of the weight along the reference point's path, times
   /// `reverse_cost` backwards, turns in place and changes of gear as the lengths that the vehicle
   /// prices them with, in the cell where they happen. Arcs are taken as chords no farther than

@@ -32,7 +32,8 @@ Grid rooms(int width, int height, int blocks, std::mt19937& random) {
 std::vector<Motion> motions_of(const std::vector<Segment>& segments) {
   std::vector<Motion> motions;
   for (const Segment& s : segments)
-    motions.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
+    motions.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle,
+                       s.curvature_rate});
   return motions;
 }
 
