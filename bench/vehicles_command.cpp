@@ -29,6 +29,8 @@ struct VehicleOptions {
   std::string kind = "reversing";
   double limit = 5;
   double cusp_cost = 0;
+  double inflation = 0;
+  double curvature_rate = 0;
   bool smooth = true;
   int generated = 0;
   std::string markdown;
@@ -70,6 +72,7 @@ vehicle::Vehicle vehicle_of(const VehicleOptions& options) {
   made.reverse = options.kind == "reversing";
   made.rotate_in_place = options.kind == "in-place";
   made.cusp_cost = options.cusp_cost;
+  made.curvature_rate = options.curvature_rate;
   return made;
 }
 
@@ -102,13 +105,17 @@ double million_checks(const vehicle::Space& space) {
 void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs* given,
                      const VehicleOptions& options, Table& table) {
   const ThreadStopwatch preparing;
-  const vehicle::Planner planner(grid, vehicle_of(options));
+  CostField costs(grid.width(), grid.height());
+  // As Nav2's default has it, at 0.05 m a cell.
+  if (options.inflation > 0)
+    costs.add(grid, {.radius = 14, .scaling = 0.15, .weight = options.inflation, .inscribed = 4});
+  const vehicle::Planner planner(grid, vehicle_of(options), costs);
   const double prepared = 1e3 * preparing.seconds();
   const PosePairs pairs = given != nullptr ? *given : random_pairs(planner.space(), grid, 10);
   std::vector<double> times, gaps;
   oracle::FootprintJudge judge(grid, planner.space().vehicle().footprint);
   int found = 0, touching = 0;
-  double length = 0, cusps = 0;
+  double length = 0, cusps = 0, cost = 0, corners = 0;
   for (const auto& [start, goal] : pairs) {
     vehicle::Request request{.start = start, .goals = {goal}};
     request.smooth = options.smooth;
@@ -119,11 +126,14 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
     if (result.goal < 0) continue;
     ++found;
     length += result.length;
+    cost += result.cost;
     cusps += result.cusps;
+    corners += result.corners;
     gaps.push_back(100 * result.gap().value_or(0));
     std::vector<oracle::Motion> path;
     for (const vehicle::Segment& s : result.segments)
-      path.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
+      path.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle,
+                      s.curvature_rate});
     touching += judge.first_touch(path) ? 1 : 0;
   }
   double sum = 0;
@@ -131,8 +141,9 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
   const auto count = static_cast<double>(times.size());
   table.row(name + " (" + std::to_string(pairs.size()) + ")",
             {1.0 * found, 1.0 * touching, median(times), sum / count, quantile(times, 0.95),
-             largest(times), length / std::max(1, found), gaps.empty() ? 0 : median(gaps),
-             cusps / std::max(1, found), prepared, million_checks(planner.space())});
+             largest(times), length / std::max(1, found), cost / std::max(1, found),
+             gaps.empty() ? 0 : median(gaps), cusps / std::max(1, found),
+             corners / std::max(1, found), prepared, million_checks(planner.space())});
 }
 
 void run_vehicles(const VehicleOptions& options) {
@@ -142,7 +153,7 @@ void run_vehicles(const VehicleOptions& options) {
                   (options.smooth ? ", smoothed" : ", not smoothed") +
                   "; touching: by separating axes every 0.05 cells.",
               {"map (pairs)", "found", "touching", "median", "mean", "95%", "most", "length",
-               "gap %, median", "cusps", "prepared, ms", "motions / us"},
+               "cost", "gap %, median", "cusps", "corners", "prepared, ms", "motions / us"},
               options.markdown);
   if (options.folder.empty()) {
     const int side = options.generated > 0 ? options.generated : 256;
@@ -177,6 +188,10 @@ void add_vehicles_command(CLI::App& app) {
       ->capture_default_str();
   add_number(command, "--limit", options.limit, "Seconds for a plan", 0.001, 1000);
   add_number(command, "--cusp-cost", options.cusp_cost, "Cells for a change of gear", 0, 1000);
+  add_number(command, "--curvature-rate", options.curvature_rate,
+             "By how much the curvature may change a cell, 1 / cells^2; 0: without limit", 0, 1000);
+  add_number(command, "--inflation", options.inflation,
+             "How much dearer a cell is beside what is blocked; 0: no costs", 0, 1000);
   add_number(command, "--generated", options.generated, "Side of the generated map", 64, 4096);
   command.add_flag("!--no-smooth", options.smooth, "Leave paths as the search has them");
   add_output(command, options.markdown);

@@ -27,6 +27,8 @@ class Navigator::Impl {
         planner_(map_, vehicle),
         kept_(vehicle),
         around_(circumscribed_radius(vehicle)) {
+    require_parameter(vehicle.curvature_rate == 0, "curvature_rate", vehicle.curvature_rate,
+                      "a Navigator leads back to its way by arcs; give 0");
     require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
                       "give 0 or more steps");
     set_goals(std::move(goals));

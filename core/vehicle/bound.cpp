@@ -5,12 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "core/cost/cost_search.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
 
-Bound::Bound(const Grid& grid, const Vehicle& vehicle)
+Bound::Bound(const Grid& grid, const Vehicle& vehicle, const Prices& prices)
     : vehicle_(vehicle),
+      prices_(prices),
       radius_(std::min(inscribed_radius(vehicle), disc::kLargestRadius)),
       grid_(grid) {}
 
@@ -38,7 +40,44 @@ double Bound::around_obstacles(Point start, Point goal, const StopCondition& sto
   return answer.lower_bound;
 }
 
-double Bound::length(const Request& request) const {
+// The reference point lies in the disc: its path is one over the cells that the disc's centre may
+// be in. Each end is moved inside its cell, straight, which saves no more than that costs.
+double Bound::over_weights(Point start, Point goal, bool joined, const StopCondition& stop) const {
+  constexpr double kOff = 1e-4;
+  if (inscribed_radius(vehicle_) <= 0) return 0;
+  const disc::DiscSpace* disc = space(stop);
+  if (disc == nullptr && (disc::has_space(radius_) || !joined)) return 0;
+  if (disc != nullptr && (!disc->clear(start) || !disc->clear(goal))) return 0;
+  if (disc != nullptr && !disc->joined(start, goal)) return kInfinity;
+  const cost::Terrain* terrain = terrain_.get(stop, [&] {
+    return std::optional(
+        cost::Terrain(disc != nullptr ? disc->blocked_cells() : grid_, prices_.weights()));
+  });
+  if (terrain == nullptr) return 0;
+  double moved = 0;
+  const auto put = [&](Point p, Cell& cell) {
+    cell = {floor_of(p.x), floor_of(p.y)};
+    for (const Cell beside :
+         {Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y - 1}, Cell{cell.x - 1, cell.y - 1}}) {
+      const bool touched =
+          (beside.x == cell.x || p.x == cell.x) && (beside.y == cell.y || p.y == cell.y);
+      if (!terrain->free(cell.x, cell.y) && touched) cell = beside;
+    }
+    const Point at{std::clamp(p.x - cell.x, kOff, 1 - kOff),
+                   std::clamp(p.y - cell.y, kOff, 1 - kOff)};
+    moved += terrain->weight(cell.x, cell.y) * cost::distance(at, {p.x - cell.x, p.y - cell.y});
+    return at;
+  };
+  Cell from, to;
+  const Point from_at = put(start, from), to_at = put(goal, to);
+  if (from == to || !terrain->free(from.x, from.y) || !terrain->free(to.x, to.y)) return 0;
+  cost::CostSearch search;
+  cost::CostAnswer answer;
+  search.search(*terrain, from, to, {.target_gap = 0.01}, stop, answer, nullptr, from_at, to_at);
+  return answer.lower_bound * (1 - 1e-9) - moved;
+}
+
+double Bound::least(const Request& request) const {
   constexpr std::size_t kMost = 16;  // goals, around the obstacles
   const Pose& start = request.start;
   Steering steering(vehicle_);
@@ -52,7 +91,10 @@ double Bound::length(const Request& request) const {
     }
     // Within a tolerance it may end on the other side of a wall.
     if (request.goals.size() <= kMost && request.goal_tolerance == 0) {
-      bound = std::max(bound, around_obstacles({start.x, start.y}, {goal.x, goal.y}, request.stop));
+      const Point from{start.x, start.y}, to{goal.x, goal.y};
+      bound = std::max(bound, prices_.weighted()
+                                  ? over_weights(from, to, request.goals.size() == 1, request.stop)
+                                  : around_obstacles(from, to, request.stop));
     }
     least = std::min(least, bound - request.goal_tolerance);
   }

@@ -7,10 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/cost/terrain.h"
 #include "core/disc/disc_cells.h"
 #include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
 #include "core/vehicle/made_once.h"
+#include "core/vehicle/prices.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
@@ -19,10 +21,11 @@ namespace lasius::vehicle {
 class Bound {
  public:
   /// The disc's space is made when it is first asked for.
-  Bound(const Grid& grid, const Vehicle& vehicle);
+  Bound(const Grid& grid, const Vehicle& vehicle, const Prices& prices);
 
-  /// Of the way to any of the goals, cells. Stopped: a smaller one.
-  double length(const Request& request) const;
+  /// Of the length of the way to any of the goals, cells, or over weights of what Prices has it
+  /// cost. There is one. Stopped: a smaller one.
+  double least(const Request& request) const;
   /// Proves that no goal can be reached. False says nothing.
   bool cut_off(const Request& request) const;
 
@@ -30,11 +33,14 @@ class Bound {
   /// Null where a disc is too small to have one, or stopped.
   const disc::DiscSpace* space(const StopCondition& stop) const;
   double around_obstacles(Point start, Point goal, const StopCondition& stop) const;
+  double over_weights(Point start, Point goal, bool joined, const StopCondition& stop) const;
 
   const Vehicle& vehicle_;
+  const Prices& prices_;
   double radius_;
   Grid grid_;
   MadeOnce<disc::DiscSpace> space_;
+  MadeOnce<cost::Terrain> terrain_;  ///< the cells where the reference point may be
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<disc::DiscSearch>> spare_;
 };

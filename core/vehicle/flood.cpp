@@ -39,14 +39,18 @@ FreeHeadings::FreeHeadings(const Space::Impl& space, const Lattice& lattice, Pol
   }
 }
 
-Flood::Flood(const FreeHeadings& free, const Space::Impl& space, bool squeeze, Memory& memory)
+Flood::Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& prices, bool squeeze,
+             Memory& memory)
     : free_(free),
+      prices_(prices),
       clearance_(space.field().squared_half_cells),
       squeeze_(squeeze),
       needed_(space.needed_by_disc()),
       width_(space.width()),
       height_(space.height()),
+      buckets_(prices.weighted() ? kWeighted * kBuckets : kBuckets),
       memory_(memory) {
+  memory_.buckets.resize(buckets_);
   memory_.distance.resize(clearance_.size(), kFar);
   for (const std::uint32_t cell : memory_.touched) memory_.distance[cell] = kFar;
   memory_.touched.clear();
@@ -74,7 +78,7 @@ void Flood::put(std::size_t cell, std::int32_t distance) {
   if (distance >= known) return;
   if (known == kFar) memory_.touched.push_back(static_cast<std::uint32_t>(cell));
   known = distance;
-  memory_.buckets[distance % kBuckets].push_back(static_cast<std::uint32_t>(cell));
+  memory_.buckets[distance & (buckets_ - 1)].push_back(static_cast<std::uint32_t>(cell));
   ++waiting_;
 }
 
@@ -86,7 +90,7 @@ void Flood::advance() {
     --waiting_;
     put(sources_[next_source_].second, level_);
   }
-  std::vector<std::uint32_t>& bucket = memory_.buckets[level_ % kBuckets];
+  std::vector<std::uint32_t>& bucket = memory_.buckets[level_ & (buckets_ - 1)];
   for (std::size_t i = 0; i < bucket.size(); ++i) {
     const std::uint32_t cell = bucket[i];
     if (memory_.distance[cell] != level_) continue;
@@ -104,6 +108,10 @@ void Flood::advance() {
       if ((here & near_[step] & free_[next]) == 0) {
         if (!squeeze_ || clearance_[next] < needed_) continue;
         length *= kUnfit;
+      }
+      if (prices_.weighted()) {
+        const double mean = (prices_.weight(x, y) + prices_.weight(nx, ny)) / 2;
+        length = static_cast<std::int32_t>(std::min(buckets_ - 1.0, length * mean));
       }
       put(next, level_ + length);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vehicle/lattice.h"
+#include "core/vehicle/prices.h"
 #include "core/vehicle/sweep.h"
 
 namespace lasius::vehicle {
@@ -27,22 +28,23 @@ class FreeHeadings {
 
 /// Distances over eight neighbours, told as far as they are asked for. A step is one where the
 /// vehicle is free at both ends at a heading near the step's direction. Of a step along a row or
-/// column 29 units, along a diagonal 41: never more than its length.
+/// column 29 units, along a diagonal 41: never more than its length. Over weights a step is that
+/// times the mean of both, at most kBuckets.
 class Flood {
  public:
   static constexpr int kUnits = 29;
-  static constexpr int kBuckets = 256;
 
   /// Of one flood at a time, on one map.
   struct Memory {
     std::vector<std::int32_t> distance;
     std::vector<std::uint32_t> touched;
-    std::array<std::vector<std::uint32_t>, kBuckets> buckets;
+    std::vector<std::vector<std::uint32_t>> buckets;
   };
 
   /// @param squeeze  where only the disc in the footprint fits, a step counts fourfold; else there
   /// is none
-  Flood(const FreeHeadings& free, const Space::Impl& space, bool squeeze, Memory& memory);
+  Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& prices, bool squeeze,
+        Memory& memory);
   /// A cell from which a goal is so far; before the first question.
   void add_source(int x, int y, double cells);
   /// Cells to the goals; infinite where there is no way.
@@ -54,17 +56,21 @@ class Flood {
   }
 
  private:
-  static constexpr int kUnfit = 4;  ///< times the length of a step that does not fit
+  static constexpr int kBuckets = 256;  ///< more than the longest step has
+  static constexpr int kWeighted = 16;  ///< times as many, over weights
+  static constexpr int kUnfit = 4;      ///< times the length of a step that does not fit
   static constexpr std::int32_t kFar = 1 << 30;
   static constexpr double kInfinite = 1e30;
   void advance();
   void put(std::size_t cell, std::int32_t distance);
 
   const FreeHeadings& free_;
+  const Prices& prices_;
   const std::vector<std::int32_t>& clearance_;  ///< of centres, squared, in half cells
   bool squeeze_;
   std::int32_t needed_;  ///< by the disc
   int width_, height_;
+  std::int32_t buckets_;
   std::array<std::uint16_t, 8> near_{};  ///< headings for a step
   Memory& memory_;
   std::vector<std::pair<std::int32_t, std::uint32_t>> sources_;  ///< sorted at the first question

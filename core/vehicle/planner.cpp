@@ -10,6 +10,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/vehicle/angle.h"
+#include "core/vehicle/blend.h"
 #include "core/vehicle/bound.h"
 #include "core/vehicle/search.h"
 #include "core/vehicle/smooth.h"
@@ -18,13 +19,19 @@ namespace lasius::vehicle {
 
 class Planner::Impl {
  public:
-  Impl(const Grid& grid, Space the_space, std::shared_ptr<const Lattice> of_vehicle, Poller& poller)
-      : space(std::move(the_space)),
+  Impl(const Grid& grid, Space the_space, const Vehicle& vehicle, const CostField* costs,
+       std::shared_ptr<const Lattice> of_vehicle, Poller& poller)
+      : asked(vehicle),
+        space(std::move(the_space)),
         lattice(of_vehicle
                     ? std::move(of_vehicle)
                     : std::make_shared<const Lattice>(space.vehicle(), space.impl().outline())),
         free(space.impl(), *lattice, poller),
-        bound(grid, space.vehicle()) {}
+        over_costs(costs != nullptr),
+        prices(grid, space.vehicle(), costs),
+        bound(grid, asked, prices) {
+    if (prices.weighted()) edges.emplace(prices, space.vehicle(), *lattice);
+  }
 
   /// Memory that no other search holds.
   std::unique_ptr<SearchMemory> take() const {
@@ -39,9 +46,13 @@ class Planner::Impl {
     spare.push_back(std::move(memory));
   }
 
+  Vehicle asked;  ///< the space's has wider turns where its curvature may change so fast alone
   Space space;
   std::shared_ptr<const Lattice> lattice;  ///< of the vehicle alone
   FreeHeadings free;
+  bool over_costs;
+  Prices prices;
+  std::optional<EdgePrices> edges;
   Bound bound;
   MadeOnce<EdgePlanes> planes;
   mutable std::mutex mutex;
@@ -107,7 +118,8 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
     if (!told.empty()) {
       Segment& last = told.back();
       const bool on = s.gear == 0 ? (last.angle > 0) == (s.angle > 0) : last.angle == s.angle;
-      if (last.gear == s.gear && last.curvature == s.curvature && on) {
+      if (last.gear == s.gear && last.curvature == s.curvature && on && last.curvature_rate == 0 &&
+          s.curvature_rate == 0) {
         last.length += s.length;
         if (s.gear == 0) last.angle += s.angle;
         continue;
@@ -119,9 +131,9 @@ std::vector<Segment> joined(const std::vector<Segment>& segments) {
 }
 
 /// Ends, joints, what the vehicle can drive, contacts: compared before a path is answered.
-bool holds(const Space& space, const Request& request, int goal, std::span<const Segment> path) {
+bool holds(const Space& space, const Vehicle& vehicle, const Request& request, int goal,
+           std::span<const Segment> path) {
   constexpr double kOff = 1e-7;
-  const Vehicle& vehicle = space.vehicle();
   const auto apart = [](const Pose& a, const Pose& b) {
     const double dx = a.x - b.x, dy = a.y - b.y;
     return std::sqrt(dx * dx + dy * dy);
@@ -132,7 +144,8 @@ bool holds(const Space& space, const Request& request, int goal, std::span<const
   Pose at = request.start;
   for (const Segment& s : path) {
     const bool drives = s.gear > 0 || (s.gear < 0 ? vehicle.reverse : vehicle.rotate_in_place);
-    const double bent = std::fabs(s.curvature) * vehicle.turning_radius;
+    const double bent = s.sharpest() * vehicle.turning_radius;
+    if (std::fabs(s.curvature_rate) > vehicle.curvature_rate * (1 + 1e-12)) return false;
     if (!drives || (s.gear != 0 && s.angle != 0 && !vehicle.sideways) || !(bent <= 1 + 1e-12) ||
         (vehicle.turning_radius == 0 && s.curvature != 0) || !(apart(at, s.begin) <= kOff) ||
         !(turned(at, s.begin) <= kOff))
@@ -166,30 +179,36 @@ void refuse(Result& result, const Space& space, const Pose& pose, bool start) {
 std::optional<double> Result::gap() const {
   if (segments.empty() && goal < 0) return std::nullopt;
   if (!lower_bound) return std::nullopt;
-  if (length <= *lower_bound) return 0.0;
-  return *lower_bound > 0 ? std::optional((length - *lower_bound) / *lower_bound) : std::nullopt;
+  const double reached = over_costs ? cost : length;
+  if (reached <= *lower_bound) return 0.0;
+  return *lower_bound > 0 ? std::optional((reached - *lower_bound) / *lower_bound) : std::nullopt;
 }
 
 Planner::Planner(const Grid& grid, const Vehicle& vehicle) : Planner(*make(grid, vehicle, {})) {}
+Planner::Planner(const Grid& grid, const Vehicle& vehicle, const CostField& costs)
+    : Planner(*make(grid, vehicle, {}, &costs)) {}
 
 std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
-                                     const StopCondition& stop) {
+                                     const StopCondition& stop, const CostField* costs) {
   Planner planner;
-  return planner.prepare(grid, vehicle, stop) ? std::optional(std::move(planner)) : std::nullopt;
+  return planner.prepare(grid, vehicle, costs, stop) ? std::optional(std::move(planner))
+                                                     : std::nullopt;
 }
 
 std::optional<Planner> Planner::on(const Grid& grid, const StopCondition& stop) const {
   Planner planner(*this);
-  return planner.prepare(grid, space().vehicle(), stop) ? std::optional(std::move(planner))
-                                                        : std::nullopt;
+  return planner.prepare(grid, impl_->asked, nullptr, stop) ? std::optional(std::move(planner))
+                                                            : std::nullopt;
 }
 
-bool Planner::prepare(const Grid& grid, const Vehicle& vehicle, const StopCondition& stop) {
-  std::optional<Space> space = Space::make(grid, vehicle, stop);
+bool Planner::prepare(const Grid& grid, const Vehicle& vehicle, const CostField* costs,
+                      const StopCondition& stop) {
+  validate(vehicle);
+  std::optional<Space> space = Space::make(grid, with_room(vehicle), stop);
   if (!space) return false;
   Poller poller(stop);
-  impl_ = std::make_shared<const Impl>(grid, std::move(*space), impl_ ? impl_->lattice : nullptr,
-                                       poller);
+  impl_ = std::make_shared<const Impl>(grid, std::move(*space), vehicle, costs,
+                                       impl_ ? impl_->lattice : nullptr, poller);
   return !poller.stopped();
 }
 
@@ -201,6 +220,10 @@ Planner::~Planner() = default;
 
 const Space& Planner::space() const noexcept { return impl_->space; }
 
+double Planner::cost(std::span<const Segment> segments) const {
+  return impl_->prices.unit() * impl_->prices.of(segments);
+}
+
 Result Planner::plan(const Request& asked) const {
   check(asked);
   const Space& space = impl_->space;
@@ -208,6 +231,7 @@ Result Planner::plan(const Request& asked) const {
   request.start.yaw = half_turned(request.start.yaw);
   for (Pose& goal : request.goals) goal.yaw = half_turned(goal.yaw);
   Result result;
+  result.over_costs = impl_->over_costs;
   if (!space.free(request.start)) {
     refuse(result, space, request.start, true);
     return result;
@@ -225,7 +249,9 @@ Result Planner::plan(const Request& asked) const {
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prepared prepared{space.impl(), *impl_->lattice, impl_->free, impl_->planes};
+  const Prices& prices = impl_->prices;
+  const Prepared prepared{space.impl(),  *impl_->lattice, impl_->free,
+                          impl_->planes, prices,          impl_->edges ? &*impl_->edges : nullptr};
   SearchOptions options{request.weight,
                         request.goal_tolerance,
                         request.heading_tolerance,
@@ -243,15 +269,23 @@ Result Planner::plan(const Request& asked) const {
   if (found.goal >= 0) {
     result.segments = joined(found.segments);
     // The masks' proof is of motions told another way: all is certified once more.
-    if (!holds(space, request, found.goal, result.segments)) found.goal = -1;
+    if (!holds(space, impl_->asked, request, found.goal, result.segments)) found.goal = -1;
     if (found.goal >= 0 && request.smooth && !poller.stopped()) {
       std::vector<Segment> shorter =
-          joined(smoothed(space.impl(), result.segments, result.checked, poller));
-      if (holds(space, request, found.goal, shorter)) result.segments = std::move(shorter);
+          joined(smoothed(space.impl(), prices, result.segments, result.checked, poller));
+      if (prices.of(shorter) <= prices.of(result.segments) &&
+          holds(space, impl_->asked, request, found.goal, shorter))
+        result.segments = std::move(shorter);
+    }
+    if (found.goal >= 0 && impl_->asked.curvature_rate > 0) {
+      std::vector<Segment> steady =
+          blended(space.impl(), impl_->asked, result.segments, result.checked);
+      if (holds(space, impl_->asked, request, found.goal, steady))
+        result.segments = std::move(steady);
     }
     if (found.goal < 0) result.segments.clear();
   }
-  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.length(request);
+  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.least(request);
   // What shortens the path, and its bound, may be cut short, too.
   StopCondition::Cause cause = poller.cause();
   if (cause == StopCondition::Cause::none && found.goal >= 0) cause = request.stop.poll();
@@ -263,8 +297,11 @@ Result Planner::plan(const Request& asked) const {
     if (!cut_short) result.status = Status::solved;
     result.goal = found.goal;
     result.length = driven_length(result.segments);
-    result.cost = cost(space.vehicle(), result.segments);
+    result.cost = cost(result.segments);
+    if (impl_->over_costs && result.lower_bound)
+      result.lower_bound = std::min(result.cost, prices.unit() * *result.lower_bound);
     result.cusps = cusps(result.segments);
+    if (impl_->asked.curvature_rate > 0) result.corners = corners(result.segments);
     return result;
   }
   if (poller.stopped()) {

@@ -21,7 +21,8 @@ Piece piece_of(const Segment& s, const SpeedLimits& limits) noexcept {
   }
   const double speed = s.gear > 0 ? limits.speed : limits.reverse_speed;
   double most = speed * speed;
-  if (s.curvature != 0) most = std::min(most, limits.lateral_acceleration / std::fabs(s.curvature));
+  if (const double bent = s.sharpest(); bent != 0)
+    most = std::min(most, limits.lateral_acceleration / bent);
   return {s.length, most, limits.acceleration, limits.braking};
 }
 
@@ -98,7 +99,8 @@ Profile::Profile(std::vector<Segment> segments, const SpeedLimits& limits)
   for (std::size_t i = 1; i < n; ++i) {
     const Segment& before = segments_[i - 1];
     const bool rest = before.gear != segments_[i].gear || segments_[i].gear == 0 ||
-                      before.angle != segments_[i].angle;
+                      before.angle != segments_[i].angle ||
+                      (limits_.steady_curvature && corners(std::span(&before, 2)) > 0);
     if (rest) continue;
     speed_[i] = std::min({pieces[i - 1].most, pieces[i].most,
                           speed_[i - 1] + gain(pieces[i - 1].up, pieces[i - 1].extent)});
@@ -118,7 +120,8 @@ TimedPose Profile::state(int segment, double at) const {
   const auto i = static_cast<std::size_t>(segment);
   const Segment& s = segments_[i];
   const auto [squared, time] = inside(piece_of(s, limits_), speed_[i], speed_[i + 1], at);
-  return {{s.pose(at), s.curvature, s.gear, segment, at}, std::sqrt(squared), time_[i] + time};
+  return {
+      {s.pose(at), s.curvature_at(at), s.gear, segment, at}, std::sqrt(squared), time_[i] + time};
 }
 
 std::vector<TimedPose> Profile::samples(double spacing) const {

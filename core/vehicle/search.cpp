@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <utility>
 
-#include "core/vehicle/escape.h"
+#include "core/vehicle/search_ends.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
@@ -13,14 +13,16 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kBucket = 0.125;
-constexpr int kProbed = 2000;           ///< states of the probe from the goals
-constexpr std::int64_t kHard = 20'000;  ///< states after which all of the lattice is looked at
+constexpr int kProbed = 2000;               ///< states of the probe from the goals
+constexpr std::int64_t kHard = 20'000;      ///< states after which all of the lattice is looked at
+constexpr std::int64_t kHardest = 100'000;  ///< and over weights a path is good enough
 
 class Search {
  public:
   Search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
          const SearchOptions& options, SearchMemory& memory, Result& counts, Poller& poller)
-      : space_(prepared.space),
+      : prepared_(prepared),
+        space_(prepared.space),
         lattice_(prepared.lattice),
         vehicle_(prepared.space.vehicle()),
         start_(start),
@@ -30,7 +32,9 @@ class Search {
         poller_(poller),
         layers_(vehicle_.reverse && vehicle_.cusp_cost > 0 ? 2 : 1),
         steering_(vehicle_),
-        flood_(prepared.free, space_, options.wide, memory.flood),
+        prices_(prepared.prices),
+        edges_(prepared.edges),
+        flood_(prepared.free, space_, prices_, options.wide, memory.flood),
         planes_(prepared.planes),
         lattice_flood_(memory.lattice_flood),
         reached_(memory.reached),
@@ -56,11 +60,17 @@ class Search {
  private:
   bool done() const { return poller_.stopped(); }
   int layer_of(int gear) const { return layers_ > 1 && gear < 0 ? 1 : 0; }
-  /// What a change costs, of a path whose last gear is that of a layer.
-  double cusp(int layer, int gear) const {
-    return layers_ > 1 && gear != 0 && layer != layer_of(gear) ? vehicle_.cusp_cost : 0;
+  /// What a change costs in a cell, of a path whose last gear is that of a layer.
+  double cusp(int layer, int gear, const Cell& at) const {
+    if (layers_ == 1 || gear == 0 || layer == layer_of(gear)) return 0;
+    return vehicle_.cusp_cost * prices_.weight(at.x, at.y);
+  }
+  /// Of an edge of the lattice that begins in a cell.
+  double price(int e, int x, int y) const {
+    return edges_ != nullptr ? edges_->at(e, x, y) : lattice_.edges()[e].cost;
   }
   double radius() const { return std::max(vehicle_.turning_radius, 2.0); }
+  double near() const { return std::max(radius(), 4.0); }
 
   void shots_from_start() {
     for (const Goal& goal : goals_)
@@ -76,52 +86,29 @@ class Search {
     for (int i = 0; i < steering_.size(); ++i) {
       if (cost + steering_.cost(i) >= best_.cost && best_.goal >= 0) return false;
       shot_.clear();
-      if (!steering_.append(i, shot_) || !space_.all_free(shot_, open, false, counts_.checked))
-        continue;
-      const double cusps =
-          gear != 0 && !shot_.empty() && shot_[0].gear == -gear ? vehicle_.cusp_cost : 0;
-      const double total = cost + steering_.cost(i) + cusps;
-      if (best_.goal >= 0 && total >= best_.cost) continue;
+      if (!steering_.append(i, shot_)) continue;
+      double total = cost;
+      total += prices_.weighted() ? prices_.of(shot_) : steering_.cost(i);
+      if (gear != 0 && !shot_.empty() && shot_[0].gear == -gear)
+        total += vehicle_.cusp_cost * prices_.weight(from);
+      const bool dearer = best_.goal >= 0 && total >= best_.cost;
+      if (prices_.weighted() && dearer) continue;
+      if (!space_.all_free(shot_, open, false, counts_.checked) || dearer) continue;
       best_.segments.clear();
       before(best_.segments);
       best_.segments.insert(best_.segments.end(), shot_.begin(), shot_.end());
       best_.cost = total;
       best_.goal = goal.index;
-      return true;
+      // Over weights a longer one may be cheaper.
+      if (!prices_.weighted()) return true;
     }
     return false;
   }
 
-  double near() const { return std::max(radius(), 4.0); }
-  ConnectorReach short_reach() const { return {std::min(near(), 30.0), 12, 1.35}; }
-  ConnectorReach wide_reach() const { return {std::min(3 * near(), 60.0), 1.5 * near(), 1.35}; }
-
-  std::vector<Connector> connectors_of(const Pose& pose, bool towards,
-                                       const ConnectorReach& reach) {
-    return connectors(space_, lattice_, pose, towards, reach, counts_.checked, poller_);
-  }
-  std::vector<Connector> all_of(const Pose& pose, bool towards) {
-    if (!options_.wide) return connectors_of(pose, towards, short_reach());
-    std::vector<Connector> made = connectors_of(pose, towards, wide_reach());
-    std::vector<Connector> more =
-        escapes(space_, lattice_, pose, towards, short_reach(), counts_.checked, poller_);
-    std::ranges::move(more, std::back_inserter(made));
-    return made;
-  }
-  void lead_to(const Goal& goal, std::vector<Connector> made) {
-    for (Connector& c : made) {
-      c.end = goal.index;
-      to_goal_.push_back(std::move(c));
-    }
-  }
-
   void connect_ends() {
-    from_start_ = all_of(start_, false);
-    for (std::size_t i = 0; i < goals_.size() && !done(); ++i)
-      lead_to(goals_[i], all_of(goals_[i].pose, true));
-    for (int i = 0; i < static_cast<int>(options_.wanted.size()); ++i)
-      lead_to({{}, i}, tolerated(space_, lattice_, options_.wanted[i], options_.lattice_tolerance,
-                                 options_.heading_tolerance, poller_));
+    SearchEnds ends = ends_of_search(prepared_, start_, goals_, options_, counts_, poller_);
+    from_start_ = std::move(ends.from_start);
+    to_goal_ = std::move(ends.to_goal);
     for (const Connector& c : to_goal_) flood_.add_source(c.x, c.y, c.cost);
   }
 
@@ -137,7 +124,7 @@ class Search {
   /// A state of the probe, from which a motion in a gear leads on.
   void lead(int x, int y, int heading, int gear, double cost, std::uint32_t next, std::int32_t by) {
     for (int layer = 0; layer < layers_; ++layer)
-      lead_in(leads_.index(x, y, heading, layer), cost + cusp(layer, gear), next, by);
+      lead_in(leads_.index(x, y, heading, layer), cost + cusp(layer, gear, {x, y}), next, by);
   }
   void lead_in(std::uint32_t index, double cost, std::uint32_t next, std::int32_t by) {
     const auto total = static_cast<float>(cost);
@@ -181,7 +168,7 @@ class Search {
         const int x = at.x - edge.dx;
         const int y = at.y - edge.dy;
         if (!edge_free(edge, x, y)) continue;
-        const double total = static_cast<double>(edge.cost) + cost;
+        const double total = price(e, x, y) + cost;
         if (edge.gear != 0) {
           lead(x, y, edge.from, edge.gear, total, index, e);
         } else {
@@ -235,6 +222,7 @@ class Search {
       if (reached_[index].expanded) continue;
       reached_[index].expanded = true;
       if (++expanded == kHard && flood_lattice()) break;
+      if (expanded >= kHardest && best_.goal >= 0 && prices_.weighted()) break;
       if (poller_.stop_after(64)) break;
       const Cell at = reached_.cell(index);
       const int heading = reached_.heading(index);
@@ -249,7 +237,7 @@ class Search {
         if (!edge_free(edge, at.x, at.y)) continue;
         const int to_layer = edge.gear == 0 ? layer : layer_of(edge.gear);
         offer(at.x + edge.dx, at.y + edge.dy, edge.to, to_layer,
-              cost + edge.cost + cusp(layer, edge.gear), index, e);
+              cost + price(e, at.x, at.y) + cusp(layer, edge.gear, at), index, e);
       }
     }
     counts_.expanded += expanded;
@@ -257,7 +245,8 @@ class Search {
 
   /// The cheapest path of the lattice, up to the rounding of its costs, where most of the lattice
   /// would be entered else. True if that ends the search: one was found, or there is none. Not
-  /// where a path may cost more than the flood can tell.
+  /// where a path may cost more than the flood can tell. Over weights, which the flood does not
+  /// know, what it finds is a path, and the search goes on.
   bool flood_lattice() {
     if (layers_ > 1 || std::int64_t{space_.width()} * space_.height() > options_.max_states ||
         !LatticeFlood::takes(lattice_) || EdgePlanes::bytes(space_, lattice_) > EdgePlanes::kMost)
@@ -289,9 +278,9 @@ class Search {
               [&](auto& to) { flood.append(from_start_, at, heading, to); });
       }
     }
-    if (best_.goal >= 0) best_.cost = vehicle::cost(vehicle_, best_.segments);
+    if (best_.goal >= 0) best_.cost = prices_.of(best_.segments);
     if (before.goal >= 0 && before.cost <= best_.cost) best_ = before;
-    return !flood.ran_out();
+    return !flood.ran_out() && (best_.goal < 0 || !prices_.weighted());
   }
 
   void offer(int x, int y, int heading, int layer, double cost, std::uint32_t before,
@@ -359,6 +348,7 @@ class Search {
           [&](std::vector<Segment>& to) { append_reached(index, to); });
   }
 
+  const Prepared& prepared_;
   const Space::Impl& space_;
   const Lattice& lattice_;
   const Vehicle& vehicle_;
@@ -369,6 +359,8 @@ class Search {
   Poller& poller_;
   int layers_;
   Steering steering_;
+  const Prices& prices_;
+  const EdgePrices* edges_;
   Flood flood_;
   const MadeOnce<EdgePlanes>& planes_;
   LatticeFlood::Memory& lattice_flood_;

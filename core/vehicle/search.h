@@ -9,6 +9,7 @@
 #include "core/base/poller.h"
 #include "core/vehicle/connectors.h"
 #include "core/vehicle/made_once.h"
+#include "core/vehicle/prices.h"
 #include "core/vehicle/search_memory.h"
 #include "lasius/vehicle/planner.h"
 
@@ -20,6 +21,8 @@ struct Prepared {
   const Lattice& lattice;
   const FreeHeadings& free;
   const MadeOnce<EdgePlanes>& planes;  ///< made by the first search that is hard
+  const Prices& prices;
+  const EdgePrices* edges;  ///< over weights, else null
 };
 
 /// A pose that ends a path, and whose goal it is.
@@ -31,7 +34,7 @@ struct Goal {
 /// What a search found.
 struct Found {
   std::vector<Segment> segments;
-  double cost = 0;
+  double cost = 0;    ///< as Prices has it
   int goal = -1;      ///< index; -1: no path
   bool full = false;  ///< ended since so many states were entered
 };

@@ -31,8 +31,9 @@ struct Leg {
 
 class Smoother {
  public:
-  Smoother(const Space::Impl& space, std::int64_t& checked, Poller& poller)
+  Smoother(const Space::Impl& space, const Prices& prices, std::int64_t& checked, Poller& poller)
       : space_(space),
+        prices_(prices),
         vehicle_(space.vehicle()),
         steering_(vehicle_),
         checked_(checked),
@@ -62,18 +63,17 @@ class Smoother {
       const Segment& s = path[i];
       if (s.gear != 0 && gear != 0 && s.gear != gear) {
         ++node.run;
-        node.cost += vehicle_.cusp_cost;
+        node.cost += vehicle_.cusp_cost * prices_.weight(s.begin);
       }
       if (s.gear != 0) gear = s.gear;
       node.gear = gear;
       const double before = node.cost;
-      const double cell = s.gear == 0 ? vehicle_.rotation_cost : price(s.gear);
       for (; s.gear != 0 && next < driven + s.length; next += spacing) {
         const double at = next - driven;
-        put({s.pose(at), before + at * cell, node.run, gear}, i, at);
+        put({s.pose(at), before + prices_.part(s, at), node.run, gear}, i, at);
       }
       driven += s.length;
-      node.cost = before + s.extent() * cell;
+      node.cost = before + prices_.part(s, s.extent());
     }
     node.pose = path.back().end();
     put(node, path.size() - 1, path.back().extent());
@@ -91,24 +91,33 @@ class Smoother {
   /// The way from one pose to another in a gear, or any way where that is 0; `leg` has the cheapest
   /// that is free. False: none costs less than `most`, or none is free.
   bool steer(const Pose& from, const Pose& to, int gear, double most, Leg& leg) {
+    looked_ = false;
     if (gear == 0) {
+      bool any = false;
       steering_.aim(from, to, 3);
       for (int i = 0; i < steering_.size() && steering_.cost(i) < most; ++i) {
-        leg.motions.clear();
-        if (!steering_.append(i, leg.motions) || !free(leg.motions)) continue;
-        leg.cost = steering_.cost(i);
+        way_.clear();
+        if (!steering_.append(i, way_)) continue;
+        const double cost = prices_.weighted() ? prices_.of(way_) : steering_.cost(i);
+        if (cost >= most || !free(way_)) continue;
+        std::swap(leg.motions, way_);
+        leg.cost = most = cost;
         leg.gear = 0;
-        return true;
+        any = true;
+        if (!prices_.weighted()) return true;
       }
-      return false;
+      return any;
     }
     leg.cost = words_.aim(from, to, vehicle_.turning_radius, gear) * price(gear);
     if (leg.cost >= most) return false;
     leg.gear = gear;
-    return words_.motions(leg.motions) && free(leg.motions);
+    if (!words_.motions(leg.motions)) return false;
+    if (prices_.weighted()) leg.cost = prices_.of(leg.motions);
+    return leg.cost < most && free(leg.motions);
   }
 
   bool free(const std::vector<Segment>& motions) {
+    looked_ = true;
     return space_.all_free(motions, Space::Impl::kLoose, false, checked_);
   }
 
@@ -140,13 +149,14 @@ class Smoother {
         open.push_back({best[a] + least(from, to, line), a});
       }
       std::ranges::sort(open);
-      for (int k = 0; k < std::min(kTries, static_cast<int>(open.size())); ++k) {
-        const auto& [cost, a] = open[k];
-        if (cost >= best[b] - kLeast) break;
-        if (!steer(nodes_[a].pose, to.pose, gear_between(nodes_[a], to), best[b] - best[a] - kLeast,
-                   made_)) {
-          continue;
-        }
+      int tries = 0;
+      for (const auto& [cost, a] : open) {
+        if (cost >= best[b] - kLeast || tries == kTries) break;
+        const bool made = steer(nodes_[a].pose, to.pose, gear_between(nodes_[a], to),
+                                best[b] - best[a] - kLeast, made_);
+        // Over weights many are not free for their price alone.
+        if (looked_ || !prices_.weighted()) ++tries;
+        if (!made) continue;
         best[b] = best[a] + made_.cost;
         before[b] = a;
         leg[b] = made_;
@@ -237,6 +247,7 @@ class Smoother {
   }
 
   const Space::Impl& space_;
+  const Prices& prices_;
   const Vehicle& vehicle_;
   Steering steering_;
   std::int64_t& checked_;
@@ -247,16 +258,17 @@ class Smoother {
   std::vector<Pose> joints_;
   std::vector<Leg> legs_;  ///< between the joints
   Leg made_, other_;
+  std::vector<Segment> way_;
+  bool looked_ = false;  ///< whether the last way looked for was asked whether it is free
 };
 
 }  // namespace
 
-std::vector<Segment> smoothed(const Space::Impl& space, std::vector<Segment> path,
-                              std::int64_t& checked, Poller& poller) {
-  if (path.size() < 2) return path;
-  std::vector<Segment> made = Smoother(space, checked, poller).run(path);
-  if (cost(space.vehicle(), made) < cost(space.vehicle(), path)) return made;
-  return path;
+std::vector<Segment> smoothed(const Space::Impl& space, const Prices& prices,
+                              std::vector<Segment> path, std::int64_t& checked, Poller& poller) {
+  if (path.empty() || (path.size() == 1 && !prices.weighted())) return path;
+  std::vector<Segment> made = Smoother(space, prices, checked, poller).run(path);
+  return prices.of(made) < prices.of(path) ? made : path;
 }
 
 }  // namespace lasius::vehicle

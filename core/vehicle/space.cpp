@@ -144,7 +144,7 @@ std::optional<Cell> Space::Impl::met(const Pose& pose, double grown) const {
 
 double Space::Impl::touch(const Segment& motion, double open, bool earliest) const {
   const double extent = motion.extent();
-  const double turned = motion.gear == 0 ? extent : std::fabs(motion.curvature) * extent;
+  const double turned = motion.gear == 0 ? extent : motion.sharpest() * extent;
   const double driven = motion.gear == 0 ? 0 : extent;
   Segment near = motion;  // the same, with all of its digits for what it turns
   near.begin.yaw = half_turned(motion.begin.yaw);

@@ -46,7 +46,7 @@ std::vector<Segment> segments_from(const Rows& rows) {
 
 vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
                               double reverse_cost, double cusp_cost, bool rotate_in_place,
-                              double rotation_cost, bool sideways) {
+                              double rotation_cost, bool sideways, double curvature_rate) {
   return {.footprint = points_from(footprint, "footprint"),
           .turning_radius = turning_radius,
           .reverse = reverse,
@@ -54,7 +54,8 @@ vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool
           .cusp_cost = cusp_cost,
           .rotate_in_place = rotate_in_place,
           .rotation_cost = rotation_cost,
-          .sideways = sideways};
+          .sideways = sideways,
+          .curvature_rate = curvature_rate};
 }
 
 std::vector<Pose> poses_from(const Rows& rows, const char* name) {
@@ -69,8 +70,9 @@ py::tuple fields(const vehicle::Result& found) {
   const bool path = !found.segments.empty();
   return py::make_tuple(text(to_string(found.status)), text(to_string(found.fault)), found.error,
                         segment_rows(found.segments), path ? found.length : NAN,
-                        path ? found.cost : NAN, found.cusps, found.goal, found.lower_bound,
-                        path ? found.gap() : std::nullopt, found.touched, found.expanded);
+                        path ? found.cost : NAN, found.cusps, found.corners, found.goal,
+                        found.lower_bound, path ? found.gap() : std::nullopt, found.touched,
+                        found.expanded);
 }
 
 namespace {
@@ -133,20 +135,20 @@ void bind_vehicle(py::module_& module) {
              return planner.space().free(Pose{pose[0], pose[1], pose[2]});
            })
       .def("first_contact", &first_contact);
-  module.def(
-      "make_vehicle_planner", [](const Grid& grid, const Rows& footprint, double turning_radius,
-                                 bool reverse, double reverse_cost, double cusp_cost,
-                                 bool rotate_in_place, double rotation_cost, bool sideways) {
-        const vehicle::Vehicle vehicle =
-            vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
-                         rotate_in_place, rotation_cost, sideways);
-        Call call;
-        std::optional<vehicle::Planner> made =
-            call.run([&] { return vehicle::Planner::make(grid, vehicle, call.condition()); });
-        return py::make_tuple(call.error(), std::move(made));
-      });
+  module.def("make_vehicle_planner",
+             [](const Grid& grid, const Rows& footprint, double turning_radius, bool reverse,
+                double reverse_cost, double cusp_cost, bool rotate_in_place, double rotation_cost,
+                bool sideways, double curvature_rate, const CostField* costs) {
+               const vehicle::Vehicle vehicle =
+                   vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
+                                rotate_in_place, rotation_cost, sideways, curvature_rate);
+               Call call;
+               std::optional<vehicle::Planner> made = call.run(
+                   [&] { return vehicle::Planner::make(grid, vehicle, call.condition(), costs); });
+               return py::make_tuple(call.error(), std::move(made));
+             });
   module.def("vehicle_timed_poses",
-             [](const Rows& segments, double spacing, const std::array<double, 7>& limits) {
+             [](const Rows& segments, double spacing, const std::array<double, 8>& limits) {
                return timed_poses(segments, spacing,
                                   {.speed = limits[0],
                                    .reverse_speed = limits[1],
@@ -154,7 +156,8 @@ void bind_vehicle(py::module_& module) {
                                    .braking = limits[3],
                                    .lateral_acceleration = limits[4],
                                    .turn_rate = limits[5],
-                                   .turn_acceleration = limits[6]});
+                                   .turn_acceleration = limits[6],
+                                   .steady_curvature = limits[7] != 0});
              });
 }
 

@@ -36,23 +36,24 @@ py::tuple cells_of(const vehicle::SeenCells& seen) {
 
 void bind_vehicle_navigator(py::module_& module) {
   py::class_<SharedVehicle>(module, "VehicleNavigator")
-      .def(
-          py::init([](const Grid& map, const Rows& footprint, double turning_radius, bool reverse,
-                      double reverse_cost, double cusp_cost, bool rotate_in_place,
-                      double rotation_cost, bool sideways, const Rows& goals, double goal_tolerance,
-                      double heading_tolerance, double weight, bool smooth, int doubt_after) {
-            const auto vehicle = vehicle_from(footprint, turning_radius, reverse, reverse_cost,
-                                              cusp_cost, rotate_in_place, rotation_cost, sideways);
-            auto poses = poses_from(goals, "goal");
-            const vehicle::NavigatorOptions options{.goal_tolerance = goal_tolerance,
-                                                    .heading_tolerance = heading_tolerance,
-                                                    .weight = weight,
-                                                    .smooth = smooth,
-                                                    .doubt_after = doubt_after};
-            const py::gil_scoped_release released;
-            return std::make_unique<SharedVehicle>(
-                vehicle::Navigator(map, vehicle, std::move(poses), options));
-          }))
+      .def(py::init([](const Grid& map, const Rows& footprint, double turning_radius, bool reverse,
+                       double reverse_cost, double cusp_cost, bool rotate_in_place,
+                       double rotation_cost, bool sideways, double curvature_rate,
+                       const Rows& goals, double goal_tolerance, double heading_tolerance,
+                       double weight, bool smooth, int doubt_after) {
+        const auto vehicle =
+            vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
+                         rotate_in_place, rotation_cost, sideways, curvature_rate);
+        auto poses = poses_from(goals, "goal");
+        const vehicle::NavigatorOptions options{.goal_tolerance = goal_tolerance,
+                                                .heading_tolerance = heading_tolerance,
+                                                .weight = weight,
+                                                .smooth = smooth,
+                                                .doubt_after = doubt_after};
+        const py::gil_scoped_release released;
+        return std::make_unique<SharedVehicle>(
+            vehicle::Navigator(map, vehicle, std::move(poses), options));
+      }))
       .def("observe",
            [](SharedVehicle& shared, const IntRows& rows, bool blocked) {
              const auto cells = cells_from(rows, "cells");

@@ -336,6 +336,8 @@ def make_vehicle_planner(
     rotate_in_place: bool,
     rotation_cost: float,
     sideways: bool,
+    curvature_rate: float,
+    costs: Optional[CostField],
 ) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
 
 class VehicleNavigator:
@@ -350,6 +352,7 @@ class VehicleNavigator:
         rotate_in_place: bool,
         rotation_cost: float,
         sideways: bool,
+        curvature_rate: float,
         goals: npt.NDArray[np.float64],
         goal_tolerance: float,
         heading_tolerance: float,

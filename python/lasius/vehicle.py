@@ -13,6 +13,7 @@ from . import _lasius
 from ._lasius import Grid
 from .arguments import explained
 from .arrays import Cell, FloatArray
+from .costs import CostField
 from .errors import finish, made
 from .results import Record
 
@@ -36,6 +37,7 @@ class Vehicle:
     rotate_in_place: bool = False  #: may turn where it stands
     rotation_cost: float = 3.0  #: of a radian in place, cells
     sideways: bool = False  #: drives to any side with its heading kept, at the same price
+    curvature_rate: float = 0.0  #: by how much its curvature may change for each cell driven; 0: without limit
 
     @classmethod
     def car(cls, footprint: npt.ArrayLike, turning_radius: float, *, reverse: bool = True) -> Vehicle:
@@ -69,6 +71,7 @@ class SpeedLimits:
     lateral_acceleration: float = inf  #: speed^2 * |curvature|
     turn_rate: float = 1.0  #: in place, radians a second
     turn_acceleration: float = inf  #: and braking, radians / s^2
+    steady_curvature: bool = False  #: it rests where the curvature jumps
 
 
 @dataclass(eq=False, repr=False)
@@ -82,10 +85,11 @@ class VehicleResult(Record):
     #: length, gear (1, -1, or 0 in place), angle (of one in place, or from its yaw to the side it drives to)
     segments: FloatArray
     length: float  #: driven, cells; NaN without a path
-    cost: float  #: by the vehicle's prices; NaN without a path
+    cost: float  #: by the vehicle's prices, over costs times the weights along it; NaN without a path
     cusps: int  #: changes between forwards and backwards
+    corners: int  #: of a vehicle with a curvature rate: where the curvature jumps nevertheless
     goal: int  #: which of the goals is met; -1 without a path
-    lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter
+    lower_bound: Optional[float]  #: certified: no way of this vehicle is shorter, over costs cheaper
     gap: Optional[float]  #: certified, a fraction
     touched: Optional[Cell]  #: of a start or goal that meets something: what
     expanded: int  #: states of the lattice
@@ -93,7 +97,7 @@ class VehicleResult(Record):
     def poses(self, spacing: float = 0.5, limits: SpeedLimits = SpeedLimits()) -> FloatArray:
         """(n, 7), at most `spacing` cells apart: x, y, yaw, curvature, gear, speed, time of the fastest drive."""
         row = (limits.speed, limits.reverse_speed, limits.acceleration, limits.braking, limits.lateral_acceleration,
-               limits.turn_rate, limits.turn_acceleration)
+               limits.turn_rate, limits.turn_acceleration, float(limits.steady_curvature))
         return _lasius.vehicle_timed_poses(self.segments, spacing, row)
 
     def __repr__(self) -> str:
@@ -115,6 +119,7 @@ def vehicle_values(vehicle: Vehicle) -> Tuple[Any, ...]:
     return (
         np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse, vehicle.reverse_cost,
         vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost, vehicle.sideways,
+        vehicle.curvature_rate,
     )
 
 
@@ -131,12 +136,14 @@ class VehiclePlanner:
     Args:
         grid: the map; what is outside is blocked.
         vehicle: its footprint keeps from blocked cells, which are closed squares, over the whole sweep of each motion.
+        costs: the cheapest path over these is looked for; None: by length.
     """
 
     __slots__ = ("_raw",)
 
-    def __init__(self, grid: Grid, vehicle: Vehicle) -> None:
-        self._raw = made(*_lasius.make_vehicle_planner(grid, *vehicle_values(vehicle)))
+    def __init__(self, grid: Grid, vehicle: Vehicle, costs: Optional[CostField] = None) -> None:
+        self._raw = made(*_lasius.make_vehicle_planner(
+            grid, *vehicle_values(vehicle), None if costs is None else costs._raw))
 
     def plan(
         self,
@@ -179,8 +186,10 @@ class VehiclePlanner:
         return None if met is None else Contact(*met)
 
 
-def plan_vehicle(grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike, **options: Any) -> VehicleResult:
-    """Plans for a vehicle on a map, as `VehiclePlanner.plan`.
+def plan_vehicle(
+    grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike, *, costs: Optional[CostField] = None, **options: Any
+) -> VehicleResult:
+    """Plans for a vehicle on a map, over costs where they are given, as `VehiclePlanner.plan`.
 
     >>> grid = lasius.Grid(np.zeros((60, 80), np.uint8), free=0)
     >>> robot = Vehicle.differential(Vehicle.rectangle(2, 2, 1.5))
@@ -188,4 +197,4 @@ def plan_vehicle(grid: Grid, vehicle: Vehicle, start: Pose, goal: npt.ArrayLike,
     >>> result.status, round(result.length, 6)
     ('solved', 50.0)
     """
-    return VehiclePlanner(grid, vehicle).plan(start, goal, **options)
+    return VehiclePlanner(grid, vehicle, costs).plan(start, goal, **options)

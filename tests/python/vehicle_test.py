@@ -1,5 +1,6 @@
 """Vehicles: what is planned is within their means, touches nothing, and is told whole."""
 
+import dataclasses
 import pickle
 
 import numpy as np
@@ -39,6 +40,31 @@ def test_a_plan_and_its_poses(yard):
     assert VehiclePlanner(yard, CAR).first_contact(poses[:, :3]) is None
     assert result.poses(limits=SpeedLimits(speed=2, reverse_speed=2))[-1, 6] == pytest.approx(poses[-1, 6] / 2)
     assert pickle.loads(pickle.dumps(result)) == result == plan_vehicle(yard, CAR, start, goal)
+
+
+def test_costs(yard):
+    costs = lasius.CostField(yard)
+    hill = np.zeros((60, 80))
+    hill[:40, 36:46] = 1
+    costs.add(hill, 5)
+    start, goal = (10, 10, 0), (70, 10, 0)
+    over = plan_vehicle(yard, CAR, start, goal, costs=costs)
+    brief = plan_vehicle(yard, CAR, start, goal)
+    assert over.lower_bound <= over.cost < 1.1 * over.lower_bound and over.length > brief.length
+    assert over.gap == pytest.approx(over.cost / over.lower_bound - 1)
+    assert VehiclePlanner(yard, CAR, lasius.CostField(yard)).plan(start, goal) == brief
+    with pytest.raises(lasius.InvalidParameter):
+        VehiclePlanner(yard, CAR, lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0)))
+
+
+def test_a_slow_wheel(yard):
+    slow = dataclasses.replace(CAR, curvature_rate=0.1)
+    result = plan_vehicle(yard, slow, (8, 8, 0.3), (70, 50, -2.0))
+    assert result.status == "solved" and result.corners <= 2
+    assert 0.09 < np.abs(result.segments[:, 4]).max() <= 0.1 + 1e-12
+    poses = result.poses(0.05, SpeedLimits(steady_curvature=True))
+    jumps = (np.abs(np.diff(poses[:, 3])) > 0.006) & (poses[1:, 4] == poses[:-1, 4])
+    assert np.count_nonzero(jumps) == result.corners and np.all(poses[:-1, 5][jumps] == 0)
 
 
 def test_contacts(yard):

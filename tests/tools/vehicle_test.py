@@ -2,8 +2,10 @@
 import json
 import math
 import random
+import re
 import unittest
 
+from layers import npy
 from program import ProgramTest
 
 MAP = """type octile
@@ -61,7 +63,12 @@ def pose_on(segment, share):
     if "angle" in segment:
         aside = yaw + segment["angle"]
         return x + far * math.cos(aside), y + far * math.sin(aside), yaw
-    turned = yaw + k * far
+    rate = segment.get("curvature_rate", 0)
+    turned = yaw + k * far + rate * far ** 2 / 2
+    if rate:  # Simpson's rule
+        ways = [(yaw + k * s + rate * s * s / 2, (1 if i in (0, 60) else 4 if i % 2 else 2) * far / 180)
+                for i in range(61) for s in [far * i / 60]]
+        return x + sum(w * math.cos(a) for a, w in ways), y + sum(w * math.sin(a) for a, w in ways), turned
     if abs(k * far) < 1e-9:
         return x + far * math.cos(yaw), y + far * math.sin(yaw), turned
     return x + (math.sin(turned) - math.sin(yaw)) / k, y - (math.cos(turned) - math.cos(yaw)) / k, turned
@@ -146,6 +153,22 @@ class Vehicles(ProgramTest):
         self.assertEqual(self.run_program("check-path", "yard.map", "run.csv", "--vehicle", "car.json", "--strict").code, 0)
         self.svg_root("run.svg")
 
+    def test_a_page_has_what_is_swept_and_when(self):
+        run = self.drive("car.json", "4,4,0", "38,26,180deg", "--json", "-o", "run.html", "-o", "run.csv")
+        page = self.read("run.html").decode()
+        found = re.findall(r'<script type="application/json" id="content">(.*?)</script>', page, re.S)
+        content = json.loads(found[0])
+        self.assertEqual((content["kind"], content["vehicle"]["footprint"]), ("vehicle", CAR["footprint"]))
+        rows = [[float(v) for v in row.values()] for row in self.rows("run.csv")]
+        self.assertEqual(len(rows), len(content["vehicle"]["poses"]))
+        for row, pose in zip(rows, content["vehicle"]["poses"]):
+            for a, b in zip(row, pose):
+                self.assertAlmostEqual(a, b, delta=1e-6)
+        self.assertEqual(content["result"]["segments"], run.json["segments"])
+        self.assertIn("showVehicle", page)
+        self.drive("car.json", "10.5,5,0", "38,26,0", "-o", "none.html")
+        self.assertIn('"poses":[]', self.read("none.html").decode().replace(" ", ""))
+
     def test_contacts_are_named(self):
         run = self.drive("car.json", "10.5,5,0", "38,26,0")
         self.ended(run, 4, "start (10.5, 5, 0): the footprint meets the blocked cell (12, ", "nearest pose of this heading")
@@ -221,7 +244,7 @@ class Vehicles(ProgramTest):
 
     def test_commands_that_make_no_sense(self):
         for options, words in [(["--radius", "2"], "--radius"), (["--ants", "5"], "--ants"), (["--algorithm", "mmas"], "mmas"),
-                               (["--seed", "1-3"], "--seed"), (["-o", "a.html"], "a.html"), (["--via", "3,3"], "--via")]:
+                               (["--seed", "1-3"], "--seed"), (["-o", "a.proof.json"], "a.proof.json"), (["--via", "3,3"], "--via")]:
             with self.subTest(options=options):
                 self.refused(self.drive("car.json", "5,5,0", "20,20,0", *options), 2, words)
         for start in ("5,5", "5,5,x", "5,5,90degs", "5,5,1e9", "5,,1", "5,5,nan"):
@@ -296,6 +319,83 @@ class Vehicles(ProgramTest):
             self.refused(self.run_program("check-path", "yard.map", "none.json"), 2, "none.json", "no path to judge", "no_path")
         self.write("bad.json", json.dumps({**good, "parameters": []}))
         self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", "cannot be replayed")
+
+    def test_curvature_changes_no_faster_than_it_may(self):
+        slow = {**CAR, "curvature_rate": 0.2}
+        self.write("slow.json", json.dumps(slow))
+        jumps = 0
+        for start, goal in (("4,4,0", "38,26,180deg"), ("4,4,0", "36,4,0"), ("20.5,15.5,90deg", "4.5,24.5,-1")):
+            run = self.drive("slow.json", start, goal, "--json", "-o", "s.json", "-o", "s.csv", "--spacing", "0.05")
+            self.assertEqual(run.code, 0, run.err)
+            self.check(run.json, slow)
+            kept = [s["curvature_rate"] for s in run.json["segments"]]
+            self.assertLessEqual(max(map(abs, kept)), 0.2 + 1e-12)
+            self.assertGreater(max(map(abs, kept)), 0.19)
+            jumps += run.json["corners"]
+            # The curvature jumps where it rests alone.
+            rows = [{k: float(v) for k, v in row.items()} for row in self.rows("s.csv")]
+            rests = 0
+            for a, b in zip(rows, rows[1:]):
+                far = math.hypot(b["x"] - a["x"], b["y"] - a["y"])
+                if abs(b["kappa"] - a["kappa"]) > 0.2 * far + 1e-6 and a["gear"] == b["gear"]:
+                    self.assertEqual(a["v"], 0)
+                    rests += 1
+            self.assertEqual(rests, run.json["corners"])
+            self.quiet(self.run_program("verify", "-q", "s.json"))
+            self.assertEqual(self.run_program("check-path", "yard.map", "s.json").code, 0)
+            self.assertEqual(self.run_program("check-path", "yard.map", "s.csv", "--vehicle", "slow.json").code, 0)
+        self.assertLessEqual(jumps, 3)
+        self.assertNotIn("corners", self.drive("car.json", "4,4,0", "36,4,0", "--json").json)
+        self.write("bad.json", json.dumps({**CAR, "curvature_rate": 1e-5}))
+        self.refused(self.drive("bad.json", "4,4,0", "36,4,0"), 3, "'curvature_rate' cannot be", "hundredth")
+
+    def test_costs(self):
+        values = [[(x * 7 + y * 3) % 5 / 4 for x in range(44)] for y in range(30)]
+        self.write("hills.npy", npy(values))
+        blocked = [(x, y) for y in range(30) for x in range(44) if ROWS[y][x] == "@"]
+
+        def weight(x, y):
+            d = min(math.dist((x, y), b) for b in blocked)
+            return 1 + 2 * values[y][x] + (3 * min(1, math.exp(-0.5 * (d - 1))) if d <= 6 else 0)
+
+        weights = [[weight(x, y) for x in range(44)] for y in range(30)]
+
+        def cost(segments):
+            total = 0
+            for s in segments:
+                pieces = 1 + int(500 * s["length"])
+                ways = (pose_on(s, (i + 0.5) / pieces) for i in range(pieces))
+                total += sum(weights[int(y)][int(x)] for x, y, _ in ways) * s["length"] / pieces * (2 if s["gear"] < 0 else 1)
+            return total
+
+        asked = ["--cost", "hills.npy*2", "--inflation", "6,0.5,3"]
+        run = self.drive("car.json", "4,4,0", "38,26,180deg", *asked, "--json", "-o", "c.json", "-o", "c.svg")
+        self.assertEqual(run.code, 0, run.err)
+        self.check(run.json, CAR)
+        self.assertAlmostEqual(run.json["cost"], cost(run.json["segments"]), delta=1e-3 * run.json["cost"])
+        plain = self.drive("car.json", "4,4,0", "38,26,180deg", "--json").json
+        self.assertLess(run.json["cost"], cost(plain["segments"]))
+        self.assertLessEqual(run.json["lower_bound"], run.json["cost"])
+        self.assertGreater(run.json["lower_bound"], plain["lower_bound"])
+        self.assertAlmostEqual(run.json["gap"], run.json["cost"] / run.json["lower_bound"] - 1, places=9)
+        self.assertGreaterEqual(run.json["priced_length"], run.json["length"])
+        self.assertEqual((run.json["layers"][0]["factor"], run.json["parameters"]["inflation"]), (2, [6, 0.5, 3]))
+        self.assertNotIn("cost", plain)
+        text = "".join(self.svg_root("c.svg").itertext())
+        self.assertIn("above the least", text)
+        self.assertIn("weight of cells", text)
+        self.quiet(self.run_program("verify", "-q", "c.json"))
+        self.write("poses.tsv", "sx sy syaw gx gy gyaw\n4 4 0 38 26 180deg\n")
+        batch = self.run_program("batch", "yard.map", "poses.tsv", "--vehicle", "car.json", *asked, "-o", "b.csv")
+        self.assertEqual(batch.lines[0]["segments"], run.json["segments"])
+        self.assertEqual(float(self.rows("b.csv")[0]["cost"]), run.json["cost"])
+        # One weight everywhere: the paths without.
+        self.write("flat.npy", npy([[1] * 44] * 30))
+        flat = self.drive("car.json", "4,4,0", "38,26,180deg", "--cost", "flat.npy*0.5", "--json").json
+        self.assertEqual((flat["segments"], flat["cost"]), (plain["segments"], 1.5 * plain["priced_length"]))
+        self.write("hills.npy", npy(values[::-1]))
+        self.refused(self.run_program("verify", "c.json"), 3, "hills.npy", "has hash")
+        self.refused(self.drive("car.json", "4,4,0", "38,26,0", "--cost", "none.npy"), 3, "none.npy")
 
     def test_metres_and_degrees(self):
         """A map turned in the world: the plan in metres is that in cells, seen from there."""

@@ -250,8 +250,14 @@ RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm) {
     run.alternatives = static_cast<int>(
         recorded_integer(result, "parameters/alternatives", 1, Request::kMostAlternatives));
   if (in_metres(result)) run.frame = Frame::world;
-  if (!result.contains("layers")) return run;
-  CostLayers& costs = run.map.costs;
+  run.map.costs = recorded_costs(from);
+  return run;
+}
+
+CostLayers recorded_costs(const Recorded& from) {
+  const Json& result = from.result;
+  CostLayers costs;
+  if (!result.contains("layers")) return costs;
   for (const Json& layer : result["layers"])
     costs.layers.push_back({.file = from.found(recorded<std::string>(layer, "file")),
                             .factor = recorded_real(layer, "factor", 0, CostField::kMost)});
@@ -259,7 +265,7 @@ RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm) {
   if (parameters.contains("inflation"))
     costs.inflation = recorded<std::array<double, 3>>(result, "parameters/inflation");
   costs.eight_moves = parameters.contains("moves");
-  return run;
+  return costs;
 }
 
 PlanCommand recorded_plan(const Recorded& from) {

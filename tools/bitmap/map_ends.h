@@ -74,6 +74,8 @@ Json cell_json(const Place& place, bool in_metres = false);
 RunOptions recorded_run(const Recorded& from);
 /// The same but for the algorithm that paths are by, and its parameters.
 RunOptions recorded_run(const Recorded& from, const Algorithm& algorithm);
+/// What cells cost in a result. @throws UsageError, Error
+CostLayers recorded_costs(const Recorded& from);
 /// A start or goal of a result, by its key; a list of them. @throws UsageError, Error
 End recorded_end(const Json& result, const std::string& key);
 std::vector<End> recorded_ends(const Json& result, const std::string& key);

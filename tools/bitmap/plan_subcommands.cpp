@@ -187,9 +187,7 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
   run.algorithm.clear();
   refuse_world_options(table);
   for (const auto& [option, why] : {std::pair("--radius", "a vehicle's footprint is in its file"),
-                                    {"--cost", "vehicles are planned by length"},
-                                    {"--inflation", "vehicles are planned by length"},
-                                    {"--moves", "vehicles are planned by length"},
+                                    {"--moves", "a vehicle's motions are its lattice's"},
                                     {"--via", "plan a vehicle from one pose to the next"},
                                     {"--alternatives", "they are of points"},
                                     {"--gap", "a vehicle's plan always tells its certified gap"},
@@ -214,10 +212,8 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--seed " + table.in_order("--seed").front().second +
                      ": a vehicle's plan draws nothing; leave it out");
   if (run.target_gap > 0) run.notes.emplace_back("--target-gap has no effect with --vehicle");
-  if (const auto page = std::ranges::find_if(run.outputs, is_page); page != run.outputs.end())
-    throw UsageError("-o " + *page + ": pages are of paths without a vehicle; write .svg or .png");
   if (const auto proof = std::ranges::find_if(run.outputs, is_proof); proof != run.outputs.end())
-    throw UsageError("-o " + *proof + " is for plans over --cost or --inflation");
+    throw UsageError("-o " + *proof + ": a vehicle's bound is not written as a proof");
   if (!command.queries.empty()) {
     run.inputs.push_back(command.queries);
     return command;

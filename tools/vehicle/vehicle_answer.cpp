@@ -115,7 +115,10 @@ Json path_json(const VehicleMap& on, const VehicleCommand& command, const Vehicl
   json["path"] = points(path);
   json["segments"] = found ? segments_json(on.map, segments, false) : Json();
   json["cusps"] = found ? Json(answer.result.cusps) : Json();
-  json["priced_length"] = found ? number(answer.result.cost) : Json();
+  if (on.vehicle.vehicle.curvature_rate > 0)
+    json["corners"] = found ? Json(answer.result.corners) : Json();
+  json["priced_length"] = found ? number(vehicle::cost(on.vehicle.vehicle, segments)) : Json();
+  if (on.map.costs) json["cost"] = found ? number(answer.result.cost) : Json();
   json["duration"] =
       found ? number(vehicle::Profile(segments, on.vehicle.speeds).duration()) : Json();
   if (command.run.goal_tolerance > 0 || command.heading_tolerance > 0)
@@ -147,6 +150,13 @@ Json effort_json(const VehicleAnswer& answer) {
 std::string summary(const Record& record, const VehicleAnswer& answer) {
   std::string text = counted(static_cast<std::int64_t>(answer.result.segments.size()), "segment") +
                      ", " + counted(answer.result.cusps, "cusp");
+  if (answer.result.corners > 0)
+    text += ", rests at " + counted(answer.result.corners, "corner") + " where the curvature jumps";
+  if (record.cost) {
+    text += ", cost " + decimal_text(*record.cost, 3);
+    return record.gap ? text + printed(", at most %.3f%% above the least", 100 * *record.gap)
+                      : text;
+  }
   if (!answer.result.lower_bound) return text;
   text += "; no way of this vehicle is below " +
           decimal_text(record.scale * *answer.result.lower_bound, 3);
@@ -174,9 +184,22 @@ VehicleMap load_vehicle_map(const VehicleCommand& command,
   LoadedVehicle loaded = vehicle ? *vehicle : read_vehicle(command.file, map, run.frame);
   VehicleMap on{std::move(map), std::move(loaded)};
   const auto begin = Clock::now();
-  on.planner = vehicle::Planner::make(on.map.as_read(), on.vehicle.vehicle, {.token = token});
+  if (run.map.costs.asked())
+    on.map.costs = load_costs(*on.map.grid_alone, on.map.frame, run.map.costs,
+                              on.map.cells_of(run.map.radius_metres, 1),
+                              vehicle::inscribed_radius(on.vehicle.vehicle));
+  on.planner = vehicle::Planner::make(on.map.as_read(), on.vehicle.vehicle, {.token = token},
+                                      on.map.costs ? &on.map.costs->field : nullptr);
   on.map.ready_ms = ms_since(begin);
   return on;
+}
+
+void note_files(const VehicleMap& on, RunOptions& run) {
+  run.inputs.push_back(on.map.image);
+  if (!on.map.costs) return;
+  const LoadedCosts& costs = *on.map.costs;
+  run.inputs.insert(run.inputs.end(), costs.images.begin(), costs.images.end());
+  run.notes.insert(run.notes.end(), costs.notes.begin(), costs.notes.end());
 }
 
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame) {
@@ -240,7 +263,7 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
   result.fault = found.fault;
   if (answer.has_path()) result.length = found.length;
   result.lower_bound = found.lower_bound;
-  result.optimal = answer.has_path() && found.lower_bound && found.length <= *found.lower_bound;
+  result.optimal = answer.has_path() && found.lower_bound && found.gap() == 0.0;
   Record record{
       .options = command.run,
       .algorithm = lattice_algorithm(),
@@ -255,12 +278,18 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
       .unit = in_metres(command) ? "m" : "",
       .scale = on.map.length_in(command.run.frame, 1),
       .axes = 3};
+  Json findings = Json::object();
+  if (on.map.costs) {
+    record.cost = answer.has_path() ? found.cost : std::nan("");
+    record_costs(*on.map.costs, findings, record.parameters);
+  }
   for (const auto& timed : timed_poses(on, command, answer)) {
     const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
     record.path.insert(record.path.end(), {pose.x, pose.y, pose.yaw});
   }
   if (!command.run.json && answer.has_path()) record.remarks.push_back(summary(record, answer));
-  record.answer = answer_json(record, path_json(on, command, answer), effort_json(answer));
+  record.answer =
+      answer_json(record, path_json(on, command, answer), effort_json(answer), findings);
   return record;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,6 +26,8 @@ struct VehicleMap {
 VehicleMap load_vehicle_map(const VehicleCommand& command,
                             const std::optional<LoadedVehicle>& vehicle,
                             const std::stop_token& token);
+/// The files that the map and its costs name, among the inputs; of layers without effect notes.
+void note_files(const VehicleMap& on, RunOptions& run);
 
 /// A start or goal, as it was given and in cells.
 struct VehicleEnd {
@@ -64,6 +67,11 @@ vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,
 
 Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
                       const VehicleAnswer& answer);
+
+/// The page of a plan: a view "vehicle" with what map_view_json says of the map, footprint and
+/// poses [x, y, yaw, kappa, v, t, gear] in cells, at most some thousand of them.
+void write_vehicle_page(std::ostream& out, const Record& record, const VehicleMap& on,
+                        const VehicleCommand& command, const VehicleAnswer& answer);
 
 /// The map, what the footprint sweeps, the path and the footprint at both ends.
 /// @throws Error(output_failed)

@@ -95,11 +95,12 @@ std::vector<std::string> end_texts(const VehicleAnswer& answer) {
 }  // namespace
 
 int run_vehicle_batch(const VehicleCommand& command) {
-  const RunOptions& run = command.run;
+  RunOptions run = command.run;
   check_outputs(run.outputs, run.inputs);
   SignalWatcher signals;
   const VehicleMap on = load_vehicle_map(command, {}, signals.token());
-  check_outputs(run.outputs, {on.map.image});
+  note_files(on, run);
+  check_outputs(run.outputs, run.inputs);
   std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
   SearchOptions options = run;
   keep_part(queries, command.queries, options.part);
@@ -126,6 +127,7 @@ int run_vehicle_batch(const VehicleCommand& command) {
                     .unit = run.frame == Frame::world ? "m" : "",
                     .queries = queries.size(),
                     .poses = true,
+                    .costs = on.map.costs.has_value(),
                     .answer = answer_all,
                     .draw = draw},
                    signals);

@@ -116,7 +116,7 @@ std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const 
     if (motion.gear != 0) {
       const double room = path.sampled ? kShare * most + kRounding / std::max(length, kRounding)
                                        : kExact * std::max(most, 1.);
-      double sharpest = std::abs(motion.curvature);
+      double sharpest = motion.sharpest();
       if (i < curvatures.size()) sharpest = std::max(sharpest, std::abs(curvatures[i]));
       if (sharpest > most + room)
         return fault("it turns sharper than the vehicle can: on a radius of " +

@@ -26,9 +26,9 @@ constexpr std::array<std::string_view, 3> kTypes{"car", "differential", "omni"};
 constexpr std::array<std::string_view, 2> kUnits{"cells", "metres"};
 
 std::vector<std::string_view> all_keys() {
-  std::vector<std::string_view> keys{"type",           "units",           "footprint",
-                                     "turning_radius", "reverse",         "reverse_cost",
-                                     "cusp_cost",      "rotate_in_place", "rotation_cost"};
+  std::vector<std::string_view> keys{
+      "type",         "units",     "footprint",       "turning_radius", "reverse",
+      "reverse_cost", "cusp_cost", "rotate_in_place", "rotation_cost",  "curvature_rate"};
   for (const SpeedKey& speed : speed_keys()) keys.push_back(speed.key);
   return keys;
 }
@@ -105,6 +105,8 @@ LoadedVehicle read_vehicle(const std::string& name, const LoadedMap& map, Frame 
   to.reverse = file.flag_or("reverse", to.reverse);
   to.reverse_cost = file.number_or("reverse_cost", to.reverse_cost, 1, 1000);
   to.cusp_cost = scale * file.number_or("cusp_cost", to.cusp_cost / scale, 0, kMost);
+  to.curvature_rate = file.number_or("curvature_rate", 0, 0, kMost) / (scale * scale);
+  loaded.speeds.steady_curvature = to.curvature_rate > 0;
   to.rotate_in_place = file.flag_or("rotate_in_place", to.rotate_in_place);
   to.rotation_cost =
       scale * file.number_or("rotation_cost", to.rotation_cost / scale, kLeast, kMost);

@@ -23,7 +23,8 @@ struct LoadedVehicle {
 ///   units                metres or cells: of all lengths; metres where the map has a resolution
 ///   footprint            [[x, y], ...] about the reference point, x forward, y to the side that
 ///                        yaw grows to in `frame`; also as a text, as Nav2 has it
-///   turning_radius, reverse, reverse_cost, cusp_cost, rotate_in_place, rotation_cost
+///   turning_radius, reverse, reverse_cost, cusp_cost, rotate_in_place, rotation_cost,
+///   curvature_rate (of a unit squared; the profile then rests where the curvature jumps)
 ///   speed, reverse_speed, acceleration, braking, lateral_acceleration, turn_rate,
 ///   turn_acceleration    of the profile: a unit a second and a radian a second where not given
 /// @throws Error(file_missing, file_broken) naming file, line and key

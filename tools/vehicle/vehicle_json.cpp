@@ -72,7 +72,7 @@ std::vector<vehicle::Segment> recorded_segments(const Json& result) {
                                        recorded_real(one, "yaw", -kMostTurned, kMostTurned)},
                              .curvature = real(one, "curvature"),
                              .gear = static_cast<int>(recorded_integer(one, "gear", -1, 1))};
-    segment.curvature_rate = recorded_real(one, "curvature_rate", 0, 0);
+    segment.curvature_rate = real(one, "curvature_rate");
     if (segment.gear == 0 || one.contains("angle"))
       segment.angle = recorded_real(one, "angle", -kMostTurned, kMostTurned);
     if (segment.gear != 0) segment.length = recorded_real(one, "length", 0, kNoLimit);
@@ -119,7 +119,8 @@ Json vehicle_json(const vehicle::Vehicle& vehicle) {
           {"cusp_cost", number(vehicle.cusp_cost)},
           {"rotate_in_place", vehicle.rotate_in_place},
           {"rotation_cost", number(vehicle.rotation_cost)},
-          {"sideways", vehicle.sideways}};
+          {"sideways", vehicle.sideways},
+          {"curvature_rate", number(vehicle.curvature_rate)}};
 }
 
 vehicle::Vehicle recorded_vehicle(const Json& parameters) {
@@ -137,6 +138,7 @@ vehicle::Vehicle recorded_vehicle(const Json& parameters) {
   vehicle.rotate_in_place = recorded<bool>(from, "rotate_in_place");
   vehicle.rotation_cost = real("rotation_cost");
   vehicle.sideways = from.contains("sideways") && recorded<bool>(from, "sideways");
+  if (from.contains("curvature_rate")) vehicle.curvature_rate = real("curvature_rate");
   try {
     validate(vehicle);
   } catch (const Error& error) {

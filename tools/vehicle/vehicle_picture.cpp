@@ -1,12 +1,17 @@
 #include "tools/vehicle/vehicle_picture.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "tools/bitmap/bitmap_report.h"
+#include "tools/bitmap/cost_ground.h"
+#include "tools/bitmap/poses_file.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/values.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
+#include "tools/report/report.h"
 #include "tools/vehicle/vehicle_answer.h"
 
 namespace lasius::tool {
@@ -30,6 +35,12 @@ std::string caption(const Sheet& sheet, const VehicleMap& on, const VehicleAnswe
   std::string text =
       "length " + sheet.length(found.length) + ", " + counted(found.cusps, "cusp") +
       printed(", %.1f s", vehicle::Profile(found.segments, on.vehicle.speeds).duration());
+  if (found.over_costs) {
+    text += ", cost " + decimal_text(found.cost, 3);
+    if (const auto gap = found.gap())
+      text += printed(", at most %.3f%% above the least", 100 * *gap);
+    return text + "; colours: weight of cells";
+  }
   if (found.lower_bound)
     text +=
         against(found.length, *found.lower_bound, "lower bound", sheet.length(*found.lower_bound));
@@ -53,6 +64,11 @@ void draw_vehicle(Canvas& canvas, const Box& box, const Sheet& sheet, const Vehi
   canvas.unclip();
 }
 
+std::string title_of(const VehicleMap& on) {
+  return file_name(on.vehicle.file) + " on " + file_name(on.map.file) + ", " +
+         std::to_string(on.map.width) + " x " + std::to_string(on.map.height) + " cells";
+}
+
 }  // namespace
 
 Key sweep_key() { return area_key("swept by the footprint", kSweep); }
@@ -74,24 +90,60 @@ void draw_sweep(Canvas& canvas, const Axes& axes, const vehicle::Vehicle& vehicl
     canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
 }
 
+void write_vehicle_page(std::ostream& out, const Record& record, const VehicleMap& on,
+                        const VehicleCommand& command, const VehicleAnswer& answer) {
+  constexpr double kMostPoses = 3000;
+  Json content = run_json(record, "vehicle", title_of(on));
+  const Window window = shown_of(on.map, {answer.start.place.cell, answer.goal().place.cell});
+  content["map"] = map_view_json(on.map, window);
+  if (on.map.costs)
+    content["map"]["weights"] = weights_view_json(on.map.costs->field, on.map.as_read(), window);
+  Json poses = Json::array();
+  if (answer.has_path()) {
+    const double spacing =
+        std::max(spacing_of(on.map, command.run), answer.result.length / kMostPoses);
+    const vehicle::Profile profile(answer.result.segments, on.vehicle.speeds);
+    for (const vehicle::TimedPose& timed : profile.samples(spacing)) {
+      const vehicle::PathPose& at = timed.at;
+      Json row = Json::array();
+      for (const double value :
+           {at.pose.x, at.pose.y, at.pose.yaw, at.curvature, timed.speed, timed.time})
+        row.push_back(std::round(1e6 * value) / 1e6);
+      row.push_back(at.gear);
+      poses.push_back(std::move(row));
+    }
+  }
+  content["vehicle"] = {{"footprint", points(on.vehicle.vehicle.footprint)}, {"poses", poses}};
+  write_report_page(out, content);
+}
+
 void write_vehicle_picture(const std::string& file, const VehicleMap& on,
                            const VehicleCommand& command, const VehicleAnswer& answer) {
   const std::vector<Cell> ends{answer.start.place.cell, answer.goal().place.cell};
   const Sheet sheet{on.map, on.map.grid(), command.run, shown_of(on.map, ends)};
+  const LoadedCosts* const costs = on.map.costs ? &*on.map.costs : nullptr;
   const auto draw = [&](Canvas& canvas, const Box& box) {
-    paint_map(canvas, box, sheet, free_ground);
+    if (costs != nullptr) {
+      const ColourScale scale = cost_scale(costs->field, on.map.as_read());
+      paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
+        return cost_ground(costs->field, on.map.as_read(), scale, columns, rows);
+      });
+      draw_bar(canvas, box, scale);
+    } else {
+      paint_map(canvas, box, sheet, free_ground);
+    }
     draw_vehicle(canvas, box, sheet, on, command, answer);
     draw_marks(canvas, box, sheet, ends[0], ends[1], false);
   };
-  Page page =
-      sheet.page(file_name(on.vehicle.file) + " on " + file_name(on.map.file) + ", " +
-                 std::to_string(on.map.width) + " x " + std::to_string(on.map.height) + " cells");
+  Page page = sheet.page(title_of(on));
   if (answer.has_path()) {
     page.legend.push_back(line_key("forwards", kPath, 2.5));
     if (answer.result.cusps > 0) page.legend.push_back(line_key("backwards", kBackwards, 2.5));
     page.legend.push_back(sweep_key());
   }
-  page.bands = {{{{{caption(sheet, on, answer), draw}}}}};
+  page.bands = {{{{{.caption = caption(sheet, on, answer),
+                    .draw = draw,
+                    .below = costs != nullptr ? kBarHeight : 0}}}}};
   write_page(file, page);
 }
 

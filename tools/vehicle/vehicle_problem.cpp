@@ -2,6 +2,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/poses_file.h"
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
@@ -34,14 +35,19 @@ void write_timed_poses(std::ostream& out, const VehicleMap& on, const VehicleCom
 /// `plan` of a vehicle.
 class VehicleProblem : public Problem {
  public:
-  /// `vehicle` in place of the command's file.
-  explicit VehicleProblem(VehicleCommand command, std::optional<LoadedVehicle> vehicle = {})
-      : command_(std::move(command)), vehicle_(std::move(vehicle)) {}
+  /// @param vehicle   in place of the command's file
+  /// @param recorded  the result that is made again: its layers are compared
+  explicit VehicleProblem(VehicleCommand command, std::optional<LoadedVehicle> vehicle = {},
+                          std::optional<Json> recorded = {})
+      : command_(std::move(command)),
+        vehicle_(std::move(vehicle)),
+        recorded_(std::move(recorded)) {}
 
   std::optional<std::int64_t> read(const std::stop_token& token) override {
     RunOptions& run = command_.run;
     on_.emplace(load_vehicle_map(command_, vehicle_, token));
-    run.inputs.push_back(on_->map.image);
+    note_files(*on_, run);
+    if (recorded_ && on_->map.costs) check_layers(*on_->map.costs, *recorded_);
     answer_.start = vehicle_end(on_->map, command_.start, run.frame);
     for (const PoseEnd& goal : command_.goals)
       answer_.goals.push_back(vehicle_end(on_->map, goal, run.frame));
@@ -57,10 +63,11 @@ class VehicleProblem : public Problem {
     answer_ = plan_vehicle(*on_, command_, answer_.start, answer_.goals, stop);
   }
   Record record() const override { return vehicle_record(*on_, command_, answer_); }
-  Forms show(const Record&) const override {
+  Forms show(const Record& run) const override {
     return {.csv = [&](auto& out) { write_timed_poses(out, *on_, command_, answer_); },
             .picture = [&](auto& file) { write_vehicle_picture(file, *on_, command_, answer_); },
-            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); }};
+            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); },
+            .page = [&](auto& out) { write_vehicle_page(out, run, *on_, command_, answer_); }};
   }
   SearchOptions& options() override { return command_.run; }
 
@@ -81,6 +88,7 @@ class VehicleProblem : public Problem {
 
   VehicleCommand command_;
   std::optional<LoadedVehicle> vehicle_;
+  std::optional<Json> recorded_;
   std::optional<VehicleMap> on_;
   VehicleAnswer answer_;
 };
@@ -93,9 +101,11 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   run.map.file = from.map_file();
   const Json& parameters = value_at(result, "parameters");
   run.map.unknown_is_free = recorded<std::string>(parameters, "unknown") == "free";
+  run.map.costs = recorded_costs(from);
   const bool metres = recorded<std::string>(parameters, "frame") == kFrames[1];
   LoadedVehicle vehicle{.vehicle = recorded_vehicle(parameters),
                         .speeds = recorded_speeds(parameters)};
+  vehicle.speeds.steady_curvature = vehicle.vehicle.curvature_rate > 0;
   command.start = recorded_pose(result, metres ? "start_world" : "start");
   const std::string goals = metres ? "goals_world" : "goals";
   if (!result.contains(goals))
@@ -108,7 +118,7 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
   if (parameters.contains("spacing"))
     run.spacing = recorded_real(parameters, "spacing", 0, kNoLimit);
   if (metres) run.frame = Frame::world;
-  return std::make_unique<VehicleProblem>(std::move(command), std::move(vehicle));
+  return std::make_unique<VehicleProblem>(std::move(command), std::move(vehicle), result);
 }
 
 }  // namespace

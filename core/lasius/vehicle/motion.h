@@ -9,11 +9,12 @@
 
 namespace lasius::vehicle {
 
-/// One motion from a pose, of constant curvature.
+/// One motion from a pose, of constant curvature or of one that grows with what is driven.
 struct Segment {
-  Pose begin;                 ///< of the motion
-  double curvature = 0;       ///< change of yaw for each cell driven forwards, radians a cell
-  double curvature_rate = 0;  ///< change of the curvature for each cell; always 0 so far
+  Pose begin;  ///< of the motion
+  /// At the begin: change of yaw for each cell driven forwards, radians a cell.
+  double curvature = 0;
+  double curvature_rate = 0;  ///< change of the curvature for each cell driven forwards
   double length = 0;          ///< driven, cells, at least 0; 0 of a rotation
   int gear = 1;               ///< 1 forwards, -1 backwards, 0 a rotation in place
   /// Of a rotation: how far yaw changes, radians, of either sign. Of a line of what drives to any
@@ -26,6 +27,10 @@ struct Segment {
   /// The pose after `at` of the extent, 0 at the begin. Yaw goes on from begin.yaw without a jump.
   /// Where |yaw| exceeds 10^6 radians, or is no number, the place means nothing.
   LASIUS_EXPORT Pose pose(double at) const noexcept;
+  /// The curvature there.
+  LASIUS_EXPORT double curvature_at(double at) const noexcept;
+  /// The greatest |curvature| on it.
+  LASIUS_EXPORT double sharpest() const noexcept;
   /// The pose after all of it.
   LASIUS_EXPORT Pose end() const noexcept;
 };
@@ -36,6 +41,8 @@ LASIUS_EXPORT double driven_length(std::span<const Segment> segments) noexcept;
 LASIUS_EXPORT double cost(const Vehicle& vehicle, std::span<const Segment> segments) noexcept;
 /// Changes between forwards and backwards, with or without a rotation between.
 LASIUS_EXPORT int cusps(std::span<const Segment> segments) noexcept;
+/// Where the curvature jumps though the gear does not change.
+LASIUS_EXPORT int corners(std::span<const Segment> segments) noexcept;
 
 /// A pose on a path.
 struct PathPose {

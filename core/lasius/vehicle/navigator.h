@@ -51,7 +51,8 @@ struct Way : Result {
 class LASIUS_EXPORT Navigator {
  public:
   /// Goals as in Request. They and the vehicle may touch what is blocked: the answer tells.
-  /// @throws Error(invalid_parameter) as validate(Vehicle), and where there is no goal
+  /// @throws Error(invalid_parameter) as validate(Vehicle), for one with a curvature_rate, and
+  /// where there is no goal
   Navigator(Grid map, const Vehicle& vehicle, std::vector<Pose> goals,
             const NavigatorOptions& options = {});
   ~Navigator();

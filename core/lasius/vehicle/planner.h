@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lasius/cost_field.h"
 #include "lasius/export.h"
 #include "lasius/grid.h"
 #include "lasius/status.h"
@@ -50,13 +51,18 @@ struct Result {
   std::vector<Segment> segments;
   int goal = -1;      ///< index of the goal that is met
   double length = 0;  ///< driven, cells
-  double cost = 0;    ///< by the vehicle's prices, cells
+  double cost = 0;    ///< by the vehicle's prices, cells; over costs as Planner::cost has it
   int cusps = 0;      ///< changes between forwards and backwards
+  /// Of a vehicle with a curvature_rate: where the curvature jumps nevertheless, since no blend has
+  /// room there; SpeedLimits::steady_curvature lets it rest at them.
+  int corners = 0;
   /// No way of this vehicle, on this map, from the start to any of the goals is shorter, cells: the
   /// greatest of that of the disc inside the footprint around the obstacles and that of the vehicle
-  /// without obstacles.
+  /// without obstacles. Over costs none costs less: the greatest of what the disc's cheapest path
+  /// costs, and of the vehicle's length without obstacles times the least weight.
   std::optional<double> lower_bound;
-  /// (length - lower_bound) / lower_bound; 0 where both are 0.
+  bool over_costs = false;  ///< lower_bound and gap() are of the cost
+  /// (length - lower_bound) / lower_bound, over costs of the cost; 0 where both are 0.
   LASIUS_EXPORT std::optional<double> gap() const;
   std::int64_t expanded = 0;  ///< states of the lattice
   std::int64_t checked = 0;   ///< motions that were certified or refused
@@ -69,11 +75,16 @@ class LASIUS_EXPORT Planner {
  public:
   /// @throws Error as validate(Vehicle)
   Planner(const Grid& grid, const Vehicle& vehicle);
-  /// The same, or empty if stopped.
+  /// Over costs: the cheapest path is looked for. 24 bytes a cell. Where all free cells have one
+  /// weight the paths are those without.
+  /// @throws as above, and Error(invalid_parameter) for costs of a map of another size
+  Planner(const Grid& grid, const Vehicle& vehicle, const CostField& costs);
+  /// The same, or empty if stopped. @param costs  null: none
   [[nodiscard]] static std::optional<Planner> make(const Grid& grid, const Vehicle& vehicle,
-                                                   const StopCondition& stop);
-  /// Of the same vehicle on another map: what depends on the vehicle alone is shared. Empty if
-  /// stopped.
+                                                   const StopCondition& stop,
+                                                   const CostField* costs = nullptr);
+  /// Of the same vehicle on another map, without costs: what depends on the vehicle alone is
+  /// shared. Empty if stopped.
   [[nodiscard]] std::optional<Planner> on(const Grid& grid, const StopCondition& stop = {}) const;
   Planner(const Planner&) noexcept;
   Planner& operator=(const Planner&) noexcept;
@@ -81,7 +92,13 @@ class LASIUS_EXPORT Planner {
   Planner& operator=(Planner&&) noexcept;
   ~Planner();
 
-  const Space& space() const noexcept;  ///< the map as the vehicle sees it
+  /// The map as the vehicle sees it; of one with a curvature_rate, which is given wider turns.
+  const Space& space() const noexcept;
+  /// What a path costs: the integral of the weight along the reference point's path, times
+  /// `reverse_cost` backwards, turns in place and changes of gear as the lengths that the vehicle
+  /// prices them with, in the cell where they happen. Arcs are taken as chords no farther than
+  /// 0.001 cells from them, and as long as they are. Without costs as cost(Vehicle, segments).
+  double cost(std::span<const Segment> segments) const;
   /// @throws Error(invalid_parameter) where a number is out of range or there is no goal
   [[nodiscard]] Result plan(const Request& request) const;
 
@@ -89,7 +106,8 @@ class LASIUS_EXPORT Planner {
 
  private:
   Planner() = default;
-  bool prepare(const Grid& grid, const Vehicle& vehicle, const StopCondition& stop);
+  bool prepare(const Grid& grid, const Vehicle& vehicle, const CostField* costs,
+               const StopCondition& stop);
   std::shared_ptr<const Impl> impl_;
 };
 

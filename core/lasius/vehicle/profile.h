@@ -20,6 +20,7 @@ struct SpeedLimits {
   double turn_rate = 1;  ///< of a rotation in place, radians a second
   double turn_acceleration =
       std::numeric_limits<double>::infinity();  ///< and braking, radians / s^2
+  bool steady_curvature = false;                ///< it rests where the curvature jumps: corners()
 };
 
 /// A pose and when it is passed.
@@ -31,7 +32,8 @@ struct TimedPose {
 
 /// The fastest drive along a path that begins and ends at rest, and rests at cusps and before and
 /// after rotations in place, and where what drives to any side takes another. Exact: forward and
-/// backward passes over the squared speed at joints, closed forms inside each segment.
+/// backward passes over the squared speed at joints, closed forms inside each segment; where the
+/// curvature changes on a segment its greatest there holds for all of it.
 class LASIUS_EXPORT Profile {
  public:
   /// @throws Error(invalid_parameter) where a limit is not above 0, or a speed is infinite

@@ -32,6 +32,8 @@ struct Vehicle {
   double rotation_cost = 3;      ///< of a radian in place, cells, above 0
   bool sideways =
       false;  ///< drives to any side, its heading kept; a cell costs 1 whatever the side
+  /// By how much the curvature may change for each cell driven, 1 / cells^2; 0: without limit.
+  double curvature_rate = 0;
   friend bool operator==(const Vehicle&, const Vehicle&) = default;
 };
 

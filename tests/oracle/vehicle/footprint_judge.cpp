@@ -97,7 +97,20 @@ std::optional<Cell> FootprintJudge::touched(double x, double y, double yaw) cons
 
 std::array<double, 3> FootprintJudge::pose_at(const Motion& m, double share) {
   if (m.gear == 0) return {m.x, m.y, m.yaw + share * m.angle};
-  const double far = m.gear * share * m.length, yaw = m.yaw + m.curvature * far;
+  const double far = m.gear * share * m.length;
+  const double yaw = m.yaw + m.curvature * far + m.rate * far * far / 2;
+  if (m.rate != 0) {
+    // Simpson's rule.
+    constexpr int kParts = 500;
+    std::array<double, 3> at{m.x, m.y, yaw};
+    for (int i = 0; i <= kParts; ++i) {
+      const double s = far * i / kParts, turned = m.yaw + m.curvature * s + m.rate * s * s / 2;
+      const double share_of = (i == 0 || i == kParts ? 1 : i % 2 == 1 ? 4 : 2) * far / kParts / 3;
+      at[0] += share_of * std::cos(turned);
+      at[1] += share_of * std::sin(turned);
+    }
+    return at;
+  }
   if (m.angle != 0 && m.curvature == 0)
     return {m.x + far * std::cos(m.yaw + m.angle), m.y + far * std::sin(m.yaw + m.angle), yaw};
   if (std::abs(m.curvature * far) < 1e-7)

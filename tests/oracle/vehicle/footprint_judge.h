@@ -20,7 +20,8 @@ struct Motion {
   double length = 0;             ///< driven
   int gear = 1;                  ///< 1 forwards, -1 backwards, 0 in place
   double angle =
-      0;  ///< of one in place; of a line: to the side it drives to, from the yaw it keeps
+      0;            ///< of one in place; of a line: to the side it drives to, from the yaw it keeps
+  double rate = 0;  ///< of the curvature, for each cell driven forwards
 };
 
 /// A pose that touches something.

@@ -12,7 +12,8 @@ namespace lasius::oracle {
 inline std::vector<Motion> motions_of(std::span<const vehicle::Segment> segments) {
   std::vector<Motion> motions;
   for (const vehicle::Segment& s : segments)
-    motions.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
+    motions.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle,
+                       s.curvature_rate});
   return motions;
 }
 

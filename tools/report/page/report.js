@@ -6,8 +6,10 @@ import { showDrive } from "./drive_page.js";
 import { showPolygon } from "./polygon_page.js";
 import { showStudy } from "./study_page.js";
 import { showTour } from "./tour_page.js";
+import { showVehicle } from "./vehicle_page.js";
 
-const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive, polygon: showPolygon, study: showStudy, tour: showTour };
+const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive, polygon: showPolygon, study: showStudy, tour: showTour,
+                 vehicle: showVehicle };
 
 async function main() {
   const content = JSON.parse(document.getElementById("content").textContent);
