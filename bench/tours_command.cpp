@@ -4,12 +4,12 @@
 #include <fstream>
 #include <numeric>
 
-#include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/peers/textbook_tours.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "bench/tour_time.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"
 #include "core/tour/order/search.h"
@@ -27,32 +27,12 @@ struct TourBenchOptions {
   double seconds = 1;
 };
 
-constexpr std::array<double, 4> kShares{0.03, 0.1, 0.3, 1};  // of the time of a run
-
 struct TourInstance {
   std::string name;
   std::vector<tour::Cost> matrix;
   std::vector<Point> places;
   std::int64_t known = 0;  // an optimum from elsewhere; 0: none
   int size() const { return static_cast<int>(places.size()); }
-};
-
-// The costs that a run had at the marks; 0: none yet.
-using Marks = std::array<std::int64_t, kShares.size()>;
-
-class TourTime final : public ThreadTime {
- public:
-  explicit TourTime(double seconds) : seconds_(seconds) {}
-  StopCondition stop() const {
-    return {.deadline = deadline_in(std::chrono::duration<double>(seconds_), {}), .time = this};
-  }
-  void tell(std::int64_t cost, Marks& marks) const {
-    for (std::size_t i = 0; i < kShares.size(); ++i)
-      if (used() <= kShares[i] * seconds_ && (marks[i] == 0 || cost < marks[i])) marks[i] = cost;
-  }
-
- private:
-  double seconds_;
 };
 
 Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint64_t seed,
@@ -114,10 +94,7 @@ void write_rows(const TourInstance& instance,
     std::vector<double> figures;
     for (std::size_t i = 0; i < kShares.size(); ++i) {
       std::vector<double> above;
-      for (const Marks& one : marks)
-        above.push_back(one[i] == 0 ? kUnknown
-                                    : 100.0 * static_cast<double>(one[i] - best) /
-                                          static_cast<double>(best));
+      for (const Marks& one : marks) above.push_back(percent_above(one[i], best));
       figures.push_back(std::accumulate(above.begin(), above.end(), 0.0) /
                         static_cast<double>(above.size()));
       if (i + 1 == kShares.size()) figures.push_back(*std::max_element(above.begin(), above.end()));
