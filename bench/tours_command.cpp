@@ -15,6 +15,7 @@
 #include "core/tour/order/search.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/error.h"
+#include "lasius/tour.h"
 #include "lasius/tsplib.h"
 
 namespace lasius::bench {
@@ -23,7 +24,7 @@ namespace {
 struct TourBenchOptions {
   MapOptions maps = {};
   std::vector<std::string> files = {};
-  int stops = 200, seeds = 3;
+  int stops = 200, seeds = 3, groups = 0, spread = 0;
   double seconds = 1;
 };
 
@@ -172,7 +173,45 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
            short_number(100 * static_cast<double>(legs) / all) + "% were priced when asked for.\n";
 }
 
+// Groups of three stops, each anywhere or near the first of its group, by the whole call.
+void measure_groups(const QuerySource& source, const TourBenchOptions& options, Table& table) {
+  const QuerySet set = load(source, 1);
+  const Planner planner(set.grid);
+  kernels::RandomStream random(options.maps.seed, 0, 0, 0x67726f75);
+  TourRequest request;
+  request.threads = 1;
+  const auto drawn = [&](Cell near, int spread) {
+    const auto along = [&](int at, int size) {
+      return spread == 0 ? random.below(size) : at - spread + random.below(2 * spread + 1);
+    };
+    for (;;) {
+      const int x = along(near.x, set.grid.width()), y = along(near.y, set.grid.height());
+      if (set.grid.free({x, y}) && planner.joined(set.queries.front().start, {x, y}))
+        return Cell{x, y};
+    }
+  };
+  for (int group = 0; group < options.groups; ++group)
+    for (int i = 0; i < 3; ++i) {
+      const Cell near = i == 0 ? Cell{0, 0} : request.stops[request.stops.size() - i];
+      request.stops.push_back(drawn(near, i == 0 ? 0 : options.spread));
+      request.group.push_back(group);
+    }
+  const ThreadStopwatch watch;
+  const TourResult tour = plan_tour(planner, request);
+  table.row(set.name, {tour.length, 100 * tour.gap().value_or(kUnknown), watch.seconds()});
+}
+
+void run_groups(const TourBenchOptions& options) {
+  Table table(std::to_string(options.groups) + " groups of three stops, " +
+                  (options.spread == 0 ? "anywhere"
+                                       : "within " + std::to_string(options.spread) +
+                                             " cells of the first of their group along each axis"),
+              {"map", "length", "gap, %", "CPU s"});
+  for (const QuerySource& source : sources_of(options.maps)) measure_groups(source, options, table);
+}
+
 void run_tours(const TourBenchOptions& options) {
+  if (options.groups > 0) return run_groups(options);
   std::vector<Table::Column> columns{"closed tours"};
   for (const double share : kShares)
     columns.emplace_back(short_number(share * options.seconds) + " s");
@@ -206,6 +245,10 @@ void add_tours_command(CLI::App& app) {
   command.add_option("--files", options.files,
                      "Problems of TSPLIB, .tsp; an optima.txt beside them is read");
   add_number(command, "--stops", options.stops, "Random stops of a map", 13, 5000);
+  add_number(command, "--groups", options.groups,
+             "Instead: so many groups of three stops a map, of which one is visited", 0, 600);
+  add_number(command, "--spread", options.spread,
+             "Cells around the first stop of a group that its others are in; 0: anywhere", 0, 1000);
   add_number(command, "--seeds", options.seeds, "Runs of each", 1, 1000);
   add_number(command, "--seconds", options.seconds, "Processor time of a run", 0.01, 1000);
 }

@@ -20,7 +20,7 @@
 namespace lasius::tour {
 namespace {
 
-constexpr double kNear = 1.2;  // of the best tour's length, below which others are improved
+constexpr double kNearBest = 1.2;  // of the best tour's length, below which others are improved
 
 /// What the rules of a trail ask of a tour, and of all tours of an iteration.
 struct AntTour {
@@ -288,7 +288,7 @@ class AntColony final : public ColonyWorld {
   }
   bool is_to_improve(const Walker& walker) const {
     return improver_.improves() &&
-           (!as_best() || measured(walker.order) < kNear * tours_.best_so_far.length);
+           (!as_best() || measured(walker.order) < kNearBest * tours_.best_so_far.length);
   }
 
   int chosen(Walker& walker, int from, std::vector<double>& room) const {

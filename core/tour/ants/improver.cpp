@@ -3,7 +3,7 @@
 namespace lasius::tour {
 namespace {
 
-constexpr int kCandidates = 8;  // that edges are exchanged along
+constexpr int kEdgeCandidates = 8;  // that edges are exchanged along
 constexpr int kFewestForEdges = 8, kFewestForPieces = 4;
 
 }  // namespace
@@ -23,7 +23,7 @@ Improver::Improver(const Costs& costs, const Ends& ends, const PartialOrder& giv
   if (!symmetric || !given.any_order() || costs.size() < kFewestForEdges) return;
   if (ends.open) more_.emplace(costs, ends);
   local_.emplace(more_ ? more_->costs() : costs);
-  candidates_.emplace(*local_, std::span<const Point>(), kCandidates);
+  candidates_.emplace(*local_, std::span<const Point>(), kEdgeCandidates);
   if (more_) candidates_->add(*local_, more_->all_legs());
 }
 

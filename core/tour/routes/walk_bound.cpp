@@ -10,10 +10,10 @@ namespace lasius::tour {
 namespace {
 
 using Sum = std::int64_t;
-constexpr Sum kScale = 256;  // of costs, so that prices of tasks have fractions
-constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
+constexpr Sum kWalkScale = 256;  // of costs, so that prices of tasks have fractions
+constexpr Sum kNoWalk = std::numeric_limits<Sum>::max() / 4;
 // Steps of all turns; more memory is worth more than more turns, down to these.
-constexpr double kMostSteps = 1.5e9, kFewestTurns = 20, kMostTurns = 200;
+constexpr double kMostWalkSteps = 1.5e9, kFewestTurns = 20, kMostTurns = 200;
 constexpr int kMostNear = 7;  // tasks that a walk remembers at a stop
 constexpr std::size_t kMostBytes = 64'000'000;
 
@@ -43,7 +43,7 @@ class WalkAscent {
     else
       set_ends(costs, {ends.start}, {last});
     for (const int a : stops_)
-      for (const int b : stops_) matrix_.push_back(costs.lower(a, b) * kScale);
+      for (const int b : stops_) matrix_.push_back(costs.lower(a, b) * kWalkScale);
     price_.assign(static_cast<std::size_t>(tasks_), 0);
     shift_.assign(begins_, 0);
   }
@@ -51,7 +51,7 @@ class WalkAscent {
   // The greatest bound, scaled: every value is one.
   Sum run(Sum upper, Poller& poller) {
     if (!choose_memory()) return 0;
-    const double turns = std::min(kMostSteps / steps(), kMostTurns);
+    const double turns = std::min(kMostWalkSteps / steps(), kMostTurns);
     const int patience = static_cast<int>(turns / 16) + 1;
     Sum greatest = 0;
     std::vector<Sum> best = price_, best_shift = shift_;
@@ -59,7 +59,7 @@ class WalkAscent {
     double lambda = 1;
     for (int turn = 0; turn < turns && lambda > 1e-3; ++turn) {
       const Sum value = walk(poller);
-      if (value >= kFar) break;
+      if (value >= kNoWalk) break;
       if (value > greatest) {
         greatest = value;
         best = price_;
@@ -89,8 +89,8 @@ class WalkAscent {
     begins_ = first.size();
     for (std::size_t i = 0; i < begins_; ++i)
       for (const int stop : stops_) {
-        from_.push_back(first[i] < 0 ? 0 : costs.lower(first[i], stop) * kScale);
-        to_.push_back(last[i] < 0 ? 0 : costs.lower(stop, last[i]) * kScale);
+        from_.push_back(first[i] < 0 ? 0 : costs.lower(first[i], stop) * kWalkScale);
+        to_.push_back(last[i] < 0 ? 0 : costs.lower(stop, last[i]) * kWalkScale);
       }
   }
 
@@ -101,13 +101,14 @@ class WalkAscent {
   // are such tasks done, the state that a leg to each other stop leads to.
   bool choose_memory() {
     for (near_ = std::min(kMostNear, tasks_); near_ > 1; --near_)
-      if (steps() * kFewestTurns <= kMostSteps && states() * n_ * sizeof(leads_[0]) <= kMostBytes)
+      if (steps() * kFewestTurns <= kMostWalkSteps &&
+          states() * n_ * sizeof(leads_[0]) <= kMostBytes)
         break;
     if (near_ < 2) return false;
     std::vector<std::vector<int>> remembered(n_);
     std::vector<int> bit(static_cast<std::size_t>(n_) * tasks_, -1);
     for (int v = 0; v < n_; ++v) {
-      std::vector<std::pair<Sum, int>> near(tasks_, {kFar, 0});
+      std::vector<std::pair<Sum, int>> near(tasks_, {kNoWalk, 0});
       for (int task = 0; task < tasks_; ++task) near[task].second = task;
       for (int w = 0; w < n_; ++w)
         near[task_[w]].first = std::min(near[task_[w]].first, matrix_[at(v, w)]);
@@ -141,10 +142,10 @@ class WalkAscent {
     return (static_cast<std::size_t>(v) << near_) + static_cast<std::size_t>(done);
   }
 
-  // The cheapest walk's value; `times_`: how often it does each task. kFar once stopped.
+  // The cheapest walk's value; `times_`: how often it does each task. kNoWalk once stopped.
   Sum walk(Poller& poller) {
     layers_.resize(static_cast<std::size_t>(tasks_));
-    for (auto& layer : layers_) layer.assign(states(), kFar);
+    for (auto& layer : layers_) layer.assign(states(), kNoWalk);
     for (int v = 0; v < n_; ++v)
       layers_[0][state(v, 1)] = nearest_end(from_, v, 1).first - price_[task_[v]];
     std::vector<Sum> leg(n_);
@@ -155,7 +156,7 @@ class WalkAscent {
         for (int w = 0; w < n_; ++w) leg[w] = matrix_[at(v, w)] - price_[task_[w]];
         for (int done = 1; done < 1 << near_; done += 2) {
           const Sum cost = layers_[k][state(v, done)];
-          if (cost >= kFar) continue;
+          if (cost >= kNoWalk) continue;
           const std::uint16_t* const leads = leads_.data() + state(v, done) * n_;
           for (int w = 0; w < n_; ++w) {
             Sum& known = next[state(w, leads[w])];
@@ -164,18 +165,18 @@ class WalkAscent {
         }
         // Where no leg leads is what has not done its own task: none reads it.
       }
-      if (poller.stop_after(static_cast<Sum>(states()) * n_ / 2)) return kFar;
+      if (poller.stop_after(static_cast<Sum>(states()) * n_ / 2)) return kNoWalk;
     }
-    Sum least = kFar;
+    Sum least = kNoWalk;
     int v = -1, done = 0;
     for (int w = 0; w < n_; ++w)
       for (int d = 1; d < 1 << near_; d += 2) {
         const Sum cost = layers_.back()[state(w, d)];
-        if (cost >= kFar) continue;
+        if (cost >= kNoWalk) continue;
         const Sum all = cost + nearest_end(to_, w, -1).first;
         if (all < least) least = all, v = w, done = d;
       }
-    if (v < 0) return kFar;
+    if (v < 0) return kNoWalk;
     trace(v, done);
     for (const Sum price : price_) least += price;
     return least;
@@ -185,10 +186,10 @@ class WalkAscent {
   void drop_dominated(std::vector<Sum>& layer, int v) const {
     for (int done = 1; done < 1 << near_; done += 2) {
       Sum& cost = layer[state(v, done)];
-      for (int i = 1; i < near_ && cost < kFar; ++i)
+      for (int i = 1; i < near_ && cost < kNoWalk; ++i)
         for (int less = (done - 1) & done; less > 0; less = (less - 1) & done)
           if ((less & 1) != 0 && layer[state(v, less)] <= cost) {
-            cost = kFar;
+            cost = kNoWalk;
             break;
           }
     }
@@ -196,7 +197,7 @@ class WalkAscent {
 
   // The leg from where a walk begins to a stop, or to where it ends, and which of these that is.
   std::pair<Sum, std::size_t> nearest_end(const std::vector<Sum>& legs, int v, int sign) const {
-    std::pair<Sum, std::size_t> least{kFar, 0};
+    std::pair<Sum, std::size_t> least{kNoWalk, 0};
     for (std::size_t i = 0; i < begins_; ++i)
       least = std::min(least, {legs[i * n_ + v] + sign * shift_[i], i});
     return least;
@@ -219,7 +220,7 @@ class WalkAscent {
   std::pair<int, int> before(const std::vector<Sum>& layer, int v, int done, Sum cost) const {
     for (int w = 0; w < n_; ++w)
       for (int d = 1; d < 1 << near_; d += 2)
-        if (layer[state(w, d)] < kFar && leads_[state(w, d) * n_ + v] == done &&
+        if (layer[state(w, d)] < kNoWalk && leads_[state(w, d) * n_ + v] == done &&
             layer[state(w, d)] + matrix_[at(w, v)] == cost)
           return {w, d};
     return {v, done};  // not reached
@@ -244,8 +245,8 @@ class WalkAscent {
 std::int64_t walk_bound(const RouteProblem& problem, const Costs& costs, std::int64_t upper,
                         Poller& poller) {
   if (problem.routes.size() != 1 || problem.size() < 3) return 0;
-  const Sum bound = WalkAscent(problem, costs).run(upper * kScale, poller);
-  return std::min(upper, (bound + kScale - 1) / kScale);
+  const Sum bound = WalkAscent(problem, costs).run(upper * kWalkScale, poller);
+  return std::min(upper, (bound + kWalkScale - 1) / kWalkScale);
 }
 
 }  // namespace lasius::tour
