@@ -31,6 +31,7 @@ void add_drive_costs_command(CLI::App& app);
 void add_survive_command(CLI::App& app);
 void add_cover_command(CLI::App& app);
 void add_tours_command(CLI::App& app);
+void add_trails_command(CLI::App& app);
 void add_vehicles_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);   ///< only with GEOS
 void add_sampling_command(CLI::App& app);   ///< only with OMPL

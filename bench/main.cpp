@@ -39,6 +39,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_drive_costs_command(app);
   add_survive_command(app);
   add_tours_command(app);
+  add_trails_command(app);
   add_cover_command(app);
   add_vehicles_command(app);
 #ifdef LASIUS_HAVE_POLYGON

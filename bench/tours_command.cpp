@@ -4,17 +4,18 @@
 #include <fstream>
 #include <numeric>
 
-#include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/peers/textbook_tours.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "bench/tour_time.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"
 #include "core/tour/order/search.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/error.h"
+#include "lasius/tour.h"
 #include "lasius/tsplib.h"
 
 namespace lasius::bench {
@@ -23,11 +24,9 @@ namespace {
 struct TourBenchOptions {
   MapOptions maps = {};
   std::vector<std::string> files = {};
-  int stops = 200, seeds = 3;
+  int stops = 200, seeds = 3, groups = 0, spread = 0;
   double seconds = 1;
 };
-
-constexpr std::array<double, 4> kShares{0.03, 0.1, 0.3, 1};  // of the time of a run
 
 struct TourInstance {
   std::string name;
@@ -35,24 +34,6 @@ struct TourInstance {
   std::vector<Point> places;
   std::int64_t known = 0;  // an optimum from elsewhere; 0: none
   int size() const { return static_cast<int>(places.size()); }
-};
-
-// The costs that a run had at the marks; 0: none yet.
-using Marks = std::array<std::int64_t, kShares.size()>;
-
-class TourTime final : public ThreadTime {
- public:
-  explicit TourTime(double seconds) : seconds_(seconds) {}
-  StopCondition stop() const {
-    return {.deadline = deadline_in(std::chrono::duration<double>(seconds_), {}), .time = this};
-  }
-  void tell(std::int64_t cost, Marks& marks) const {
-    for (std::size_t i = 0; i < kShares.size(); ++i)
-      if (used() <= kShares[i] * seconds_ && (marks[i] == 0 || cost < marks[i])) marks[i] = cost;
-  }
-
- private:
-  double seconds_;
 };
 
 Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint64_t seed,
@@ -114,10 +95,7 @@ void write_rows(const TourInstance& instance,
     std::vector<double> figures;
     for (std::size_t i = 0; i < kShares.size(); ++i) {
       std::vector<double> above;
-      for (const Marks& one : marks)
-        above.push_back(one[i] == 0 ? kUnknown
-                                    : 100.0 * static_cast<double>(one[i] - best) /
-                                          static_cast<double>(best));
+      for (const Marks& one : marks) above.push_back(percent_above(one[i], best));
       figures.push_back(std::accumulate(above.begin(), above.end(), 0.0) /
                         static_cast<double>(above.size()));
       if (i + 1 == kShares.size()) figures.push_back(*std::max_element(above.begin(), above.end()));
@@ -195,7 +173,45 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
            short_number(100 * static_cast<double>(legs) / all) + "% were priced when asked for.\n";
 }
 
+// Groups of three stops, each anywhere or near the first of its group, by the whole call.
+void measure_groups(const QuerySource& source, const TourBenchOptions& options, Table& table) {
+  const QuerySet set = load(source, 1);
+  const Planner planner(set.grid);
+  kernels::RandomStream random(options.maps.seed, 0, 0, 0x67726f75);
+  TourRequest request;
+  request.threads = 1;
+  const auto drawn = [&](Cell near, int spread) {
+    const auto along = [&](int at, int size) {
+      return spread == 0 ? random.below(size) : at - spread + random.below(2 * spread + 1);
+    };
+    for (;;) {
+      const int x = along(near.x, set.grid.width()), y = along(near.y, set.grid.height());
+      if (set.grid.free({x, y}) && planner.joined(set.queries.front().start, {x, y}))
+        return Cell{x, y};
+    }
+  };
+  for (int group = 0; group < options.groups; ++group)
+    for (int i = 0; i < 3; ++i) {
+      const Cell near = i == 0 ? Cell{0, 0} : request.stops[request.stops.size() - i];
+      request.stops.push_back(drawn(near, i == 0 ? 0 : options.spread));
+      request.group.push_back(group);
+    }
+  const ThreadStopwatch watch;
+  const TourResult tour = plan_tour(planner, request);
+  table.row(set.name, {tour.length, 100 * tour.gap().value_or(kUnknown), watch.seconds()});
+}
+
+void run_groups(const TourBenchOptions& options) {
+  Table table(std::to_string(options.groups) + " groups of three stops, " +
+                  (options.spread == 0 ? "anywhere"
+                                       : "within " + std::to_string(options.spread) +
+                                             " cells of the first of their group along each axis"),
+              {"map", "length", "gap, %", "CPU s"});
+  for (const QuerySource& source : sources_of(options.maps)) measure_groups(source, options, table);
+}
+
 void run_tours(const TourBenchOptions& options) {
+  if (options.groups > 0) return run_groups(options);
   std::vector<Table::Column> columns{"closed tours"};
   for (const double share : kShares)
     columns.emplace_back(short_number(share * options.seconds) + " s");
@@ -229,6 +245,10 @@ void add_tours_command(CLI::App& app) {
   command.add_option("--files", options.files,
                      "Problems of TSPLIB, .tsp; an optima.txt beside them is read");
   add_number(command, "--stops", options.stops, "Random stops of a map", 13, 5000);
+  add_number(command, "--groups", options.groups,
+             "Instead: so many groups of three stops a map, of which one is visited", 0, 600);
+  add_number(command, "--spread", options.spread,
+             "Cells around the first stop of a group that its others are in; 0: anywhere", 0, 1000);
   add_number(command, "--seeds", options.seeds, "Runs of each", 1, 1000);
   add_number(command, "--seconds", options.seconds, "Processor time of a run", 0.01, 1000);
 }

@@ -46,7 +46,8 @@ struct TourRequest {
   int generations = 20;
   /// Who finds the order: `exact` the search that is told of here, others a colony, in place of all
   /// of it, also of few stops; at most 2000, whose legs are all priced first. Where the order is
-  /// given in part, ants step to stops that it allows alone, without local search.
+  /// given in part, ants step to stops that it allows alone, and of local search make exchanges of
+  /// pieces.
   tour::AntParams ants = {};
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
   int threads = 0;        ///< that legs are planned on; never changes the tour

@@ -295,10 +295,11 @@ class Tour(ProgramTest):
         best = self.tour("--json", stops=stops).json["length"]
         self.write("pairs.tsv", "x\ty\tname\tafter\n" + "".join(
             f"{i}\t{7 * i % 19}\t{i}\t{i - 1 if i % 2 else ''}\n" for i in range(16)))
-        for family in ("as", "eas", "ras", "mmas", "acs"):
+        for family in ("as", "eas", "ras", "mmas", "acs", "has-sop", "eacs"):
             with self.subTest(family):
+                plainly = ("--set", "local_search=none") if family in ("has-sop", "eacs") else ()
                 ask = ("--algorithm", family, "--iterations", "20", "--json")
-                plain = self.check(self.quiet(self.tour(*ask, stops=stops)).json)
+                plain = self.check(self.quiet(self.tour(*ask, *plainly, stops=stops)).json)
                 self.assertEqual((plain["algorithm"], plain["parameters"]["iterations"], plain["iterations"]), (family, 20, 20))
                 self.assertEqual((len(plain["best"]), plain["parameters"]["local_search"]), (20, "none"))
                 self.assertAlmostEqual(plain["best"][-1], plain["length"], delta=0.1)  # thousandths of a cell a leg
@@ -312,6 +313,10 @@ class Tour(ProgramTest):
                 given = self.check(self.tour(*ask, "--open", "--start", "0,0", stops="pairs.tsv").json)
                 place = {stop: i for i, stop in enumerate(given["order"])}
                 self.assertTrue(all(place[i] < place[i + 1] for i in range(0, 16, 2)))
+                pieces = self.check(self.tour(*ask, "--set", "local_search=pieces", "--open", "--start", "0,0",
+                                              stops="pairs.tsv").json)
+                self.assertLessEqual(pieces["length"], given["length"])
+                self.ended(self.replay_of(pieces), 0)
                 self.write("box.tsp", TSPLIB)
                 box = self.run_program("tour", "box.tsp", *ask).json
                 self.assertEqual((box["length"], box["lower_bound"], box["algorithm"]), (14, 14, family))

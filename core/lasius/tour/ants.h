@@ -17,8 +17,23 @@ enum class Improvement {
   none,
   two_edges,    ///< exchanges of two edges along candidates, until none is cheaper
   three_edges,  ///< of up to three, as the usual search makes them
+  /// Adjacent pieces of it change places (Gambardella & Dorigo 2000), along the 10 cheapest legs
+  /// out of and into each stop; of symmetric costs one is also reversed. The start keeps its place.
+  /// Of an order that is given in part, too.
+  pieces,
 };
-inline constexpr std::string_view kImprovementNames[] = {"none", "two-edges", "three-edges"};
+inline constexpr std::string_view kImprovementNames[] = {"none", "two-edges", "three-edges",
+                                                         "pieces"};
+
+/// Where an ant goes with probability q0.
+enum class GreedyStep {
+  largest_weight,  ///< to the stop of largest weight
+  /// On as the best tour so far does, where it can. Then tours of less than 1.2 times the length of
+  /// that one alone are improved, and looked at only where they differ from it (Gambardella,
+  /// Montemanni & Weyland 2012).
+  as_best,
+};
+inline constexpr std::string_view kGreedyStepNames[] = {"largest-weight", "as-best"};
 
 /// Parameters of a colony over stops. The constructor sets the book's (Dorigo & Stuetzle 2004, box
 /// 3.1), without local search; any may be changed.
@@ -39,8 +54,10 @@ struct LASIUS_EXPORT AntParams : TrailParams {
   double alpha = 1;       ///< exponent of pheromone
   double beta = 2;        ///< exponent of 1 / the leg's length
   double greedy = 0;      ///< q0: share of choices that take the largest weight
-  /// tau0; 0: the family's own, of the tour that goes to the nearest stop, of length C: `as` m / C,
-  /// `eas` (m + e) / (rho C), `ras` w (w - 1) / (2 rho C), `mmas` 1 / (rho C), `acs` 1 / (n C).
+  double drawn = 0;  ///< steps of a tour that are drawn, s: q0 = 1 - s / n; 0: as `greedy` says
+  GreedyStep greedy_step = GreedyStep::largest_weight;
+  /// tau0; 0: the family's own, of a tour that goes to the nearest stop, of length C: `as` m / C,
+  /// `eas` (m + e) / (rho C), `ras` w (w - 1) / (2 rho C), `mmas` 1 / (rho C), others 1 / (n C).
   double initial_pheromone = 0;
   int candidates = 0;  ///< nearest stops that are chosen from first; 0: all
   Improvement local_search = Improvement::none;  ///< of every ant's tour

@@ -11,8 +11,8 @@
 #include "core/loop/colony_loop.h"
 #include "core/loop/trail_rules.h"
 #include "core/tour/ants/ant_trail.h"
-#include "core/tour/order/local_search.h"
-#include "core/tour/order/one_more.h"
+#include "core/tour/ants/improver.h"
+#include "core/tour/order/window_search.h"
 #include "kernels/base/proportional.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/error.h"
@@ -20,7 +20,7 @@
 namespace lasius::tour {
 namespace {
 
-constexpr int kImproving = 8;  // candidates that edges are exchanged along
+constexpr double kNearBest = 1.2;  // of the best tour's length, below which others are improved
 
 /// What the rules of a trail ask of a tour, and of all tours of an iteration.
 struct AntTour {
@@ -44,8 +44,8 @@ struct AntTours {
   }
 };
 
-/// The cost of the tour that goes to the nearest stop, from the first.
-double nearest_cost(const Costs& costs, int first, bool open) {
+/// The tour that goes to the nearest stop, from the first.
+std::vector<int> nearest_order(const Costs& costs, int first) {
   std::vector<int> order{first}, left;
   for (int v = 0; v < costs.size(); ++v)
     if (v != first) left.push_back(v);
@@ -60,7 +60,15 @@ double nearest_cost(const Costs& costs, int first, bool open) {
     order.push_back(left[best]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
   }
-  return static_cast<double>(std::max<std::int64_t>(1, cost_of(costs, order, open)));
+  return order;
+}
+
+// Pieces are exchanged behind a start, which closed tours have then.
+Ends ends_for(const AntParams& params, const Ends& ends, const std::vector<int>& first) {
+  Ends kept = ends;
+  if (params.local_search == Improvement::pieces && !ends.open && ends.start < 0)
+    kept.start = first.front();
+  return kept;
 }
 
 std::vector<double> visibility_of(const Costs& costs, double beta) {
@@ -80,7 +88,6 @@ class AntColony final : public ColonyWorld {
   AntColony(const Costs& costs, const Ends& ends, bool symmetric, const AntParams& params,
             int threads, const OrderOptions& options, const PartialOrder& given, OrderFound& found)
       : costs_(costs),
-        ends_(ends),
         params_(params),
         threads_(threads),
         options_(options),
@@ -88,22 +95,21 @@ class AntColony final : public ColonyWorld {
         found_(found),
         n_(costs.size()),
         ants_(params.ants > 0 ? params.ants : n_),
-        stepwise_(params.algorithm() == "acs"),
+        stepwise_(find_algorithm(params.algorithm()).has("local_evaporation")),
+        greedy_(params.drawn > 0 ? std::max(0.0, 1 - params.drawn / n_) : params.greedy),
+        first_(first_tour(ends)),
+        ends_(ends_for(params, ends, first_)),
         rules_(params),
         tau0_(first_tau()),
         trail_(n_, tau0_, params.alpha, symmetric && given.any_order(),
                visibility_of(costs, params.beta)),
+        improver_(costs, ends_, given, params.local_search, symmetric, this->threads(),
+                  options.stop),
         walkers_(static_cast<std::size_t>(ants_)) {
     if (params.elite_weight == 0) rules_.elite_weight = n_;
     if (params.candidates > 0) nearest_.emplace(costs, std::span<const Point>(), params.candidates);
     tours_.ants.resize(walkers_.size());
     tours_.open = ends.open;
-    if (params.local_search == Improvement::none || !symmetric || !given.any_order() || n_ < 8)
-      return;
-    if (ends.open) more_.emplace(costs, ends);
-    closed_.emplace(more_ ? more_->costs() : costs);
-    improving_.emplace(*closed_, std::span<const Point>(), kImproving);
-    if (more_) improving_->add(*closed_, more_->all_legs());
   }
 
   StopCondition::Cause send_ants(int q) override {
@@ -129,7 +135,10 @@ class AntColony final : public ColonyWorld {
       while (!stepwise_ && static_cast<int>(walker.order.size()) < n_) {
         if (own.stop_after(n_) || !go_on(walker, rooms[thread])) break;
       }
-      if (!own.stopped() && arrived(walker) && improving_) improve(walker, own);
+      if (!own.stopped() && arrived(walker) && is_to_improve(walker))
+        walker.order = improver_.improved(
+            std::move(walker.order),
+            as_best() ? std::span<const int>(best_) : std::span<const int>(), thread, own);
       causes[a] = own.cause();
     });
     tours_.iteration = q;
@@ -154,6 +163,8 @@ class AntColony final : public ColonyWorld {
       return;
     best_.assign(best->order.begin(), best->order.end());
     tours_.best_so_far = {best_, best->length};
+    behind_.assign(static_cast<std::size_t>(n_), -1);
+    tours_.along(tours_.best_so_far, [&](const Arc& arc) { behind_[arc.from] = arc.to; });
     found_.order = best_;
     if (!ends_.open && ends_.start >= 0)
       std::rotate(found_.order.begin(), std::ranges::find(found_.order, ends_.start),
@@ -170,11 +181,13 @@ class AntColony final : public ColonyWorld {
     if (name == "eas") elitist(trail_, rules_, tours_, tours_.best_so_far);
     if (name == "ras") rank(trail_, rules_, tours_);
     if (name == "mmas") max_min(trail_, rules_, tours_);
-    if (name == "acs") colony_system(trail_, rules_, tours_, tours_.best_so_far);
+    if (stepwise_) colony_system(trail_, rules_, tours_, tours_.best_so_far);
   }
 
   int ants() const override { return ants_; }
-  int threads() const override { return std::min(ants_, thread_count(threads_)); }
+  int threads() const override {
+    return costs_.priced_late() ? 1 : std::min(ants_, thread_count(threads_));
+  }
   double tour_length(int ant) const override { return tours_.ants[ant].length; }
   double best_length() const override { return tours_.best_so_far.length; }
   double iteration_best() const override { return iteration_best_; }
@@ -191,9 +204,15 @@ class AntColony final : public ColonyWorld {
     std::int64_t carried = 0;
   };
 
+  // The nearest that may follow, where that is known to come to all stops.
+  std::vector<int> first_tour(const Ends& ends) const {
+    std::vector<int> order;
+    if (!given_.any_order()) order = first_order(costs_, ends, given_).order;
+    return order.empty() ? nearest_order(costs_, std::max(ends.start, 0)) : order;
+  }
   double first_tau() const {
     if (params_.initial_pheromone > 0) return params_.initial_pheromone;
-    const double cost = nearest_cost(costs_, std::max(ends_.start, 0), ends_.open);
+    const double cost = measured(first_);
     const double lost = std::max(1 - params_.persistence, 1e-9), m = ants_, w = params_.ranks;
     const std::string& name = params_.algorithm();
     const double e = params_.elite_weight > 0 ? params_.elite_weight : n_;
@@ -233,7 +252,10 @@ class AntColony final : public ColonyWorld {
     }
     if (ends_.goal >= 0 && n_ > 1) walker.closed[ends_.goal] = 1;
     // A closed tour may begin anywhere, unless an order is given.
-    if (ends_.start >= 0 && (ends_.open || !given_.any_order())) return visit(walker, ends_.start);
+    if (ends_.start >= 0 && (ends_.open || !given_.any_order() || improver_.keeps_start())) {
+      if (allowed(walker, ends_.start)) visit(walker, ends_.start);
+      return;
+    }
     std::vector<int> firsts;
     for (int v = 0; v < n_; ++v)
       if (walker.closed[v] == 0 && allowed(walker, v)) firsts.push_back(v);
@@ -261,15 +283,27 @@ class AntColony final : public ColonyWorld {
   }
   void pass(const Arc& arc) { trail_rules::pass(trail_, rules_, tau0_, arc); }
 
+  bool as_best() const {
+    return params_.greedy_step == GreedyStep::as_best && trail_rules::arrived(tours_.best_so_far);
+  }
+  bool is_to_improve(const Walker& walker) const {
+    return improver_.improves() &&
+           (!as_best() || measured(walker.order) < kNearBest * tours_.best_so_far.length);
+  }
+
   int chosen(Walker& walker, int from, std::vector<double>& room) const {
     const std::span<const double> weights = trail_.weights(from);
     const std::uint32_t word = walker.random.next();
+    if (as_best() && word * 0x1p-32 < greedy_) {
+      const int next = behind_[from];
+      if (next >= 0 && walker.closed[next] == 0 && allowed(walker, next)) return next;
+    }
     room.clear();
     if (nearest_) {
       const auto near = nearest_->of(from);
       for (const auto& leg : near)
         room.push_back(walker.closed[leg.to] == 0 && allowed(walker, leg.to) ? weights[leg.to] : 0);
-      const int k = kernels::proportional_choice(room, params_.greedy, word);
+      const int k = kernels::proportional_choice(room, greedy_, word);
       if (k >= 0) return near[k].to;
       room.clear();
     }
@@ -280,40 +314,32 @@ class AntColony final : public ColonyWorld {
       const int v = walker.left[i];
       room[i] = all || allowed(walker, v) ? weights[v] : 0;
     }
-    const int k = kernels::proportional_choice(room, nearest_ ? 1 : params_.greedy, word);
+    const int k = kernels::proportional_choice(room, nearest_ ? 1 : greedy_, word);
     if (k >= 0) return walker.left[k];
     for (const int v : walker.left)  // all weights have underflowed
       if (allowed(walker, v)) return v;
     return -1;
   }
 
-  void improve(Walker& walker, Poller& poller) {
-    if (more_) walker.order.push_back(n_);
-    ArrayTour tour(*closed_, walker.order);
-    LocalSearch search(*closed_, *improving_,
-                       params_.local_search == Improvement::two_edges ? 2 : 3);
-    search.improve(tour, poller);
-    walker.order = more_ ? more_->opened(tour.order()) : tour.order();
-  }
-
   const Costs& costs_;
-  const Ends& ends_;
   const AntParams& params_;
   const int threads_;
   const OrderOptions& options_;
   const PartialOrder& given_;
   OrderFound& found_;
   const int n_, ants_;
-  const bool stepwise_;
+  const bool stepwise_;  // each ant sees what those before it left
+  const double greedy_;
+  const std::vector<int> first_;
+  const Ends ends_;
   TrailParams rules_;
   double tau0_;
   AntTrail trail_;
+  Improver improver_;
   std::vector<Walker> walkers_;
   AntTours tours_;
-  std::vector<int> best_;
-  std::optional<Candidates> nearest_, improving_;
-  std::optional<OneMore> more_;
-  std::optional<Costs> closed_;
+  std::vector<int> best_, behind_;  // the best tour, and behind each stop the next in it, or -1
+  std::optional<Candidates> nearest_;
   double iteration_best_ = kNaN;
   bool enough_ = false;
 };

@@ -33,7 +33,7 @@ constexpr Entry kCandidates =
     Table::number("candidates", &AntParams::candidates, 0, 1'000'000,
                   "nearest stops that are chosen from as long as one is left; 0: all stops");
 constexpr Entry kLocalSearch = Table::choice<&AntParams::local_search, kImprovementNames>(
-    "local_search", "exchanges of edges that improve every tour of an ant");
+    "local_search", "exchanges of edges, or of adjacent pieces, that improve every ant's tour");
 
 constexpr std::array kSystem{kAnts,    kIterations, kAlpha,      kBeta,       kPersistence,
                              kInitial, kDeposit,    kCandidates, kLocalSearch};
@@ -54,15 +54,25 @@ constexpr auto kMaxMin = with(
                              "every how many iterations the best tour so far deposits; 0: never"),
                Table::number("best_probability", of(&TrailParams::best_probability), 1e-9, 1 - 1e-9,
                              "p_best, which sets tau_min / tau_max")});
-constexpr auto kColonySystem =
-    with(std::array{kGreedy, Table::number("local_evaporation", of(&TrailParams::local_evaporation),
-                                           0, 1, "xi of the update behind every step")});
+constexpr Entry kLocalEvaporation =
+    Table::number("local_evaporation", of(&TrailParams::local_evaporation), 0, 1,
+                  "xi of the update behind every step");
+constexpr auto kColonySystem = with(std::array{kGreedy, kLocalEvaporation});
+constexpr auto kSequential = with(std::array{
+    kGreedy, kLocalEvaporation,
+    Table::number("drawn", &AntParams::drawn, 0, 1'000'000,
+                  "steps of a tour that are drawn in the mean, s: q0 = 1 - s / n; 0: greedy is q0"),
+    Table::choice<&AntParams::greedy_step, kGreedyStepNames>(
+        "greedy_step",
+        "where q0 leads: to the largest weight, or on as the best tour does; then tours near it "
+        "alone are improved, where they differ from it")});
 
 constexpr auto kSystemInfos = Table::infos(kSystem);
 constexpr auto kElitistInfos = Table::infos(kElitist);
 constexpr auto kRankInfos = Table::infos(kRank);
 constexpr auto kMaxMinInfos = Table::infos(kMaxMin);
 constexpr auto kColonySystemInfos = Table::infos(kColonySystem);
+constexpr auto kSequentialInfos = Table::infos(kSequential);
 
 constexpr std::array kAlgorithms{
     Algorithm{"exact",
@@ -89,11 +99,21 @@ constexpr std::array kAlgorithms{
               "traveling salesman problem. IEEE Transactions on Evolutionary Computation 1 (1), "
               "1997",
               kColonySystemInfos},
+    Algorithm{
+        "has-sop", "ant colony system with exchanges of pieces, for orders given in part",
+        "Gambardella, Dorigo: An ant colony system hybridized with a new local search for the "
+        "sequential ordering problem. INFORMS Journal on Computing 12 (3), 2000",
+        kSequentialInfos},
+    Algorithm{"eacs", "enhanced ant colony system: most steps are those of the best tour",
+              "Gambardella, Montemanni, Weyland: Coupling ant colony systems with strong local "
+              "searches. European Journal of Operational Research 220 (3), 2012",
+              kSequentialInfos},
 };
 
 constexpr std::array kEntries{std::span<const Entry>(kElitist), std::span<const Entry>(kRank),
                               std::span<const Entry>(kMaxMin),
-                              std::span<const Entry>(kColonySystem)};
+                              std::span<const Entry>(kColonySystem),
+                              std::span<const Entry>(kSequential)};
 constexpr Table kTable(kEntries);
 
 }  // namespace
@@ -115,7 +135,13 @@ AntParams::AntParams(std::string_view algorithm) : algorithm_(find_algorithm(alg
     persistence = 0.98;
     best_so_far_every = 5;
   }
-  if (algorithm_ == "acs") {
+  const bool sequential = algorithm_ == "has-sop" || algorithm_ == "eacs";
+  if (sequential) {
+    local_search = Improvement::pieces;
+    drawn = 10;
+  }
+  if (algorithm_ == "eacs") greedy_step = GreedyStep::as_best;
+  if (algorithm_ == "acs" || sequential) {
     ants = 10;
     greedy = 0.9;
     persistence = 0.9;
@@ -143,16 +169,22 @@ std::vector<std::string> formulas(const AntParams& params) {
     update +=
         "the iteration's best Q / L, in turns the best so far; tau_min <= tau <= tau_max = Q "
         "/ ((1 - persistence) L*)";
-  if (name == "acs")
+  const bool by_steps = find_algorithm(name).has("local_evaporation");
+  if (by_steps)
     update =
         "update: behind every step tau <- (1 - xi) tau + xi tau0; behind the iteration, on "
         "the best so far, tau <- persistence tau + (1 - persistence) Q / L";
+  std::string choice = "choice: in proportion to the weight";
+  if (by_steps)
+    choice = std::string("choice: ") +
+             (params.greedy_step == GreedyStep::as_best
+                  ? "on as the best tour so far, or where it cannot, to "
+                  : "") +
+             "the largest weight with probability " +
+             (params.drawn > 0 ? "1 - drawn / n" : "`greedy`") +
+             ", else in proportion to the weight";
   return {"weight of the leg to a stop: tau^alpha * (1 / d)^beta, d the leg's length",
-          "tau is pheromone, tau0 its first value, L a tour's length",
-          name == "acs" ? "choice: the largest weight with probability `greedy`, else in "
-                          "proportion to the weight"
-                        : "choice: in proportion to the weight",
-          update};
+          "tau is pheromone, tau0 its first value, L a tour's length", choice, update};
 }
 
 void validate(const AntParams& params) {

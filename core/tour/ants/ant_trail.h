@@ -71,8 +71,9 @@ class AntTrail {
     if (both_ways_) tau_[index({arc.to, arc.from})] = tau;
   }
   void weigh(std::size_t i) {
-    const double tau = std::clamp(tau_[i], least_, most_);
-    weight_[i] = (alpha_ == 1 ? tau : kernels::power(tau, alpha_)) * visibility_[i];
+    double tau = std::clamp(tau_[i], least_, most_);
+    if (alpha_ == 0) tau = 1;  // soon, so that a control is not slower
+    weight_[i] = (alpha_ == 0 || alpha_ == 1 ? tau : kernels::power(tau, alpha_)) * visibility_[i];
   }
 
   std::size_t size_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // of a count of swaths
 constexpr double kDearness = 3;     // of what is left, against a swath
+constexpr double kNearEnds = 2;     // widths between ends that a straight way is looked for
 
 double distance(Point a, Point b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
@@ -191,24 +193,61 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
   return std::move(*least);
 }
 
+// Whether the straight way between two places is of places.
+bool SwathMaker::straight_between(Point a, Point b) const {
+  const double length = distance(a, b);
+  if (length == 0) return true;
+  const Heading way{(b.x - a.x) / length, (b.y - a.y) / length};
+  std::vector<Stretch> places;
+  lines_.on_line(way, way.aside(a), places);
+  return std::ranges::any_of(places, [&](const Stretch& place) {
+    return place.from <= way.along(a) && way.along(b) <= place.to;
+  });
+}
+
+// To each swath the first of those that straight ways between ends near to each other join.
+std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) const {
+  std::vector<int> first(swaths.size());
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](int i) {
+    while (first[i] != i) i = first[i] = first[first[i]];
+    return i;
+  };
+  std::vector<std::pair<Point, int>> ends;
+  for (int i = 0; i < static_cast<int>(swaths.size()); ++i)
+    for (const Point end : {swaths[i].from, swaths[i].to}) ends.emplace_back(end, i);
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const auto& a, const auto& b) { return a.first.x < b.first.x; });
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = i + 1; j < ends.size(); ++j) {
+      const auto& [a, one] = ends[i];
+      const auto& [b, other] = ends[j];
+      if (b.x - a.x > kNearEnds * width_) break;
+      const int p = root(one), q = root(other);
+      if (p == q || distance(a, b) > kNearEnds * width_ || !straight_between(a, b)) continue;
+      first[std::max(p, q)] = std::min(p, q);
+    }
+  for (int i = 0; i < static_cast<int>(first.size()); ++i) first[i] = root(i);
+  return first;
+}
+
 // Of a disc: what it cannot come to from a place of the region; past the deadline all that was not
-// looked at, but for the first.
+// looked at, but for the first. Swaths that are joined are looked at once.
 void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads,
                             const StopCondition& stop) const {
   StopCondition token = stop;
   token.deadline = Clock::time_point::max();
+  const std::vector<int> first = joined_swaths(swaths);
   std::vector<char> apart(swaths.size(), 0);
   parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
+    if (first[i] != i) return;
     const StopCondition& until = i == 0 ? token : stop;
-    const auto joined = [&](Point end) {
-      return until.poll() == StopCondition::Cause::none &&
-             reaches(planner_, *ground_.place(), end, until);
-    };
-    apart[i] = !joined(swaths[i].from) || !joined(swaths[i].to);
+    apart[i] = until.poll() != StopCondition::Cause::none ||
+               !reaches(planner_, *ground_.place(), swaths[i].from, until);
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < swaths.size(); ++i)
-    if (apart[i] == 0) swaths[kept++] = swaths[i];
+    if (apart[first[i]] == 0) swaths[kept++] = swaths[i];
   swaths.resize(kept);
 }
 

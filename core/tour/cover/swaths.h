@@ -53,6 +53,8 @@ class SwathMaker {
   std::vector<Swath> anywhere(const Heading& heading, Poller& poller) const;
   void add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const;
   bool reached(const Swath& swath) const;
+  bool straight_between(Point a, Point b) const;
+  std::vector<int> joined_swaths(const std::vector<Swath>& swaths) const;
   void drop_apart(std::vector<Swath>& swaths, int threads, const StopCondition& stop) const;
 
   const Planner& planner_;

@@ -27,7 +27,8 @@ StopPath::StopPath(const Costs& costs, const Ends& ends, const PartialOrder& giv
     std::vector<Cost> known(stops_.size() * stops_.size());
     for (int a = 0; a < size(); ++a)
       for (int b = 0; b < size(); ++b)
-        known[a * stops_.size() + b] = -1 - std::max<Cost>(0, bound(a, b));
+        known[a * stops_.size() + b] = costs.priced_late() ? -1 - std::max<Cost>(0, bound(a, b))
+                                                           : std::max<Cost>(0, bound(a, b));
     known_ = std::move(known);
   }
   list_order();

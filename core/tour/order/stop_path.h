@@ -12,7 +12,8 @@ namespace lasius::tour {
 
 /// The nodes of a path: the start first and the goal last, which of a closed tour is the start
 /// again; ends that are not given are nodes without a stop, at no cost from any. The other nodes
-/// are the other stops. Costs may differ with their direction. Holds neither costs nor order.
+/// are the other stops. Costs may differ with their direction. Holds neither costs nor order. Of
+/// costs that are not priced late any number of threads may ask.
 class StopPath {
  public:
   /// An arc to or from a node, and its cost.

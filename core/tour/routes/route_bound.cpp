@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/tour/routes/walk_bound.h"
+
 namespace lasius::tour {
 
 namespace {
@@ -40,6 +42,7 @@ class Ascent {
     degree_.assign(n_, 0);
   }
 
+  bool has_choices() const { return n_ > tasks_; }
   // The greatest bound, scaled: every value is one.
   Sum run(Sum upper, Poller& poller) {
     Sum greatest = 0;
@@ -239,8 +242,11 @@ std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::
                           Poller& poller) {
   const int n = problem.size();
   if (n == 0 || (problem.ring() && n < 3)) return 0;
-  const Sum bound = Ascent(problem, costs).run(upper * kScale, poller);
-  return std::min(upper, (bound + kScale - 1) / kScale);
+  Ascent ascent(problem, costs);
+  const Sum scaled = ascent.run(upper * kScale, poller);
+  const Sum bound = std::min(upper, (scaled + kScale - 1) / kScale);
+  if (bound == upper || !ascent.has_choices()) return bound;
+  return std::max(bound, walk_bound(problem, costs, upper, poller));
 }
 
 }  // namespace lasius::tour

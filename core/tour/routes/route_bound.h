@@ -12,9 +12,9 @@ namespace lasius::tour {
 /// & Karp (1970) over least trees of tasks, each leg at the stops where it is cheapest, with a
 /// price for each stop, so that legs of a task are drawn to one stop. Routes with ends have one
 /// depot, from which each stop is as near as from the nearest start, and as many legs back to it as
-/// are cheapest. Takes 4 bytes a pair of stops, 16 of a
-/// stop and a task; 0 of fewer than 3 tasks of a ring, and where
-/// nothing is known.
+/// are cheapest. Of one route and tasks of several stops also walk_bound, the greater of both.
+/// Takes 4 bytes a pair of stops, 16 of a stop and a task; 0 of fewer than 3 tasks of a ring, and
+/// where nothing is known.
 std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::int64_t upper,
                           Poller& poller);
 

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
+#include "core/tour/ants/improver.h"
 #include "core/tour/order/subset_dp.h"
+#include "core/tour/order/window_search.h"
 #include "lasius/error.h"
+#include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
 namespace {
 
-constexpr std::string_view kFamilies[] = {"as", "eas", "ras", "mmas", "acs"};
+constexpr std::string_view kFamilies[] = {"as", "eas", "ras", "mmas", "acs", "has-sop", "eacs"};
 
 AntParams few(std::string_view family, int iterations,
               Improvement improvement = Improvement::none) {
@@ -27,7 +31,8 @@ TEST(AntColony, VisitsEveryStopOnceAndKeepsEnds) {
   for (const std::string_view family : kFamilies)
     for (const Ends& ends : kEnds)
       for (const int size : {1, 2, 5, 20})
-        for (const Improvement improvement : {Improvement::none, Improvement::three_edges}) {
+        for (const Improvement improvement :
+             {Improvement::none, Improvement::three_edges, Improvement::pieces}) {
           if (std::max(ends.start, ends.goal) >= size) continue;
           const Instance stops = random_instance(size, 3, true);
           AntParams params = few(family, 8, improvement);
@@ -50,13 +55,13 @@ TEST(AntColony, VisitsEveryStopOnceAndKeepsEnds) {
           EXPECT_EQ(one.arrived.back(), params.ants > 0 ? params.ants : size);
           ++cases;
         }
-  EXPECT_GT(cases, 150);
+  EXPECT_GT(cases, 350);
 }
 
 // The same colony with alpha 0 sees no trail.
 TEST(AntColony, ATrailShortensToursAtEqualWork) {
   const Instance stops = random_instance(40, 7, false);
-  for (const std::string_view family : kFamilies) {
+  for (const std::string_view family : std::span(kFamilies).first(5)) {
     double with = 0, without = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
       for (const double alpha : {1.0, 0.0}) {
@@ -109,6 +114,82 @@ TEST(AntColony, StepsWhereTheOrderAllows) {
     }
 }
 
+// Costs that differ with their direction, of -1 where the other stop comes before.
+Instance directed(int size, std::uint32_t seed, const Given& given) {
+  Instance made = random_instance(size, seed, true);
+  kernels::RandomStream random(seed, 2, 0);
+  for (Cost& cost : made.matrix) cost = random.below(100);
+  for (const auto& [a, b] : given.relation) made.matrix[b * size + a] = -1;
+  return made;
+}
+
+// The program over subsets is checked against all orders elsewhere.
+TEST(AntColony, ExchangesOfPiecesFindTheBestOrderGivenInPart) {
+  constexpr int kSize = 9;
+  int found_best = 0, cases = 0;
+  for (std::uint32_t seed = 1; seed <= 25; ++seed)
+    for (const Ends& ends : {Ends{true, 0, kSize - 1}, Ends{true}, Ends{false, 2}, Ends{false}}) {
+      const Given drawn = random_given(kSize, seed, ends);
+      const PartialOrder given = drawn.order(kSize);
+      const Instance stops =
+          ends.open ? directed(kSize, seed, drawn) : random_instance(kSize, seed, true);
+      const std::vector<int> best = subset_order(stops.costs(), ends, given);
+      for (const std::string_view family : {"has-sop", "eacs"}) {
+        Convergence one, three;
+        const auto found_by = [&](int threads, Convergence& run) {
+          return find_order_by_ants(stops.costs(), ends, !ends.open, few(family, 40), threads,
+                                    {.given = &given}, run);
+        };
+        const OrderFound found = found_by(1, one);
+        EXPECT_EQ(found.order, found_by(3, three).order);
+        EXPECT_EQ(one.mean, three.mean);
+        if (best.empty()) {
+          EXPECT_TRUE(found.order.empty());
+          continue;
+        }
+        ASSERT_EQ(found.order.size(), best.size());
+        EXPECT_TRUE(kept(found.order, drawn, ends));
+        EXPECT_GE(found.cost, cost_of(stops.costs(), best, ends.open));
+        found_best += found.cost == cost_of(stops.costs(), best, ends.open);
+        ++cases;
+      }
+    }
+  EXPECT_GT(cases, 120);
+  // Closed tours without a start keep the one that they began with.
+  EXPECT_GT(found_best, 0.8 * cases);
+}
+
+TEST(AntColony, EnhancedAntsGoOnAsTheBestTourDoes) {
+  const Instance stops = random_instance(60, 9, true);
+  AntParams params("eacs");
+  params.iterations = 30;
+  params.drawn = 1e-9;  // q0 is 1: but for the first ants all go as the best one
+  Convergence run;
+  const OrderFound found = find_order_by_ants(stops.costs(), {true, 0}, true, params, 1, {}, run);
+  EXPECT_EQ(run.mean.back(), static_cast<double>(found.cost));
+  EXPECT_EQ(run.best.back(), static_cast<double>(found.cost));
+  params.drawn = 10;
+  const OrderFound drawn = find_order_by_ants(stops.costs(), {true, 0}, true, params, 1, {}, run);
+  EXPECT_LT(drawn.cost, found.cost);
+}
+
+TEST(Improver, ExchangesPiecesOnlyWhereTheOrderDiffers) {
+  const Given drawn = random_given(30, 3, {true, 0});
+  const PartialOrder given(30, drawn.relation);
+  Given relation;
+  relation.relation = drawn.relation;
+  const Instance stops = random_instance(30, 3, true);
+  const Ends ends{true, 0};
+  Improver improver(stops.costs(), ends, given, Improvement::pieces, true, 1, {});
+  Poller poller(StopCondition{});
+  const std::vector<int> first = first_order(stops.costs(), ends, given).order;
+  EXPECT_EQ(improver.improved(first, first, 0, poller), first);  // differs nowhere
+  const std::vector<int> better = improver.improved(first, {}, 0, poller);
+  EXPECT_LT(cost_of(stops.costs(), better, true), cost_of(stops.costs(), first, true));
+  EXPECT_TRUE(kept(better, relation, ends));
+  EXPECT_EQ(improver.improved(better, {}, 0, poller), better);  // none is cheaper
+}
+
 TEST(AntColony, StopsAndRefuses) {
   const Instance stops = random_instance(30, 5, true);
   Convergence run;
@@ -136,6 +217,10 @@ TEST(AntColony, StopsAndRefuses) {
   EXPECT_EQ(set.local_search, Improvement::two_edges);
   EXPECT_EQ(formulas(set).size(), 4U);
   EXPECT_TRUE(formulas(AntParams()).empty());
+  EXPECT_NE(formulas(AntParams("eacs"))[2].find("as the best tour so far"), std::string::npos);
+  AntParams other("acs");
+  other.drawn = 5;
+  EXPECT_THROW(validate(other), Error);
 }
 
 }  // namespace

@@ -9,50 +9,11 @@
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
+#include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
 namespace {
-
-// Some of the pairs of a random order, and loads where there is a capacity.
-struct Given {
-  std::vector<Before> relation;
-  std::vector<int> loads;
-  std::int64_t capacity = PartialOrder::kUnlimited;
-  PartialOrder order(int size) const { return {size, relation, loads, capacity}; }
-};
-
-Given random_given(int size, std::uint32_t seed, const Ends& ends) {
-  kernels::RandomStream random(seed, 1, 0);
-  std::vector<int> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  for (int i = size; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  Given given;
-  const auto any_end = [&](int v) { return v == ends.start || v == ends.goal; };
-  const int dense = 1 + random.below(size);
-  for (int a = 0; a < size; ++a)
-    for (int b = a + 1; b < size; ++b)
-      if (random.below(2 * size) < dense && !any_end(order[a]) && !any_end(order[b]))
-        given.relation.emplace_back(order[a], order[b]);
-  if (random.chance(0.5)) {
-    given.capacity = 1 + random.below(3);
-    for (int v = 0; v < size; ++v) given.loads.push_back(random.below(4) - 2);
-  }
-  return given;
-}
-
-// Told by the relation itself.
-bool kept(const std::vector<int>& order, const Given& given, const Ends& ends) {
-  std::vector<std::size_t> position(order.size());
-  for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = p;
-  for (const auto& [a, b] : given.relation)
-    if (position[a] >= position[b]) return false;
-  std::int64_t carried = 0;
-  for (const int v : order)
-    if (!given.loads.empty() && (carried += given.loads[v]) > given.capacity) return false;
-  return (ends.start < 0 || order.front() == ends.start) &&
-         (ends.goal < 0 || order.back() == ends.goal);
-}
 
 TEST(PartialOrder, NamesACircle) {
   EXPECT_TRUE(circle_of(4, std::vector<Before>{{0, 1}, {1, 2}, {0, 2}, {3, 2}}).empty());

@@ -10,6 +10,7 @@
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
 #include "core/tour/routes/route_state.h"
+#include "core/tour/routes/walk_bound.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -120,6 +121,7 @@ const std::vector<std::vector<Ends>> kRoutes = {{{}},
                                                 {{false, 0}, {false, 0}, {false, 0}}};
 
 TEST(Routes, BySubsetsAreThoseOfBruteForce) {
+  int exact = 0;
   for (std::uint32_t seed = 1; seed <= 12; ++seed)
     for (const auto& routes : kRoutes)
       for (const bool groups : {false, true})
@@ -138,7 +140,18 @@ TEST(Routes, BySubsetsAreThoseOfBruteForce) {
           const StopCondition never;
           Poller poller(never);
           EXPECT_LE(routes_bound(problem, instance.costs(), least + 5, poller), least);
+          const std::int64_t walk = walk_bound(problem, instance.costs(), least + 5, poller);
+          EXPECT_LE(walk, least);
+          // All of so few tasks are remembered: with given ends a walk is a tour.
+          const bool told = routes.size() == 1 && problem.size() >= 3;
+          if (!told) {
+            EXPECT_EQ(walk, 0);
+          } else if (!problem.ring() && problem.size() <= 7) {
+            EXPECT_EQ(walk, least) << "seed " << seed;
+            ++exact;
+          }
         }
+  EXPECT_GT(exact, 100);
 }
 
 // The program over subsets is not asked for 13 tasks: the search and the bound against each other,
@@ -187,6 +200,22 @@ TEST(Routes, AreFoundBySearch) {
   EXPECT_EQ(cases, 30);
   EXPECT_GE(near, 22);
   EXPECT_GE(best, 56);
+}
+
+// Three stops of each task far from each other: trees join tasks at one stop and leave at another.
+TEST(Routes, WalksBoundScatteredGroups) {
+  const Instance instance = random_instance(39, 5);
+  RouteProblem problem{.tasks = std::vector<std::vector<int>>(13), .routes = {{}}};
+  for (int v = 0; v < 39; ++v) problem.tasks[v % 13].push_back(v);
+  const RoutesFound found = find_routes(problem, instance.costs(), {.generations = 3});
+  const StopCondition never;
+  Poller poller(never);
+  const std::int64_t walk = walk_bound(problem, instance.costs(), found.cost, poller);
+  EXPECT_GT(1.35 * static_cast<double>(walk), static_cast<double>(found.cost));
+  EXPECT_EQ(routes_bound(problem, instance.costs(), found.cost, poller), walk);
+  const StopCondition past{.deadline = Clock::time_point::min()};
+  Poller late(past);
+  EXPECT_EQ(walk_bound(problem, instance.costs(), found.cost, late), 0);
 }
 
 // Knows all legs by their bounds, which are half, until they are priced.
