@@ -12,6 +12,7 @@
 #include "core/colony/field.h"
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
+#include "core/grid/cell_distance.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {
@@ -46,6 +47,16 @@ class BestTour {
     moves_.erase(moves_.begin(), passed);
     if (none()) return drop();
     length_ = measure.of(moves_, to);
+  }
+  /// Could a way through free cells of `part` be shorter?
+  bool passed_by(const Grid& grid, Cell start, Cell goal, const Rectangle& part) const {
+    if (!(distance(start, part) + distance(goal, part) < length_)) return false;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        if (grid.free({x, y})) return true;
+      }
+    }
+    return false;
   }
   /// Can its moves still be made?
   bool walkable(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start) const {

@@ -18,6 +18,7 @@ namespace lasius {
 /// has the cells whose centres are clear, and `params` its rule of corners
 /// (core/disc/disc_cells.h). Over a terrain, whose free cells are the grid's, costs take the place
 /// of lengths: in deposits, in what is best, in curves; the result's length stays the length.
+/// Of more than one island no rule is the caller's own.
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer, const OwnRules& own,
                   const disc::DiscSpace* disc = nullptr, const cost::Terrain* terrain = nullptr);
@@ -31,7 +32,7 @@ Result run_colony(const Grid& grid, const Request& request, const Params& params
 class SurvivingColony {
  public:
   /// `grid`, edited by its owner between calls, must outlive the object and keep its size; so must
-  /// `disc`, see run_colony(). `params` are a colony's, valid.
+  /// `disc`, see run_colony(). `params` are a colony's of one island, valid.
   SurvivingColony(const Grid& grid, Cell goal, const Params& params,
                   const disc::DiscSpace* disc = nullptr);
   ~SurvivingColony();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <vector>
 
 #include "core/base/held_bytes.h"
@@ -25,15 +26,19 @@ struct ColonyMemory {
   std::vector<int> ranking;         // of the ants
   std::vector<EarlierTau> earlier;  // before an iteration's local updates
   BestTour best;                    // so far
+  BestTour guest;                   // another island's, to learn by
   Ant answer;                       // of a colony whose ants only teach it
   std::vector<std::uint8_t> way;    // its moves, as they are found
   Polisher polisher;
-  NumberedTours numbered;  // for an own update
+  NumberedTours numbered;           // for an own update
+  std::list<ColonyMemory> islands;  // perhaps more than there are
 
   std::int64_t bytes() const noexcept {
-    return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
-           held_bytes(tours, raw_lengths, ranking, earlier, way) + best.bytes() + polisher.bytes() +
-           numbered.bytes() + held_bytes_of_all(cutters);
+    std::int64_t others = 0;
+    for (const ColonyMemory& island : islands) others += island.bytes();
+    return others + field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
+           held_bytes(tours, raw_lengths, ranking, earlier, way) + best.bytes() + guest.bytes() +
+           polisher.bytes() + numbered.bytes() + held_bytes_of_all(cutters);
   }
 };
 

@@ -39,22 +39,26 @@ class GridColony final : public ColonyWorld {
   enum class After { nothing, more_runs };
 
   /// `own`, checked, may take the place of some rules; disc and terrain as of run_colony(). All
-  /// outlive the object.
+  /// outlive the object. `first_ant` picks the first ant's random numbers, those after it follow.
   GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own,
-             After after, const disc::DiscSpace* disc, const cost::Terrain* terrain = nullptr)
+             After after, const disc::DiscSpace* disc, const cost::Terrain* terrain = nullptr,
+             int first_ant = 0)
       : grid_(grid),
         params_(params),
         own_(own),
         memory_(memory),
         after_(after),
         disc_(disc),
+        first_ant_(first_ant),
         threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours, disc != nullptr)),
         measure_(moves_, terrain) {
     const auto ants = static_cast<std::size_t>(params.ants);
     if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
     ants_ = std::span(memory_.ants).first(ants);
+    memory_.tours.reserve(ants + 1);  // and a guest
     memory_.tours.resize(ants);
+    memory_.guest.drop();
     memory_.raw_lengths.resize(ants);
     if (params.walk_cut != WalkCut::none && std::ssize(memory_.cutters) < threads_)
       memory_.cutters.resize(threads_);
@@ -69,11 +73,33 @@ class GridColony final : public ColonyWorld {
                         own_.heuristic, measure_.terrain());
     shape_ = walk_shape(params_, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
-    first_iteration_ = agreed_ = 0;
-    trail_level_ = 0;
+    trail_level_ = first_iteration_ = agreed_ = 0;
     memory_.best.drop();
     best_path_.drop();
     cut_path_.drop();
+  }
+
+  /// Gets ready for a run. A best tour that passes the new start goes on from there.
+  void set_out(const Request& request, const Observer& observer) {
+    if (request.start != request_.start) {
+      memory_.best.go_on_from(request_.start, request.start, moves_, measure_);
+      best_path_.drop();
+      cut_path_.drop();
+    }
+    request_ = request;
+    observer_ = &observer;
+    band_ = Band(request.start, request.goal, moves_);
+    world_ = walk_world(params_, moves_, request.start, request.goal);
+    memory_.walkers.reset(grid_.width(), grid_.height(), threads_, params_.ants,
+                          params_.polish == Polish::straight || params_.polish == Polish::taut ||
+                              params_.walk_cut == WalkCut::entered_cells,
+                          request_.stop);
+    memory_.polisher.reset(grid_, request_, moves_, params_, threads_, disc_, measure_);
+    if (!best_path_.none() || memory_.best.none()) return;
+    const Ant& rest = as_ant(memory_.best.moves());
+    memory_.polisher.polish({&rest, 1}, request.stop, {});
+    const bool whole = request.stop.poll() == StopCondition::Cause::none;
+    offer_answer(whole ? best_path_ : cut_path_);
   }
 
   /// Goes on from `request.start`, with the trail as it is.
@@ -83,18 +109,25 @@ class GridColony final : public ColonyWorld {
     const auto cause = run_colony_loop(*this, iterations, request_.stop, run);
     constexpr int kMany = 1 << 30;  // schedules have long ended
     if (first_iteration_ < kMany) first_iteration_ += run.iterations;
-    const bool cut = cut_path_.shorter_than(best_path_);
-    BestPath& best = cut ? cut_path_ : best_path_;
     return result_after(cause, std::move(run),
-                        after_ == After::nothing ? best.give() : best.points());
+                        after_ == After::nothing ? best_path().give() : best_path().points());
   }
+
+  /// The best path so far, of an iteration that was cut short too.
+  BestPath& best_path() noexcept {
+    return cut_path_.shorter_than(best_path_) ? cut_path_ : best_path_;
+  }
+  /// The best of ants and guests; holds until the next iteration.
+  Tour best_tour() const noexcept { return memory_.best.tour(); }
+  /// Another colony's tour: in the next iteration the trail learns by it as by one more ant.
+  void welcome(const Tour& tour) { memory_.guest.offer({&tour, 1}); }
 
   /// Fits what is remembered to cells that have changed.
   void changed(const Rectangle& part) {
     memory_.field.edited(part);
     if (ants_only_teach()) {
       forget_lost_ways(memory_.field, grid_, params_.corners, moves_, request_.goal, part);
-    } else if (may_shorten(part)) {
+    } else if (memory_.best.passed_by(grid_, request_.start, request_.goal, part)) {
       reopen(part);
     }
     agreed_ = 0;
@@ -180,44 +213,9 @@ class GridColony final : public ColonyWorld {
   }
 
  private:
-  /// Gets ready for a run. A best tour that passes the new start goes on from there.
-  void set_out(const Request& request, const Observer& observer) {
-    if (request.start != request_.start) {
-      memory_.best.go_on_from(request_.start, request.start, moves_, measure_);
-      best_path_.drop();
-      cut_path_.drop();
-    }
-    request_ = request;
-    observer_ = &observer;
-    band_ = Band(request.start, request.goal, moves_);
-    world_ = walk_world(params_, moves_, request.start, request.goal);
-    memory_.walkers.reset(grid_.width(), grid_.height(), threads_, params_.ants,
-                          params_.polish == Polish::straight || params_.polish == Polish::taut ||
-                              params_.walk_cut == WalkCut::entered_cells,
-                          request_.stop);
-    memory_.polisher.reset(grid_, request_, moves_, params_, threads_, disc_, measure_);
-    if (!best_path_.none() || memory_.best.none()) return;
-    const Ant& rest = as_ant(memory_.best.moves());
-    memory_.polisher.polish({&rest, 1}, request.stop, {});
-    const bool whole = request.stop.poll() == StopCondition::Cause::none;
-    offer_answer(whole ? best_path_ : cut_path_);
-  }
-
   bool holds(std::span<const Point> path) const {
     if (disc_ == nullptr) return !path_fault(grid_, path, params_.corners);
     return !path.empty() && disc_->clear(path[0]) && disc_->reaches_along(path);
-  }
-
-  /// Could a way through free cells of `part` be shorter than the best tour?
-  bool may_shorten(const Rectangle& part) const {
-    if (!(distance(request_.start, part) + distance(request_.goal, part) < memory_.best.length()))
-      return false;
-    for (int y = part.y; y < part.y + part.height; ++y) {
-      for (int x = part.x; x < part.x + part.width; ++x) {
-        if (grid_.free({x, y})) return true;
-      }
-    }
-    return false;
   }
 
   /// Lets ants leave the trail beside an opening: it becomes more alike there, and the best tour
@@ -251,8 +249,8 @@ class GridColony final : public ColonyWorld {
       const auto ants = ants_.subspan(first, count);
       memory_.field.refresh(weights, threads_);
       memory_.field.fill(world_);
-      const auto cause =
-          memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
+      const auto cause = memory_.walkers.walk(world_, kernel_, ants, first_ant_ + first,
+                                              request_.stop, after_walk(first));
       if (cause != StopCondition::Cause::none) return cause;
       update_locally(memory_.field, params_, tau0_, tours(first, count),
                      after_ == After::more_runs ? &memory_.earlier : nullptr);
@@ -310,8 +308,13 @@ class GridColony final : public ColonyWorld {
 
   /// The best tour, and the paper's update, which a caller's own takes the place of.
   void learn_from_walks() {
+    if (!memory_.guest.none()) memory_.tours.push_back(memory_.guest.tour());
     memory_.best.offer(memory_.tours);
-    if (!own_.update) lasius::update_trail(memory_.field, params_, tours(0, params_.ants));
+    if (!own_.update)
+      lasius::update_trail(memory_.field, params_,
+                           tours(0, static_cast<int>(memory_.tours.size())));
+    memory_.tours.resize(ants_.size());
+    memory_.guest.drop();
     learned_ = true;
   }
 
@@ -364,6 +367,7 @@ class GridColony final : public ColonyWorld {
   ColonyMemory& memory_;
   After after_;
   const disc::DiscSpace* disc_;
+  int first_ant_;
   std::span<Ant> ants_;
   const Observer* observer_ = nullptr;
   int threads_;

@@ -92,6 +92,8 @@ void check_own_rules(const OwnRules& own, const Grid& grid, const Params& params
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
     throw invalid_parameter("own rules are given, but " + params.algorithm() + " is no colony",
                             "choose an ant colony");
+  if (params.islands > 1)
+    throw invalid_parameter("own rules are given, but they are of one colony", "set islands to 1");
   if (own.update && params.update == Update::terminal_index)
     throw invalid_parameter("an own update is given, but the terminal index is no pheromone",
                             "choose another algorithm");

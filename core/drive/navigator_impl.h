@@ -80,6 +80,10 @@ class Navigator::Impl {
   /// A trail leads to one goal.
   void send_colony(Cell to) {
     Params params = options.params;
+    if (params.islands > 1)
+      throw invalid_parameter("islands is " + std::to_string(params.islands) +
+                                  ", but one colony follows a map that changes",
+                              "set islands to 1");
     params.corners = corners_of(params.corners, {options.radius});
     if (robot_disc && space() == nullptr)  // a step was stopped
       robot_disc->space = disc::DiscSpace::make(map.map(), options.radius);

@@ -148,7 +148,7 @@ struct LASIUS_EXPORT Params : TrailParams {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
-  int ants = 10;                             ///< m, 1 .. 10^6
+  int ants = 10;                             ///< m, 1 .. 10^6, of all islands together
   int iterations = 120;                      ///< T, 0 .. 10^9
   Neighbours neighbours = Neighbours::four;  ///< moves from a cell
   Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
@@ -198,6 +198,10 @@ struct LASIUS_EXPORT Params : TrailParams {
   int batch = 0;      ///< ants that walk before a local update; 0: all of them
   int agreement = 0;  ///< iterations in a row in which all ants took one way that end the run; 0:
                       ///< never. An ant alone agrees with nobody
+  int islands = 1;    ///< 1 .. 1024, each with a share of the ants and a trail of its own; only
+                      ///< without own rules, and where no map changes under a colony
+  int exchange_every = 10;  ///< iterations after which an island learns by the best tour of the one
+                            ///< before it, 1 .. 10^9
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)

@@ -178,6 +178,12 @@ constexpr std::array kColony{
             {"local_evaporation above 0", [](const Params& p) { return p.local_evaporation > 0; }}),
     Table::number("agreement", &Params::agreement, 0, 1000000000,
                   "iterations in a row with all ants on one way that end the run; 0: never", "0"),
+    Table::number("islands", &Params::islands, 1, 1024,
+                  "colonies with a trail of their own that the ants are shared among", "1"),
+    Table::number("exchange_every", &Params::exchange_every, 1, 1000000000,
+                  "iterations after which an island learns by the best tour of the one before it",
+                  "10")
+        .only_with({"islands above 1", [](const Params& p) { return p.islands > 1; }}),
     Table::number("unknown_index", &Params::unknown_index, 1, 1e6,
                   "terminal index of unknown cells, for 20 x 20 cells"),
     Table::number("index_spread", &Params::index_spread, 0, 1, "q of K' = K - q Kmin"),
@@ -337,6 +343,10 @@ void validate(const Params& params, const OwnParts& own) {
     throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
                             "give both pheromones larger values: only their ratio counts");
   }
+  if (params.islands > params.ants)
+    throw invalid_parameter("islands is " + std::to_string(params.islands) + ", and ants " +
+                                std::to_string(params.ants),
+                            "give each island an ant or more, ten are usual");
   if (params.settling_time > 0 && params.settling_time <= params.critical_time) {
     throw invalid_parameter("settling_time is " + std::to_string(params.settling_time) +
                                 ", not after critical_time, " +

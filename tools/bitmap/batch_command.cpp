@@ -107,6 +107,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   SignalWatcher signals;
   LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
   check_outputs(run.outputs, {map.image});
+  run.inputs.push_back(map.image);
   check_radius(map, run);
   QueryFile file = queries_of(command, map);
   keep_part(file.queries, command.queries, run.part);
@@ -153,10 +154,11 @@ int run_bitmap_batch(const PlanCommand& command) {
     });
   };
   // Optima are asked beside each part, so that answers still stream.
-  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
-    const std::size_t most = run.with_optimum ? 256 : std::max<std::size_t>(queries.size(), 1);
-    for (std::size_t from = 0; from < queries.size() && !how.token.stop_requested(); from += most)
-      answer_part(from, std::min(most, queries.size() - from), how, take);
+  const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+                              const Batch::Take& take) {
+    const std::size_t most = run.with_optimum ? 256 : std::max<std::size_t>(count, 1);
+    for (std::size_t done = 0; done < count && !how.token.stop_requested(); done += most)
+      answer_part(first + done, std::min(most, count - done), how, take);
   };
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_batch_picture(picture, map, run, paths, caption);

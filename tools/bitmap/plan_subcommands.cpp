@@ -53,6 +53,14 @@ void add_tracks(OptionTable& table, RunOptions& to) {
 }
 
 /// Of `plan` and `batch`, not of drives.
+void add_islands(OptionTable& table, RunOptions& to) {
+  add_parameter(table, "--islands", to,
+                "Split a colony into so many islands (alone: 8), each with its share of the ants, "
+                "that learn by each other's best tours (parameter exchange_every)",
+                "N");
+}
+
+/// Of `plan` and `batch`, not of drives.
 void add_costs(OptionTable& table, CostLayers& to) {
   add_cost_options(table, to);
   table.add("--moves",
@@ -283,6 +291,7 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
 // What plans and batches both take.
 void add_planning(OptionTable& table, PlanText& text, const SearchHelp& help) {
   add_run_options(table, text.run, help);
+  add_islands(table, text.run);
   add_costs(table, text.run.map.costs);
   add_tracks(table, text.run);
   add_spacing(table, text.run);
@@ -314,6 +323,9 @@ Subcommand add_plan(CLI::App& app) {
                     {"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179 "
                      "--alternatives 2",
                      "the shortest path and two other ways"},
+                    {"lasius plan maps/fan400x200.map --start 14,14 --goal 380,179 "
+                     "--algorithm acs --islands 4 --ants 40 --iterations 20",
+                     "a colony of four islands, each of ten ants"},
                     {"lasius plan maps/grid20a.map --start 0,0 --goal 19,19 --algorithm as "
                      "--set persistence=0.7 --seed 1-5",
                      "five seeds: a JSON object each"},

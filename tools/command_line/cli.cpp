@@ -167,8 +167,8 @@ std::string line_of(std::span<const std::string_view> words) {
   return text;
 }
 
-/// The words, with the value of an option that may do without it. What is like one, and no file, is
-/// meant for it, and refused with the name that is.
+/// The words, with the values of options that may do without one. What is like one, and no file, is
+/// meant for --prepare, and refused with the name that is.
 std::vector<std::string> with_values(std::span<const std::string_view> words) {
   constexpr std::array<std::string_view, 2> kPreparations{"graph", "labels"};
   const auto is_value = [&](std::string_view word) {
@@ -181,6 +181,8 @@ std::vector<std::string> with_values(std::span<const std::string_view> words) {
     if (words[i] == "--") break;
     const std::string_view next = i + 1 < words.size() ? words[i + 1] : "";
     if (words[i] == "--prepare" && !is_value(next)) whole[i] += "=graph";
+    const bool counted = !next.empty() && next.find_first_not_of("0123456789") == next.npos;
+    if (words[i] == "--islands" && !counted) whole[i] += "=8";
   }
   return whole;
 }

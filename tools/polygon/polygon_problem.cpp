@@ -221,17 +221,19 @@ int run_polygon_batch(PolygonCommand plan) {
                        .goal = goal,
                        .target_gap = plan.target_gap,
                        .goal_tolerance = plan.goal_tolerance});
-  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
+  const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+                              const Batch::Take& take) {
+    const auto asked = std::span<const polygon::Request>(queries).subspan(first, count);
     const auto receive = [&](const polygon::BatchAnswer& found) {
-      const auto one = to_answer(parameters, queries[found.index], found.result, found.elapsed);
+      const auto one = to_answer(parameters, asked[found.index], found.result, found.elapsed);
       Record record = polygon_record(world, plan, one);
-      record.index = plan.part.among_all(found.index);
+      record.index = plan.part.among_all(first + found.index);
       record.seed = found.seed;
       const auto [start, goal] = std::pair(one.start, one.goal);
       take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
            one.result.path);
     };
-    polygon::plan_batch(world.planner, queries, parameters, how, receive);
+    polygon::plan_batch(world.planner, asked, parameters, how, receive);
   };
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_paths_picture(picture, world, paths, caption);

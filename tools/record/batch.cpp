@@ -1,16 +1,25 @@
 #include "tools/record/batch.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
+#include "core/io/json_values.h"
+#include "lasius/version.h"
+#include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/record/journal.h"
+#include "tools/record/json_values.h"
 #include "tools/record/outputs.h"
 
 namespace lasius::tool {
@@ -52,6 +61,38 @@ std::string row(const Record& run, const std::vector<std::string>& ends) {
   return row.str();
 }
 
+/// What is told of an answer.
+struct Told {
+  std::string line, row;  ///< the row where a table is asked for
+  Status status = {};
+  int code = kFound;
+  std::string why;
+  std::vector<Point> path;  ///< where a picture is asked for
+};
+
+std::string text_of(const Told& told) {
+  json::Json path = json::Json::array();
+  for (const Point p : told.path) path.push_back({p.x, p.y});
+  return json::line({{"line", told.line},
+                     {"row", told.row},
+                     {"status", static_cast<int>(told.status)},
+                     {"code", told.code},
+                     {"why", told.why},
+                     {"path", std::move(path)}});
+}
+
+Told told_of(const std::string& text) {
+  const json::Json json = json::read(text, "an answer");
+  Told told{.line = json.at("line"),
+            .row = json.at("row"),
+            .status = static_cast<Status>(json.at("status").get<int>()),
+            .code = json.at("code"),
+            .why = json.at("why"),
+            .path = {}};
+  for (const json::Json& p : json.at("path")) told.path.push_back({p.at(0), p.at(1)});
+  return told;
+}
+
 /// Prints answers as they come, and keeps what the files that are asked for need of them.
 class BatchOutput {
  public:
@@ -68,18 +109,27 @@ class BatchOutput {
     }
   }
 
-  void add(const Record& run, const std::vector<std::string>& ends,
-           const std::vector<Point>& path) {
-    const std::string text = json_line(run);
-    delivery_.print(text);
+  /// By any thread.
+  Told told(const Record& run, const std::vector<std::string>& ends,
+            const std::vector<Point>& path) const {
+    return {.line = json_line(run),
+            .row = csv_ ? row(run, ends) : "",
+            .status = run.result.status,
+            .code = exit_code(run),
+            .why = explain(run),
+            .path = paths_ && run.has_path() ? path : std::vector<Point>()};
+  }
+
+  void add(Told&& told) {
+    delivery_.print(told.line);
     bar_->update(++done_, "queries");
-    if (json_) lines_ += text;
-    ++answers_[run.result.status];
-    if (paths_ && run.has_path()) kept_.push_back(path);
-    if (csv_) rows_ += row(run, ends);
+    if (json_) lines_ += told.line;
+    rows_ += told.row;
+    ++answers_[told.status];
+    if (!told.path.empty()) kept_.push_back(std::move(told.path));
     if (code_ == kFound) return;
-    code_ = exit_code(run);
-    why_ = explain(run);
+    code_ = told.code;
+    why_ = std::move(told.why);
   }
 
   /// Tells of answers that are missing or not final. The exit code.
@@ -127,6 +177,86 @@ class BatchOutput {
   Batch::Paths kept_;
 };
 
+/// Tells a command and its input from all others, but not on how many threads it runs.
+std::string key_of(const Batch& batch) {
+  std::string called = batch.options.called;
+  if (const auto at = called.find(" --threads"); at != called.npos) {
+    const auto value = called.find_first_not_of(" =", at + std::string_view(" --threads").size());
+    called.erase(at, std::min(called.find(' ', value), called.size()) - at);
+  }
+  std::uint64_t hash =
+      bytes_hash(called + "\n" + std::to_string(batch.queries) + "\n" + LASIUS_VERSION);
+  for (const std::string& file : batch.options.inputs) hash = file_hash(file, hash);
+  return hash_text(hash);
+}
+
+/// A batch whose chunks a crew shares. They do not depend on the ranks, so that others may go on.
+class SharedBatch {
+ public:
+  SharedBatch(Crew& crew, const Batch& batch, const BatchOptions& how, BatchOutput& output)
+      : crew_(crew),
+        batch_(batch),
+        how_(how),
+        output_(output),
+        chunk_(std::clamp<std::size_t>(
+            static_cast<std::size_t>(std::sqrt(static_cast<double>(batch.queries)) / 4), 1, 1024)) {
+  }
+
+  void run() {
+    Crew::Work work{.stop = how_.token};
+    if (crew_.leads()) {
+      const std::string key = key_of(batch_);
+      ready_ = std::move(journal_.emplace("lasius-batch-" + key + ".journal", key).kept());
+      const auto chunks = static_cast<int>((batch_.queries + chunk_ - 1) / chunk_);
+      for (int i = 0; i < chunks; ++i)
+        if (!ready_.contains(i)) work.items.push_back(i);
+      give_on();
+    }
+    work.act = [this](std::span<const int> chunks) {
+      std::vector<std::string> texts;
+      for (const int chunk : chunks) texts.push_back(answered(static_cast<std::size_t>(chunk)));
+      return texts;
+    };
+    work.receive = [this](int chunk, std::string text) {
+      journal_->add(chunk, text);
+      ready_.emplace(chunk, std::move(text));
+      give_on();
+    };
+    (void)crew_.share(work);
+    leave_to_leader();
+  }
+
+  void end() { journal_->remove(); }
+
+ private:
+  /// A line an answer; nothing where it was stopped.
+  std::string answered(std::size_t chunk) const {
+    std::string text;
+    const std::size_t first = chunk * chunk_;
+    batch_.answer(first, std::min(chunk_, batch_.queries - first), how_,
+                  [&](const auto&... answer) { text += text_of(output_.told(answer...)); });
+    return how_.token.stop_requested() ? std::string() : text;
+  }
+
+  /// Prints the chunks whose turn it is.
+  void give_on() {
+    for (auto first = ready_.begin(); first != ready_.end() && first->first == next_; ++next_) {
+      std::istringstream lines(first->second);
+      for (std::string line; std::getline(lines, line);) output_.add(told_of(line));
+      first = ready_.erase(first);
+    }
+  }
+
+  Crew& crew_;
+  const Batch& batch_;
+  const BatchOptions& how_;
+  BatchOutput& output_;
+  std::size_t chunk_;  ///< queries
+  std::optional<Journal> journal_;
+  std::map<int, std::string> ready_;
+  int next_ = 0;
+};
+
 }  // namespace
 
 int run_batch(const Batch& batch, const SignalWatcher& signals) {
@@ -136,8 +266,14 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
   BatchOptions how{.threads = options.threads, .token = signals.token(), .seeds = options.seeds};
   if (options.time_limit) how.time_limit = std::chrono::duration<double>(*options.time_limit);
   BatchOutput output(batch);
-  batch.answer(how, [&](const auto&... answer) { output.add(answer...); });
+  std::optional<SharedBatch> shared;
+  if (crew() != nullptr)
+    shared.emplace(*crew(), batch, how, output).run();
+  else
+    batch.answer(0, batch.queries, how,
+                 [&](const auto&... answer) { output.add(output.told(answer...)); });
   output.write_files();
+  if (shared && !signals.interrupted()) shared->end();
   return output.finish(signals.interrupted());
 }
 

@@ -26,15 +26,18 @@ struct Batch {
   bool poses = false;    ///< starts and goals have a yaw
   bool costs = false;    ///< answers are over costs: another column
   bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
-  /// Answers the queries with each seed, in order, each taken in its turn.
-  std::function<void(const BatchOptions&, const Take&)> answer;
+  /// Answers `count` queries from the `first`-th on with each seed, in order, each taken in its
+  /// turn.
+  std::function<void(std::size_t first, std::size_t count, const BatchOptions&, const Take&)>
+      answer;
   using Paths = std::vector<std::vector<Point>>;
   /// Draws all paths into a file; the caption counts them, and the answers by their status.
   std::function<void(const std::string& file, const Paths&, const std::string& caption)> draw;
 };
 
 /// Answers all queries, prints the answers as they come, and writes the files that are asked for.
-/// The program's exit code.
+/// With a crew chunks of queries are shared, and its leader keeps a journal of those that are done
+/// in the working folder until all are. The program's exit code.
 int run_batch(const Batch& batch, const SignalWatcher& signals);
 
 }  // namespace lasius::tool

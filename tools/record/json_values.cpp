@@ -34,11 +34,16 @@ Json range_json(const Parameter& parameter) {
   return object;
 }
 
+std::uint64_t bytes_hash(std::string_view bytes, std::uint64_t hash) noexcept {
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
 std::uint64_t file_hash(const std::string& file, std::uint64_t hash) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return hash;
   std::ifstream in(file, std::ios::binary);
-  for (char c = 0; in.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  for (char c = 0; in.get(c);) hash = bytes_hash({&c, 1}, hash);
   return hash;
 }
 

@@ -20,7 +20,10 @@ Json range_json(const Parameter& parameter);
 /// The hash as results give it: 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
-/// The hash of the bytes of a file that was just read (FNV-1a); of a pipe, which can be read but
+/// FNV-1a over bytes, from the hash before.
+std::uint64_t bytes_hash(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325) noexcept;
+
+/// The same of the bytes of a file that was just read; of a pipe, which can be read but
 /// once, that of nothing. Of several files, one behind another: each from the hash before.
 std::uint64_t file_hash(const std::string& file, std::uint64_t hash = 0xcbf29ce484222325);
 

@@ -84,9 +84,12 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
                             std::uint64_t seed) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
+  return parse_run({std::istreambuf_iterator<char>(in), {}}, key, seed);
+}
+
+std::optional<Run> parse_run(const std::string& text, const std::string& key, std::uint64_t seed) {
   try {
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    const Json json = json::read(text, file.string());
+    const Json json = json::read(text, "a run");
     if (json.at("key") != kVersion + key) return std::nullopt;
     Run run = run_of(json);
     if (run.seed != seed) return std::nullopt;
@@ -97,6 +100,10 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
 }
 
 void write_run(const std::filesystem::path& file, const std::string& key, const Run& run) {
+  write_text(file, run_text(key, run));
+}
+
+std::string run_text(const std::string& key, const Run& run) {
   Json json;
   json["key"] = kVersion + key;
   json["seed"] = run.seed;
@@ -111,7 +118,7 @@ void write_run(const std::filesystem::path& file, const std::string& key, const 
   json["checks"] = run.checks;
   json["path"] = Json::array();
   for (const Point p : run.path) json["path"].push_back({p.x, p.y});
-  write_text(file, json::dumped(json) + '\n');
+  return json::dumped(json) + '\n';
 }
 
 }  // namespace lasius::study

@@ -6,10 +6,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "lasius/error.h"
+#include "tools/console/crew.h"
 #include "tools/study/files.h"
 #include "tools/study/run_file.h"
 
@@ -25,6 +29,7 @@ struct Job {
   std::size_t run;
   std::uint64_t seed;
   fs::path file;
+  bool kept = false;  ///< from an earlier call: a crew's numbers count it
 };
 
 /// Takes the kept runs of a sample from their files, and adds the jobs that are left.
@@ -39,10 +44,11 @@ void list_jobs(const std::shared_ptr<const PreparedRun>& prepared, const RunnerO
     if (!options.part.holds(number++)) continue;
     const std::uint64_t seed = options.first_seed + r;
     const fs::path file = folder / (std::to_string(seed) + ".json");
-    if (auto kept = read_run(file, prepared->key, seed))
-      sample.runs[r] = std::move(*kept);
-    else
-      jobs.push_back({prepared, &sample, r, seed, file});
+    auto kept = tool::follows() ? std::nullopt : read_run(file, prepared->key, seed);
+    const bool there = kept.has_value();
+    if (there) sample.runs[r] = *std::move(kept);
+    if (!there || tool::crew() != nullptr)
+      jobs.push_back({prepared, &sample, r, seed, file, there});
   }
 }
 
@@ -126,6 +132,60 @@ void work(std::vector<Job>& jobs, const RunnerOptions& options) {
   });
 }
 
+/// What another rank made of a job.
+Run taken(const Job& job, const std::string& text) {
+  auto run = parse_run(text, job.prepared->key, job.seed);
+  if (!run) throw std::runtime_error("a rank is another lasius than the leader");
+  return *std::move(run);
+}
+
+/// Shares the jobs that are left among a crew; an item is a job's number.
+void share(tool::Crew& crew, const std::vector<Job>& jobs, const RunnerOptions& options) {
+  std::vector<Workspace> workspaces(static_cast<std::size_t>(options.threads));
+  const auto job_of = [&](int item) -> const Job& { return jobs[static_cast<std::size_t>(item)]; };
+  tool::Crew::Work work{.at_a_time = options.threads, .stop = options.stop};
+  for (int i = 0; i < static_cast<int>(jobs.size()); ++i)
+    if (!job_of(i).kept) work.items.push_back(i);
+  std::ranges::stable_sort(work.items, std::greater<>(),
+                           [&](int item) { return job_of(item).prepared->work; });
+  work.act = [&](std::span<const int> items) {
+    std::vector<std::string> texts(items.size());
+    parallel_for(static_cast<int>(items.size()), options.threads, [&](int i, int thread) {
+      const auto at = static_cast<std::size_t>(i);
+      const Job& job = job_of(items[at]);
+      if (options.stop.stop_requested()) return;
+      Run run = job.prepared->run(job.seed, false, options.stop,
+                                  workspaces[static_cast<std::size_t>(thread)]);
+      if (options.stop.stop_requested()) return;
+      run.seed = job.seed;
+      texts[at] = run_text(job.prepared->key, run);
+    });
+    return texts;
+  };
+  std::int64_t done = 0;
+  work.receive = [&](int item, const std::string& text) {
+    const Job& job = job_of(item);
+    write_text(job.file, text);
+    job.sample->runs[job.run] = taken(job, text);
+    if (options.progress)
+      options.progress(++done, static_cast<std::int64_t>(work.items.size()),
+                       job.sample->contender->label + " on " + job.sample->question->name);
+  };
+  if (options.tell_all)
+    work.summary = [&] {
+      std::string all;
+      for (const Job& job : jobs) all += run_text(job.prepared->key, job.sample->runs[job.run]);
+      return all;
+    };
+  std::istringstream told(crew.share(work));
+  if (crew.leads() || !options.tell_all) return;
+  std::string line;
+  for (const Job& job : jobs) {
+    std::getline(told, line);
+    job.sample->runs[job.run] = taken(job, line);
+  }
+}
+
 }  // namespace
 
 std::optional<double> Domain::optimum(const Question&, const Optimum&, const StopCondition&) const {
@@ -140,14 +200,25 @@ double thread_seconds() {
 
 Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options) {
   Findings findings;
-  for (const Experiment& experiment : study.experiments)
-    for (const Question& question : experiment.questions) {
-      if (options.stop.stop_requested() || options.part.divided()) break;
-      if (const auto length = domain.optimum(question, experiment.optimum, {.token = options.stop}))
-        findings.optima.emplace(std::pair(&experiment, &question), *length);
-    }
+  const bool alone = options.part.divided() || (tool::follows() && !options.tell_all);
+  const auto find_optima = [&] {
+    for (const Experiment& experiment : study.experiments)
+      for (const Question& question : experiment.questions) {
+        if (options.stop.stop_requested() || alone) return;
+        if (const auto length =
+                domain.optimum(question, experiment.optimum, {.token = options.stop}))
+          findings.optima.emplace(std::pair(&experiment, &question), *length);
+      }
+  };
+  tool::Crew* const crew = tool::crew();
+  if (crew == nullptr) find_optima();
   auto jobs = list_jobs(study, domain, options, findings);
-  if (!jobs.empty()) work(jobs, options);
+  if (crew != nullptr) {
+    share(*crew, jobs, options);
+    find_optima();  // others need not wait for them
+  } else if (!jobs.empty()) {
+    work(jobs, options);
+  }
   for (Sample& sample : findings.samples)
     if (std::erase_if(sample.runs, [](const Run& run) { return run.seed == 0; }) > 0)
       findings.whole = false;

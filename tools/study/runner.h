@@ -84,10 +84,13 @@ struct RunnerOptions {
   std::function<void(std::int64_t done, std::int64_t total, const std::string& note)> progress = {};
   std::uint64_t first_seed = 1;  ///< at least 1
   tool::Part part = {};          ///< of the runs: only these are done
+  bool tell_all = false;         ///< of a crew: all ranks are told the runs, not its leader alone
 };
 
 /// The findings, whole unless `stop` was requested: then runs in flight are dropped. They refer to
-/// `study`. Of a part only the runs are made: the findings have no optima, and are not whole.
+/// `study`. Of a part only the runs are made: the findings have no optima, and are not whole. A
+/// crew shares the runs; its leader keeps them. Findings of a rank that is not told all are as a
+/// part's.
 /// @throws Error for an output that cannot be written.
 Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options);
 

@@ -1,13 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lasius/error.h"
 #include "lasius/map_io.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
+#include "tools/console/crew.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/markdown.h"
 #include "tools/study/table.h"
@@ -79,6 +84,51 @@ TEST_F(StudyRunner, RunsEveryContenderForEverySeed) {
   EXPECT_NEAR(findings.optimum(s.experiments[0], s.experiments[0].questions[0]).value(),
               13 * std::sqrt(2.0) + 3, 1e-9);
   for (const study::Run& run : more->runs) EXPECT_EQ(run.best.back(), run.length);
+}
+
+/// Two ranks of a crew, one after the other: the other one acts in the leader's call, the last item
+/// first, and hears the summary in its own.
+class TwoRanks final : public tool::Crew {
+ public:
+  TwoRanks() { tool::set_crew(this); }
+  ~TwoRanks() override { tool::set_crew(nullptr); }
+  bool leads() const noexcept override { return leads_; }
+  std::string share(const Work& work) override {
+    if (!leads_) return told_;
+    given_ = work.items.size();
+    std::vector<int> items(work.items.rbegin(), work.items.rend());
+    auto texts = work.act(items);
+    for (std::size_t i = 0; i < items.size(); ++i) work.receive(items[i], std::move(texts[i]));
+    if (work.summary) told_ = work.summary();
+    return told_;
+  }
+
+  bool leads_ = true;
+  std::size_t given_ = 0;
+
+ private:
+  std::string told_;
+};
+
+TEST_F(StudyRunner, ACrewMakesTheSameTablesAndTellsItsRanks) {
+  const Study s = study();
+  const std::string expected = tables(run(s, options()), s);
+  TwoRanks ranks;
+  RunnerOptions shared = options();
+  shared.folder = path("shared");
+  shared.tell_all = true;
+  std::filesystem::create_directories(path("shared/runs/walls/wall/as"));
+  std::filesystem::copy(path("out/runs/walls/wall/as/2.json"),
+                        path("shared/runs/walls/wall/as/2.json"));
+  EXPECT_EQ(tables(run(s, shared), s), expected);
+  EXPECT_EQ(ranks.given_, 11u);  // one was kept
+  ranks.leads_ = false;
+  shared.folder = path("follower");
+  const Findings told = run(s, shared);
+  EXPECT_TRUE(told.whole);
+  EXPECT_EQ(tables(told, s), expected);
+  shared.tell_all = false;
+  EXPECT_FALSE(run(s, shared).whole);
 }
 
 TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {

@@ -6,6 +6,7 @@
 #include "core/base/did_you_mean.h"
 #include "core/base/output.h"
 #include "lasius/error.h"
+#include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
@@ -107,7 +108,7 @@ class Session {
       check_outputs({(folder / name).string()}, {});  // before hours of work
     const auto domain = make_domain(study, maps_);
     Findings findings = run_remaining(study, *domain, folder);
-    if (!command_.part.divided()) write(study, findings, folder);
+    if (!command_.part.divided() && !follows()) write(study, findings, folder);
     return findings;
   }
 
@@ -169,9 +170,10 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
   for (const Study& study : all) {
     if (session.interrupted()) break;
     findings.push_back(session.run(study, folder / study.name));
-    if (command.part.divided()) continue;
+    if (command.part.divided() || follows()) continue;
     std::ranges::move(study::weigh(study, findings.back()), std::back_inserter(evidence));
   }
+  leave_to_leader();
   if (command.part.divided()) return folder;
   study::decide(evidence);
   std::string called = "lasius study all";
@@ -186,7 +188,9 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
 }
 
 int finished(const Session& session, const StudyCommand& command, const fs::path& page) {
+  leave_to_leader();
   if (session.interrupted()) {
+    leave_to_leader();
     message("interrupted: " + page.string() + " is partial; the same command goes on from here");
     return kInterrupted;
   }

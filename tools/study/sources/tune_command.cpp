@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/base/output.h"
+#include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
@@ -53,6 +54,7 @@ int run_command(const TuneCommand& command) {
     check_outputs({(folder / name).string()}, inputs);  // before hours of work
   const SignalWatcher signals;
   const study::Tuned tuned = conduct_tuning(tuning, command, signals.token());
+  leave_to_leader();
   write_tuning(tuning, tuned, folder);
   const std::string preset = (folder / "preset.yaml").string();
   if (!tuned.whole) {

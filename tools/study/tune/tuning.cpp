@@ -57,7 +57,8 @@ class TuningRun {
             .threads = options_.threads,
             .folder = options_.folder,
             .stop = options_.stop,
-            .first_seed = first_seed};
+            .first_seed = first_seed,
+            .tell_all = true};
   }
 
   static void check_all_ran(const Findings& findings) {

@@ -1,0 +1,102 @@
+// What a journal keeps of a command that died: whole entries, up to the first that is not.
+#include "tools/record/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "lasius/error.h"
+
+namespace lasius::tool {
+namespace {
+
+using Entries = std::map<int, std::string>;
+
+class Journals : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directory(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Entries kept(const std::string& key = "key") const { return Journal(file_, key).kept(); }
+  std::string bytes() const {
+    std::ifstream in(file_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void put(const std::string& bytes) const {
+    std::ofstream(file_, std::ios::binary | std::ios::trunc) << bytes;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / "lasius-journal-test";
+  const std::string file_ = (folder_ / "a.journal").string();
+};
+
+TEST_F(Journals, EntriesAreThereAgainInAnyOrder) {
+  const Entries all{{0, "two\nlines\n"}, {3, ""}, {7, std::string("\0\xff", 2)}};
+  {
+    Journal journal(file_, "key");
+    EXPECT_TRUE(journal.kept().empty());
+    for (const int i : {7, 0, 3}) journal.add(i, all.at(i));
+  }
+  EXPECT_EQ(kept(), all);
+  EXPECT_EQ(kept(), all);
+}
+
+TEST_F(Journals, AfterACutAnywhereWholeEntriesAreLeftAndMoreAreAdded) {
+  {
+    Journal journal(file_, "key");
+    journal.add(1, "one");
+    journal.add(2, "second");
+  }
+  const std::string whole = bytes();
+  const std::size_t first = whole.find("2 6 ");
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    put(whole.substr(0, size));
+    {
+      Journal journal(file_, "key");
+      EXPECT_EQ(journal.kept().size(),
+                std::size_t{size >= first} + std::size_t{size == whole.size()});
+      journal.add(5, "five");
+    }
+    EXPECT_EQ(kept().at(5), "five") << size;
+  }
+}
+
+TEST_F(Journals, AnEntryThatWasChangedEndsIt) {
+  {
+    Journal journal(file_, "key");
+    journal.add(1, "one");
+    journal.add(2, "second");
+  }
+  const std::string whole = bytes();
+  for (std::size_t i = whole.find("1 3 "); i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    put(changed);
+    const Entries left = kept();
+    EXPECT_LE(left.size(), 1u) << i;
+    if (!left.empty()) {
+      EXPECT_EQ(left.at(1), "one") << i;
+    }
+  }
+}
+
+TEST_F(Journals, AnotherCommandBeginsAnewAndTheEndLeavesNothing) {
+  Journal(file_, "key").add(1, "one");
+  EXPECT_TRUE(kept("other").empty());
+  EXPECT_TRUE(kept().empty());
+  Journal journal(file_, "key");
+  journal.remove();
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  EXPECT_THROW(Journal((folder_ / "none" / "a").string(), "key"), Error);
+}
+
+}  // namespace
+}  // namespace lasius::tool

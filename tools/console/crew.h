@@ -1,0 +1,51 @@
+// The processes that share the work of one command.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace lasius::tool {
+
+/// A scheduler over processes ("ranks"), as parallel_for is one over threads: all ranks run the
+/// same command on the same input, up to where its independent items of work are shared. One rank
+/// leads: it gives items out, takes what became of them, and goes on alone.
+class Crew {
+ public:
+  virtual ~Crew() = default;
+  virtual bool leads() const noexcept = 0;
+
+  struct Work {
+    /// What the leader gives out, in this order; unread elsewhere. Items mean the same to all.
+    std::vector<int> items = {};
+    int at_a_time = 1;          ///< items that a rank takes at once
+    std::stop_token stop = {};  ///< the leader's: nothing more is given out
+    /// Of any rank: does items, and tells of each what became of it, not empty; empty: it was
+    /// stopped.
+    std::function<std::vector<std::string>(std::span<const int> items)> act = {};
+    /// Of the leader, on the thread that shares: what became of an item, in no order.
+    std::function<void(int item, std::string text)> receive = {};
+    /// Of the leader: what the others go on with, too.
+    std::function<std::string()> summary = {};
+  };
+  /// Returns the summary when all items are done; of the leader also once it was stopped, and the
+  /// others are dismissed then. @throws Dismissed; std::runtime_error for what another rank met
+  /// with.
+  virtual std::string share(const Work& work) = 0;
+};
+
+/// Thrown where a rank's work is done.
+struct Dismissed {};
+
+/// Null in a process of its own.
+Crew* crew() noexcept;
+void set_crew(Crew* one) noexcept;
+
+/// Is there a crew that another rank leads?
+bool follows() noexcept;
+/// From here on a crew's leader goes on alone. @throws Dismissed where another rank leads.
+void leave_to_leader();
+
+}  // namespace lasius::tool

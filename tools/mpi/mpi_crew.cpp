@@ -1,0 +1,239 @@
+#include "tools/mpi/mpi_crew.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <exception>
+#include <future>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "tools/console/exit_code.h"
+#include "tools/console/streams.h"
+
+namespace lasius::tool {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A message begins with one of these. To the leader: work is wanted, and what became of the last;
+// it failed; the rank has ended.
+constexpr char kWant = 'w', kFailed = 'f', kGone = 'g';
+// To others: items; the end of a sharing, with its summary; the end of all.
+constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
+
+constexpr auto kNap = 200us;
+
+void put(std::string& to, int number) {
+  to.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+int take_number(std::string_view& from) {
+  int number = 0;
+  std::memcpy(&number, from.data(), sizeof number);
+  from.remove_prefix(sizeof number);
+  return number;
+}
+
+std::string packed(std::span<const int> items, const std::vector<std::string>& texts) {
+  std::string all;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    put(all, items[i]);
+    put(all, static_cast<int>(texts[i].size()));
+    all += texts[i];
+  }
+  return all;
+}
+
+void send(int to, const std::string& text) {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, 0, MPI_COMM_WORLD);
+}
+
+struct Letter {
+  int from;
+  std::string text;
+};
+
+/// The next message, if there is one.
+std::optional<Letter> post() {
+  int there = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
+  if (there == 0) return std::nullopt;
+  int size = 0;
+  MPI_Get_count(&status, MPI_CHAR, &size);
+  Letter letter{status.MPI_SOURCE, std::string(static_cast<std::size_t>(size), '\0')};
+  MPI_Recv(letter.text.data(), size, MPI_CHAR, letter.from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return letter;
+}
+
+/// Work of the leader's own, beside the thread that answers the others.
+class OwnWork {
+ public:
+  explicit OwnWork(const Crew::Work& work) : work_(work) {}
+
+  bool idle() const noexcept { return !under_way_.valid(); }
+  void begin(std::vector<int> items) {
+    under_way_ = std::async(std::launch::async, [this, items = std::move(items)] {
+      return packed(items, work_.act(items));
+    });
+  }
+  /// What became of it, once it has ended.
+  std::optional<std::string> ended() {
+    if (idle() || under_way_.wait_for(0s) != std::future_status::ready) return std::nullopt;
+    return under_way_.get();
+  }
+
+ private:
+  const Crew::Work& work_;
+  std::future<std::string> under_way_;
+};
+
+/// The items of one sharing, as its leader sees them.
+class Ledger {
+ public:
+  explicit Ledger(const Crew::Work& work) : work_(work), open_(work.items.size()) {}
+
+  bool stopping() const { return stopped_ || work_.stop.stop_requested(); }
+  bool done() const { return open_ == 0; }
+
+  std::vector<int> next() {
+    std::vector<int> items;
+    if (stopping()) return items;
+    const auto count =
+        std::min(work_.items.size() - given_, static_cast<std::size_t>(work_.at_a_time));
+    const auto first = work_.items.begin() + static_cast<std::ptrdiff_t>(given_);
+    items.assign(first, first + static_cast<std::ptrdiff_t>(count));
+    given_ += count;
+    return items;
+  }
+
+  void enter(std::string_view results) {
+    while (!results.empty()) {
+      const int item = take_number(results);
+      const auto size = static_cast<std::size_t>(take_number(results));
+      if (size == 0)
+        stopped_ = true;
+      else
+        work_.receive(item, std::string(results.substr(0, size)));
+      --open_;
+      results.remove_prefix(size);
+    }
+  }
+
+ private:
+  const Crew::Work& work_;
+  std::size_t given_ = 0, open_;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+MpiCrew::MpiCrew(int* argc, char*** argv) {
+  int provided = 0;
+  MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
+  gone_.resize(static_cast<std::size_t>(ranks_));
+}
+
+MpiCrew::~MpiCrew() { MPI_Finalize(); }
+
+std::string MpiCrew::share(const Work& work) {
+  std::string summary = leads() ? lead(work) : follow(work);
+  ++shared_;
+  return summary;
+}
+
+std::string MpiCrew::follow(const Work& work) {
+  std::string results;
+  for (;;) {
+    std::string wanted(1, kWant);
+    put(wanted, shared_);
+    send(0, wanted + results);
+    std::optional<Letter> reply;
+    while (!(reply = post())) std::this_thread::sleep_for(kNap);
+    if (reply->text[0] == kEnd) return reply->text.substr(1);
+    if (reply->text[0] != kItems) throw Dismissed{};
+    std::vector<int> items;
+    for (std::string_view left = std::string_view(reply->text).substr(1); !left.empty();)
+      items.push_back(take_number(left));
+    try {
+      results = packed(items, work.act(items));
+    } catch (const std::exception& fault) {
+      send(0, kFailed + std::string(fault.what()));
+      throw Dismissed{};
+    }
+  }
+}
+
+std::string MpiCrew::lead(const Work& work) {
+  Ledger ledger(work);
+  OwnWork own(work);
+  std::vector<int> waiting;
+  const auto give = [&](int rank) {
+    const std::vector<int> items = ledger.next();
+    if (items.empty()) return waiting.push_back(rank);
+    std::string text(1, kItems);
+    for (const int item : items) put(text, item);
+    send(rank, text);
+  };
+  // Once it stops what others have under way is not waited for: it is done again.
+  while (!ledger.done() && !(ledger.stopping() && own.idle())) {
+    if (own.idle())
+      if (auto items = ledger.next(); !items.empty()) own.begin(std::move(items));
+    bool rest = true;
+    if (const auto results = own.ended()) {
+      ledger.enter(*results);
+      rest = false;
+    }
+    while (const auto letter = post()) {
+      rest = false;
+      std::string_view text = std::string_view(letter->text).substr(1);
+      if (letter->text[0] == kGone) {
+        gone_[static_cast<std::size_t>(letter->from)] = true;
+        if (text != "0")
+          message("rank " + std::to_string(letter->from) + " ended with exit code " +
+                  std::string(text) + " before it was at work; the others go on");
+        continue;
+      }
+      if (letter->text[0] == kFailed)
+        throw std::runtime_error("rank " + std::to_string(letter->from) + ": " + std::string(text));
+      const auto sharing = static_cast<std::size_t>(take_number(text));
+      if (sharing < farewells_.size()) {  // it comes late: that work is done
+        send(letter->from, farewells_[sharing]);
+        continue;
+      }
+      ledger.enter(text);
+      give(letter->from);
+    }
+    if (rest) std::this_thread::sleep_for(kNap);
+  }
+  const std::string summary = work.summary && ledger.done() ? work.summary() : std::string();
+  farewells_.push_back(ledger.done() && !ledger.stopping() ? kEnd + summary
+                                                           : std::string(1, kDismissed));
+  for (const int rank : waiting) send(rank, farewells_.back());
+  return summary;
+}
+
+void MpiCrew::leave(int code) {
+  if (!leads()) return send(0, kGone + std::to_string(code));
+  const auto until = std::chrono::steady_clock::now() + 10s;
+  while (std::ranges::count(gone_, true) < ranks_ - 1) {
+    const auto letter = post();
+    if (letter && letter->text[0] == kWant)
+      send(letter->from, std::string(1, kDismissed));
+    else if (letter && letter->text[0] == kGone)
+      gone_[static_cast<std::size_t>(letter->from)] = true;
+    else if (std::chrono::steady_clock::now() > until)
+      MPI_Abort(MPI_COMM_WORLD, code);  // others are at work that nobody waits for
+    else if (!letter)
+      std::this_thread::sleep_for(kNap);
+  }
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,35 @@
+// Ranks of MPI as a crew.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/console/crew.h"
+
+namespace lasius::tool {
+
+/// Messages from point to point alone, all by the thread that made the object; who waits for one
+/// sleeps, so that ranks may be more than cores. The leader, rank 0, works as well.
+class MpiCrew final : public Crew {
+ public:
+  MpiCrew(int* argc, char*** argv);  ///< MPI_Init_thread
+  ~MpiCrew() override;               ///< MPI_Finalize
+
+  bool leads() const noexcept override { return rank_ == 0; }
+  std::string share(const Work& work) override;
+
+  /// The command has ended with this exit code; the leader waits for the others a while, and ends
+  /// the job where they do not.
+  void leave(int code);
+
+ private:
+  std::string lead(const Work& work);
+  std::string follow(const Work& work);
+
+  int rank_ = 0, ranks_ = 1;
+  int shared_ = 0;                      ///< how often work was
+  std::vector<std::string> farewells_;  ///< of the leader: what ended each sharing
+  std::vector<bool> gone_;              ///< of the leader
+};
+
+}  // namespace lasius::tool

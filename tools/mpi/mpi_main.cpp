@@ -1,0 +1,24 @@
+// lasius_mpi: the commands of lasius on many ranks.
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include "tools/command_line/program.h"
+#include "tools/console/exit_code.h"
+#include "tools/mpi/mpi_crew.h"
+
+int main(int argc, char** argv) {
+  using namespace lasius::tool;
+  MpiCrew ranks(&argc, &argv);
+  constexpr std::array<std::string_view, 3> kShared{"batch", "study", "tune"};
+  bool shares = false;
+  for (const auto command : kShared) shares = shares || (argc > 1 && command == argv[1]);
+  int code = kFound;
+  if (shares) set_crew(&ranks);
+  if (!ranks.leads())  // one rank speaks for all
+    for (std::FILE* const stream : {stdout, stderr})
+      if (std::freopen("/dev/null", "w", stream) == nullptr) return kInternal;
+  if (ranks.leads() || shares) code = run_program(argc, argv);
+  ranks.leave(code);
+  return ranks.leads() ? code : kFound;
+}

@@ -1,0 +1,92 @@
+#include "tools/record/journal.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "lasius/error.h"
+#include "tools/record/json_values.h"
+
+namespace lasius::tool {
+namespace {
+
+std::string header_of(const std::string& key) { return "lasius-journal/1 " + key + "\n"; }
+
+std::string entry_head(int number, std::string_view text) {
+  return std::to_string(number) + " " + std::to_string(text.size()) + " " +
+         hash_text(bytes_hash(text)) + "\n";
+}
+
+/// Takes whole entries off the front of `bytes`; returns how many bytes they are.
+std::size_t read_entries(std::string_view bytes, std::map<int, std::string>& kept) {
+  std::size_t at = 0;
+  for (;;) {
+    const std::string_view rest = bytes.substr(at);
+    const auto end = rest.find('\n'), first = rest.find(' ');
+    if (end == rest.npos || first >= end) return at;
+    const auto second = rest.find(' ', first + 1);
+    if (second >= end) return at;
+    const auto number = number_of<int>(rest.substr(0, first));
+    const auto size = number_of<int>(rest.substr(first + 1, second - first - 1));
+    if (!number || !size || *size < 0) return at;
+    const auto length = static_cast<std::size_t>(*size);
+    if (rest.size() - end - 1 < length + 1) return at;
+    const std::string_view text = rest.substr(end + 1, length);
+    if (rest.substr(0, end + 1) != entry_head(*number, text) || rest[end + 1 + length] != '\n')
+      return at;
+    kept[*number] = text;
+    at += end + length + 2;
+  }
+}
+
+}  // namespace
+
+Journal::Journal(std::string file, const std::string& key) : file_(std::move(file)) {
+  std::string bytes;
+  if (std::ifstream in(file_, std::ios::binary); in)
+    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  const std::string header = header_of(key);
+  std::size_t whole = 0;
+  if (bytes.starts_with(header))
+    whole = header.size() + read_entries(std::string_view(bytes).substr(header.size()), kept_);
+  descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const auto length = static_cast<off_t>(whole);
+  if (descriptor_ < 0 || ::ftruncate(descriptor_, length) != 0 ||
+      ::lseek(descriptor_, length, SEEK_SET) != length)
+    throw Error(ErrorCode::output_failed, {.file = file_},
+                std::string("cannot be written: ") + std::strerror(errno),
+                "go to a folder that may be written: what is done is kept there");
+  if (whole == 0) write(header);
+}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void Journal::add(int number, std::string_view text) {
+  write(entry_head(number, text).append(text).append("\n"));
+}
+
+void Journal::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) break;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (bytes.empty() && ::fdatasync(descriptor_) == 0) return;
+  throw Error(ErrorCode::output_failed, {.file = file_},
+              std::string("cannot be written: ") + std::strerror(errno),
+              "make room; the same command goes on from there");
+}
+
+void Journal::remove() { ::unlink(file_.c_str()); }
+
+}  // namespace lasius::tool
