@@ -67,6 +67,8 @@ constexpr std::array kEntries{
                   "questions that may be asked, the motion's included; 0: any number", "0"),
     Table::number("shortcuts", &Params::shortcuts, 0, 1000000,
                   "random straight motions tried to shorten the motion", "0"),
+    Table::choice<&Params::timing, kTimingNames>(
+        "timing", "rounded corners and the least time, or the source's splines", "splines"),
 };
 
 constexpr auto kInfos = Table::infos(kEntries);
@@ -102,6 +104,7 @@ void postures(Params& p) {
   p.prove = true;
   p.scout = true;
   p.shortcuts = 100;
+  p.timing = Timing::optimal;
 }
 
 /// tau0 is "a small positive number", whatever m is.

@@ -99,6 +99,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               .shortcuts = parameters.shortcuts,
                               .seed = parameters.seed,
                               .quick = parameters.objective == Objective::duration,
+                              .timing = parameters.timing,
                               .stop = stop,
                               .duration = request.duration};
     const Questions& asked = result.questions;

@@ -1,11 +1,13 @@
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/arm/contact/contact.h"
 #include "core/arm/ends.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/special_values.h"
 #include "lasius/arm_sensor.h"
+#include "lasius/arm_trajectory.h"
 
 namespace lasius::arm {
 
@@ -24,9 +26,34 @@ class SceneSensor::Impl {
   double clearance() const noexcept { return clearance_; }
 
   bool is_free(const JointRef& q) const { return contact_.posture_free(checked(q), clearance_); }
-  Contact::Answer motion(const JointRef& from, const JointRef& to,
-                         const StopCondition& stop) const {
-    return contact_.motion(checked(from), checked(to), clearance_, stop);
+  std::optional<bool> motion(const JointRef& from, const JointRef& to,
+                             const StopCondition& stop) const {
+    return known(contact_.motion(checked(from), checked(to), clearance_, stop));
+  }
+  std::optional<bool> curve(const Trajectory& trajectory, double from, double to,
+                            const StopCondition& stop) const {
+    const double whole = to - from;
+    if (!(whole > 0)) return is_free(trajectory.at(from).q);
+    const auto& knots = trajectory.knots();
+    std::vector<CurvePiece> pieces;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      const auto &a = knots[i], &b = knots[i + 1];
+      const double h = b.time - a.time;
+      if (!(h > 0) || b.time <= from || a.time >= to) continue;
+      const auto q = checked(a.q), next = checked(b.q), bend = checked(a.ddq),
+                 last = checked(b.ddq);
+      CurvePiece& piece = pieces.emplace_back();
+      piece.begin = (a.time - from) / whole;
+      for (std::size_t j = 0; j < q.size(); ++j) {
+        piece.q[j] = q[j];
+        piece.first[j] = whole * ((next[j] - q[j]) / h - h * (2 * bend[j] + last[j]) / 6);
+        piece.second[j] = whole * whole * bend[j];
+        piece.third[j] = whole * whole * whole * ((last[j] - bend[j]) / h);
+      }
+    }
+    if (pieces.empty()) return is_free(trajectory.at(from).q);
+    const auto joints = static_cast<std::size_t>(robot_->size());
+    return known(contact_.motion(JointCurve(joints, pieces), clearance_, stop));
   }
   Nearest nearest(const JointRef& q) const {
     const NearPair pair = contact_.nearest(checked(q));
@@ -44,6 +71,10 @@ class SceneSensor::Impl {
   }
 
  private:
+  static std::optional<bool> known(Contact::Answer answer) {
+    if (answer == Contact::Answer::stopped) return std::nullopt;
+    return answer == Contact::Answer::free;
+  }
   std::span<const double> checked(const JointRef& q) const {
     check_values(*robot_, as_span(q));
     return as_span(q);
@@ -67,6 +98,10 @@ std::optional<bool> Sensor::try_motion(const JointRef& from, const JointRef& to,
                                        const StopCondition&) const {
   return motion_free(from, to);
 }
+std::optional<bool> Sensor::try_curve(const Trajectory&, double, double,
+                                      const StopCondition&) const {
+  return std::nullopt;
+}
 
 SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
   validate(robot);
@@ -85,13 +120,15 @@ SceneSensor::~SceneSensor() = default;
 
 bool SceneSensor::position_free(const JointRef& q) const { return impl_->is_free(q); }
 bool SceneSensor::motion_free(const JointRef& from, const JointRef& to) const {
-  return impl_->motion(from, to, {}) == Contact::Answer::free;
+  return impl_->motion(from, to, {}).value_or(false);
 }
 std::optional<bool> SceneSensor::try_motion(const JointRef& from, const JointRef& to,
                                             const StopCondition& stop) const {
-  const Contact::Answer answer = impl_->motion(from, to, stop);
-  if (answer == Contact::Answer::stopped) return std::nullopt;
-  return answer == Contact::Answer::free;
+  return impl_->motion(from, to, stop);
+}
+std::optional<bool> SceneSensor::try_curve(const Trajectory& trajectory, double from, double to,
+                                           const StopCondition& stop) const {
+  return impl_->curve(trajectory, from, to, stop);
 }
 double SceneSensor::clearance() const { return impl_->clearance(); }
 double SceneSensor::distance(const JointRef& q) const { return impl_->nearest(q).distance; }

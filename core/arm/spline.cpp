@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/base/power.h"
+
 namespace lasius::arm {
 namespace {
 
@@ -144,6 +146,7 @@ Trajectory stop_and_go(const TimedWaypoints& course) {
 
 double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::size_t i) {
   double most = 0;
+  if (trajectory.knots()[i].time == trajectory.knots()[i + 1].time) return most;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Cubic cubic(trajectory, i, j);
     double speed = std::max(std::abs(cubic.velocity(0)), std::abs(cubic.velocity(cubic.h)));
@@ -154,7 +157,17 @@ double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::siz
     const double force = std::max(std::abs(cubic.m0), std::abs(cubic.m1));
     most = std::max(
         {most, speed / robot.joints[j].velocity, std::sqrt(force / robot.joints[j].acceleration)});
+    const double jerk = std::abs(cubic.m1 - cubic.m0) / cubic.h;
+    if (robot.joints[j].jerk > 0 && jerk > 0)
+      most = std::max(most, kernels::power(jerk / robot.joints[j].jerk, 1.0 / 3));
   }
+  return most;
+}
+
+double needed_stretch(const Robot& robot, const Trajectory& trajectory) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i)
+    most = std::max(most, needed_stretch(robot, trajectory, i));
   return most;
 }
 

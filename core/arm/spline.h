@@ -21,9 +21,12 @@ Trajectory spline_through(const TimedWaypoints& course);
 /// Straight from point to point, at rest at each.
 Trajectory stop_and_go(const TimedWaypoints& course);
 
-/// How much longer interval `i` between two knots had to be for limits of velocity and acceleration
-/// to hold in it; 1 where one is just met.
+/// How much longer interval `i` between two knots had to be for limits of velocity, acceleration
+/// and jerk to hold in it; 1 where one is just met, 0 where it takes no time.
 double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::size_t i);
+
+/// The largest of all intervals.
+double needed_stretch(const Robot& robot, const Trajectory& trajectory);
 
 /// The motion `factor` times slower: velocities by 1 / factor, joint values unchanged.
 Trajectory stretched(const Trajectory& trajectory, double factor);

@@ -110,6 +110,7 @@ struct LASIUS_ARM_EXPORT Params {
   /// Questions that may be asked, the motion's included; 0: any number. Otherwise one thread walks.
   int max_questions = 0;
   int shortcuts = 0;  ///< random shortcuts of the motion: TrajectoryOptions::shortcuts
+  Timing timing = Timing::splines;  ///< of the motion: TrajectoryOptions::timing
 
  private:
   std::string algorithm_;

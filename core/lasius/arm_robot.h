@@ -97,6 +97,7 @@ struct Joint {
   bool continuous = false;  ///< revolute, turns on and on: values a turn apart are one posture
   double velocity = 1;      ///< largest |dq/dt|, 1e-9 .. 1e6
   double acceleration = 1;  ///< largest |d2q/dt2|, 1e-9 .. 1e6
+  double jerk = 0;          ///< largest |d3q/dt3|, 1e-9 .. 1e9; 0: without limit
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kJointKindNames{"revolute", "prismatic"};

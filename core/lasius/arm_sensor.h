@@ -11,6 +11,8 @@
 
 namespace lasius::arm {
 
+class Trajectory;
+
 /// Answers whether positions and motions are free. A search asks only about a position that an ant
 /// tries and about the motion to it, each once. Both questions may come from several threads at a
 /// time; the answers must not change while a plan is made. Arguments hold a value for each joint;
@@ -29,6 +31,12 @@ class LASIUS_ARM_EXPORT Sensor {
   /// long should answer itself; unless overridden motion_free is asked, to its end.
   virtual std::optional<bool> try_motion(const JointRef& from, const JointRef& to,
                                          const StopCondition& stop) const;
+
+  /// The same along a trajectory, from one time to a later one within it. Nothing where told to
+  /// stop; and where curves are not known, as unless overridden: straight motions next to it are
+  /// asked about then.
+  virtual std::optional<bool> try_curve(const Trajectory& trajectory, double from, double to,
+                                        const StopCondition& stop) const;
 
   /// What is called free keeps at least this distance from everything, in metres; at least
   /// kLeastClearance.
@@ -64,6 +72,8 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   /// Looks at `stop` after each few thousand nanoseconds' work.
   std::optional<bool> try_motion(const JointRef& from, const JointRef& to,
                                  const StopCondition& stop) const override;
+  std::optional<bool> try_curve(const Trajectory& trajectory, double from, double to,
+                                const StopCondition& stop) const override;
   double clearance() const override;
 
   /// What is in the way at `q`, for people: "the base and link 3 (after elbow)", or of a URDF's

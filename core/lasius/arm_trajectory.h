@@ -1,18 +1,22 @@
 // From a sequence of joint vectors to a smooth motion in time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "lasius/arm_sensor.h"
+#include "lasius/enum_names.h"
 #include "lasius/status.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {
 
-/// A cubic spline for each joint: q, dq/dt and d2q/dt2 are continuous, and both derivatives are 0
-/// at both ends.
+/// A cubic spline for each joint, at rest at both ends: q and dq/dt are continuous. So is d2q/dt2,
+/// and 0 at both ends, of splines and where jerk is limited; else it jumps where two knots stand at
+/// one time, and at both ends.
 class LASIUS_ARM_EXPORT Trajectory {
  public:
   /// Where all joints are at a time, and how they move.
@@ -30,7 +34,8 @@ class LASIUS_ARM_EXPORT Trajectory {
   };
 
   Trajectory() = default;
-  /// Knots in rising time from 0, values of equal number; at least one. Not checked.
+  /// Knots in rising time from 0, of equal time two at most, values of equal number; at least one.
+  /// Not checked.
   explicit Trajectory(std::vector<Knot> knots);
 
   /// Seconds from the first knot to the last; 0 where it is empty.
@@ -47,6 +52,18 @@ class LASIUS_ARM_EXPORT Trajectory {
   std::vector<Knot> knots_;
 };
 
+/// How a way is followed in time.
+enum class Timing {
+  /// Corners rounded by parabolas, and the least time along that path, under the limits of velocity
+  /// and acceleration; where joints have one, of jerk too.
+  optimal,
+  splines,  ///< the source's: cubic splines through the waypoints
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kTimingNames{"optimal", "splines"};
+/// The name of a value.
+constexpr std::string_view to_string(Timing v) noexcept { return name_of(v, kTimingNames); }
+
 /// How a motion is made.
 struct TrajectoryOptions {
   bool shortcut = true;  ///< leave out waypoints that a straight joint motion can pass by
@@ -54,6 +71,7 @@ struct TrajectoryOptions {
   int shortcuts = 0;
   std::uint64_t seed = 1;  ///< of the draws
   bool quick = false;      ///< shortcuts save time, not joint travel
+  Timing timing = Timing::optimal;
   std::int64_t max_questions = std::numeric_limits<std::int64_t>::max();  ///< then it rests
   StopCondition stop = {};  ///< polled after every motion asked about
   /// Seconds that the motion is to take; as few as the limits allow where that is more, or for 0.
@@ -72,14 +90,20 @@ struct TrajectoryResult {
 
 /// A motion along `waypoints`, a column each, between which straight joint motions are free.
 ///
-/// Natural cubic splines through the joint vectors with two free knots, one in the first and one in
-/// the last interval, which make velocity and acceleration 0 at both ends (Lin, Chang & Luh 1983).
-/// Intervals are stretched where a limit of velocity or acceleration is exceeded, and all of them
-/// at last, so that both hold everywhere and one is just met. The spline is checked between its
-/// knots: pieces short enough to stay within the sensor's clearance of their chords are asked about
-/// as straight motions. Where it is not free, or leaves the joint limits, knots are added on the
-/// straight motion there, and in the end, or when it is told to stop, it rests at each waypoint,
-/// which is always free.
+/// Timing::optimal: corners are rounded by parabolas, of which each begins and ends in the middle
+/// of the shorter edge, or where it is not free nearer to the corner; at last the arm rests there.
+/// The least time along that path is found by reachability, docs/theory.md; no limit is broken at
+/// any time. With limits of jerk the mean of that motion over a short time is taken. What is asked
+/// about, piece by piece, is the motion that is returned: Sensor::try_curve.
+///
+/// Timing::splines: natural cubic splines through the joint vectors with two free knots, one in the
+/// first and one in the last interval, which make velocity and acceleration 0 at both ends (Lin,
+/// Chang & Luh 1983). Intervals are stretched where a limit of velocity or acceleration is
+/// exceeded, and all of them at last, so that both hold everywhere and one is just met. The spline
+/// is checked between its knots: pieces short enough to stay within the sensor's clearance of their
+/// chords are asked about as straight motions. Where it is not free, or leaves the joint limits,
+/// knots are added on the straight motion there, and in the end, or when it is told to stop, it
+/// rests at each waypoint, which is always free.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, a waypoint that has not a
 ///         number for each joint or is outside the joint limits (by more than 1e-9, also of joints
 ///         that turn on and on), a duration that is none, and a sensor's clearance below its least;

@@ -8,8 +8,8 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw UsageError(
-      "this lasius was built without arms; build it with LASIUS_BUILD_ARM=ON (orocos-kdl, urdfdom, "
-      "fcl)");
+      "this lasius was built without arms; build it with LASIUS_BUILD_ARM=ON (orocos-kdl, "
+      "urdfdom)");
 }
 
 }  // namespace

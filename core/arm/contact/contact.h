@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/arm/contact/joint_curve.h"
 #include "core/arm/contact/robot_shapes.h"
 #include "lasius/stop.h"
 
@@ -31,10 +32,12 @@ class Contact {
   bool posture_free(std::span<const double> q, double clearance) const;
 
   enum class Answer { free, blocked, stopped };
-  /// `free`: nothing comes nearer than `clearance` while each joint goes straight. `blocked`: in a
+  /// `free`: nothing comes nearer than `clearance` while the joints go straight. `blocked`: in a
   /// posture on the way something is nearer than twice that. Polls `stop` all the time.
   Answer motion(std::span<const double> from, std::span<const double> to, double clearance,
                 const StopCondition& stop) const;
+  /// The same along a curve.
+  Answer motion(const JointCurve& curve, double clearance, const StopCondition& stop) const;
 
   /// The nearest pair of those that must not touch; infinitely far where there is none.
   NearPair nearest(std::span<const double> q) const;
@@ -58,7 +61,7 @@ class Contact {
   void add(const ShapePair& pair);
   /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
   /// look, which need not find what there is.
-  bool reaches_inside(std::span<const double> from, std::span<const double> to) const;
+  bool reaches_inside(const JointCurve& curve) const;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;

@@ -41,18 +41,17 @@ int mirrored(int i, int count) noexcept {
 
 }  // namespace
 
-bool Contact::reaches_inside(std::span<const double> from, std::span<const double> to) const {
+bool Contact::reaches_inside(const JointCurve& curve) const {
   const Kinematics& arm = robot_->kinematics();
-  double way = 0;
-  for (int j = 0; j < arm.size(); ++j) way += std::abs(to[j] - from[j]);
-  const int instants = way > 2 ? 16 : 8;
+  const int instants = curve.way() > 2 ? 16 : 8;
   Kinematics::Poses poses;
   JointArray q;
   std::vector<Vec3> placed;
   for (int i = 0; i < instants; ++i) {
     const double s = (mirrored(i, instants) + 0.5) / instants;
-    for (int j = 0; j < arm.size(); ++j) q[j] = from[j] + s * (to[j] - from[j]);
-    arm.place(std::span<const double>(q).first(from.size()), poses);
+    const CurvePiece& piece = curve.piece(s);
+    for (std::size_t j = 0; j < curve.size(); ++j) q[j] = piece.at(j, s);
+    arm.place(std::span<const double>(q).first(curve.size()), poses);
     for (int body = arm.size(); body > 0; --body) {
       const std::vector<InnerBall>& balls = robot_->inner(body);
       if (balls.empty()) continue;
@@ -83,26 +82,21 @@ bool Contact::reaches_inside(std::span<const double> from, std::span<const doubl
 /// One motion: intervals of it, breadth first, and what is not shown to be apart in each.
 class Contact::Search {
  public:
-  Search(const Contact& contact, std::span<const double> from, std::span<const double> to,
-         double clearance, const StopCondition& stop)
+  Search(const Contact& contact, const JointCurve& curve, double clearance,
+         const StopCondition& stop)
       : contact_(contact),
         arm_(contact.robot_->kinematics()),
-        from_(from),
+        curve_(curve),
         clearance_(clearance),
         bound_(arm_),
         poller_(stop, 64),
-        relative_(contact.relations_.size()) {
-    for (int j = 0; j < arm_.size(); ++j) change_[j] = to[j] - from[j];
-  }
+        relative_(contact.relations_.size()) {}
 
   Answer run() {
-    const int joints = arm_.size();
-    double way = 0;
-    for (int j = 0; j < joints; ++j) way += std::abs(change_[j]);
     int pieces = 1;
     constexpr int kMostPieces = 64;
     constexpr double kPiece = 0.8;  // radians and metres, all joints together
-    while (pieces < kMostPieces && way > kPiece * pieces) pieces *= 2;
+    while (pieces < kMostPieces && curve_.way() > kPiece * pieces) pieces *= 2;
     left_ = contact_.pairs_;
     // Far apart ones first: what is blocked at all is found sooner.
     for (int i = 0; i < pieces; ++i) {
@@ -137,12 +131,15 @@ class Contact::Search {
   /// False where something is touched, or told to stop. Adds to `next` what may still touch within
   /// the interval, and is apart in its middle.
   bool look(const Interval& interval, std::vector<Pair>& next) {
-    JointArray q;
-    const int joints = arm_.size();
-    for (int j = 0; j < joints; ++j) q[j] = from_[j] + interval.middle * change_[j];
-    const std::span<const double> change(change_.data(), static_cast<std::size_t>(joints));
-    place_bodies(arm_, std::span<const double>(q).first(change.size()), poses_, bodies_);
-    bound_.set(change, interval.half, poses_);
+    JointArray q, change, bend;
+    const CurvePiece& piece = curve_.piece(interval.middle);
+    for (std::size_t j = 0; j < curve_.size(); ++j) {
+      q[j] = piece.at(j, interval.middle);
+      change[j] = piece.rate(j, interval.middle);
+    }
+    curve_.bends(interval.middle, interval.half, bend);
+    place_bodies(arm_, std::span<const double>(q).first(curve_.size()), poses_, bodies_);
+    bound_.set(change, bend, interval.half, poses_);
     known_.assign(relative_.size(), 0);
     for (std::size_t i = interval.first; i < interval.last; ++i) {
       stack_.assign(1, left_[i]);
@@ -203,9 +200,8 @@ class Contact::Search {
 
   const Contact& contact_;
   const Kinematics& arm_;
-  std::span<const double> from_;
+  const JointCurve& curve_;
   double clearance_;
-  JointArray change_{};
   MotionBound bound_;
   Poller poller_;
   Kinematics::Poses poses_;
@@ -220,9 +216,15 @@ Contact::Answer Contact::motion(std::span<const double> from, std::span<const do
                                 double clearance, const StopCondition& stop) const {
   if (std::ranges::equal(from, to))
     return posture_free(from, clearance) ? Answer::free : Answer::blocked;
+  const CurvePiece straight(from, to);
+  return motion(JointCurve(from.size(), {&straight, 1}), clearance, stop);
+}
+
+Contact::Answer Contact::motion(const JointCurve& curve, double clearance,
+                                const StopCondition& stop) const {
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
-  if (reaches_inside(from, to)) return Answer::blocked;
-  return Search(*this, from, to, clearance, stop).run();
+  if (reaches_inside(curve)) return Answer::blocked;
+  return Search(*this, curve, clearance, stop).run();
 }
 
 }  // namespace lasius::arm

@@ -5,13 +5,15 @@
 
 namespace lasius::arm {
 
-void MotionBound::set(std::span<const double> change, double half, const Kinematics::Poses& poses) {
+void MotionBound::set(std::span<const double> change, std::span<const double> bend, double half,
+                      const Kinematics::Poses& poses) {
   joints_ = arm_.size();
   half_ = half;
   for (int k = 0; k < joints_; ++k) {
     const Vec3 axis = arm_.axis(k, poses);
     origin_[k] = poses[k].position;
-    rate_[k] = std::abs(change[k]);
+    bend_[k] = bend[k];
+    rate_[k] = std::abs(change[k]) + half * bend[k];
     turn_[k] = arm_.slides(k) ? Vec3{} : change[k] * axis;
     shift_[k] = arm_.slides(k) ? change[k] * axis : cross(origin_[k], turn_[k]);
     // A joint that slides takes the frame away from that before by up to h more than it is now.
@@ -24,7 +26,7 @@ RelativeMotion MotionBound::of(int body, int from) const {
   RelativeMotion found;
   // From the body inwards: `reach` bounds how far its origin is from that of joint k.
   const int last = body - 1;
-  double reach = 0, moved = 0, rates = 0;
+  double reach = 0, moved = 0, rates = 0, bends = 0;
   std::array<double, Robot::kMaxJoints> spans;
   for (int k = last; k >= from; --k) {
     spans[k] = std::min(reach, distance(origin_[last], origin_[k]) + half_ * moved);
@@ -36,13 +38,14 @@ RelativeMotion MotionBound::of(int body, int from) const {
     found.turn = found.turn + turn_[k];
     found.shift = found.shift + shift_[k];
     if (arm_.slides(k)) {
-      found.far += 2 * rate_[k] * rates;
+      found.far += bend_[k] + 2 * rate_[k] * rates;
       continue;
     }
-    found.far += rate_[k] * (rate_[k] + 2 * rates) * spans[k];
+    found.far += (bend_[k] + rate_[k] * (rate_[k] + 2 * rates)) * spans[k];
+    bends += bend_[k];
     rates += rate_[k];
   }
-  found.spread = rates * rates;
+  found.spread = bends + rates * rates;
   found.turning = rates;
   return found;
 }

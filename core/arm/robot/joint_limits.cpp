@@ -101,7 +101,8 @@ JointLimitsFile read_level(const YAML::Node& root, const std::string& file,
         placed ? joint.number("min_position", kNaN) : kNaN,
         placed ? joint.number("max_position", kNaN) : kNaN,
         limits.velocity * joint.limit("has_velocity_limits", "max_velocity"),
-        limits.acceleration * joint.limit("has_acceleration_limits", "max_acceleration")};
+        limits.acceleration * joint.limit("has_acceleration_limits", "max_acceleration"),
+        joint.limit("has_jerk_limits", "max_jerk")};
   }
   return limits;
 }

@@ -10,7 +10,7 @@ namespace lasius::arm {
 
 /// What a file says of a joint, in radians or metres and seconds; NaN for what it does not say.
 struct JointLimits {
-  double low, high, velocity, acceleration;
+  double low, high, velocity, acceleration, jerk;
 };
 
 struct JointLimitsFile {

@@ -34,9 +34,9 @@ Robot parse_short(std::string_view text, const std::string& file) {
     robot.links[0].solids = {capsule({base.x, base.y, 0}, {0, 0, base.z}, base_radius)};
   }
   Vec3 origin = base;
-  for (const JsonFields& fields :
-       top.list("joints", 1, Robot::kMaxJoints,
-                {"name", "type", "axis", "link", "radius", "limits", "velocity", "acceleration"})) {
+  for (const JsonFields& fields : top.list("joints", 1, Robot::kMaxJoints,
+                                           {"name", "type", "axis", "link", "radius", "limits",
+                                            "velocity", "acceleration", "jerk"})) {
     Joint joint;
     joint.name = fields.text_or("name", "");
     const auto same = [&](const Joint& other) { return other.name == joint.name; };
@@ -53,6 +53,7 @@ Robot parse_short(std::string_view text, const std::string& file) {
     std::tie(joint.low, joint.high) = fields.range("limits", kMostTurn);
     joint.velocity = fields.number_or("velocity", 1e-6, 1e6, 1);
     joint.acceleration = fields.number_or("acceleration", 1e-6, 1e6, 4);
+    joint.jerk = fields.number_or("jerk", 0, 1e9, 0);
     joint.frame.translation() = Eigen::Vector3d(origin);
     const Vec3 link = fields.vector("link", kFar);
     const double radius = fields.number_or("radius", 0, kFar, 0);
@@ -186,6 +187,8 @@ void check(const Robot& robot, Corners corners) {
     if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
       refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e6");
     }
+    if (!(joint.jerk == 0 || (joint.jerk >= 1e-9 && joint.jerk <= 1e9)))
+      refuse(what + ": its jerk is out of range", "1e-9 .. 1e9, or 0 for no limit");
     if (const int kind = static_cast<int>(joint.kind);
         kind < 0 || kind >= std::ssize(kJointKindNames))
       refuse(what + ": its kind is " + std::to_string(kind), "0 is revolute, 1 prismatic");

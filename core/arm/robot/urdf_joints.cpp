@@ -87,6 +87,7 @@ Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile
   if (listed && !std::isnan(limit->second.acceleration)) {
     made.acceleration = limit->second.acceleration;
   }
+  if (listed && !std::isnan(limit->second.jerk)) made.jerk = limit->second.jerk;
   return made;
 }
 

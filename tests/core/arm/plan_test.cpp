@@ -193,7 +193,8 @@ TEST(ArmPlan, TheMotionIsThatOfTheWaypoints) {
     c.parameters.shortcut = shortcut;
     const Result r = plan(c.robot, sensor, c.request, c.parameters);
     ASSERT_EQ(r.status, Status::solved);
-    const auto made = make_trajectory(c.robot, sensor, r.joints, {.shortcut = shortcut});
+    const auto made = make_trajectory(c.robot, sensor, r.joints,
+                                      {.shortcut = shortcut, .timing = c.parameters.timing});
     EXPECT_EQ(r.waypoints, made.waypoints);
     EXPECT_EQ(r.stops, made.stops);
     EXPECT_EQ(r.questions.trajectory, made.questions);

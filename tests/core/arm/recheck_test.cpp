@@ -5,6 +5,7 @@
 #include "lasius/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::arm {
 namespace {
@@ -41,7 +42,7 @@ TEST(Recheck, LooksBetweenItsSamples) {
   EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
 }
 
-TEST(Recheck, MeasuresMeshesWithoutAreaOrTrianglesAsTheSensorDoes) {
+TEST(Recheck, MeasuresMeshesWithoutAreaOrTrianglesAsFclDoes) {
   const Eigen::Vector3d p(0.2, 0.03, -0.01), u(0.1, 0.02, 0.03), q = p + u, m = p + 0.3 * u;
   Obstacle box, null = mesh_of({});
   box.size = {0.1, 0.2, 0.3};
@@ -56,7 +57,7 @@ TEST(Recheck, MeasuresMeshesWithoutAreaOrTrianglesAsTheSensorDoes) {
       for (const double turn : {0.0, 0.4, 0.9, 1.4}) {
         const JointVector at = joints({turn, 0.3});
         const Recheck check = recheck(robot, scene, Trajectory({{0, at, joints({0, 0})}}), 1);
-        EXPECT_NEAR(check.nearest, SceneSensor(robot, scene).distance(at), 1e-5) << turn;
+        EXPECT_NEAR(check.nearest, oracle::FclJudge(robot, scene).distance(at), 1e-5) << turn;
         EXPECT_GT(check.nearest, 0.001);
       }
     }

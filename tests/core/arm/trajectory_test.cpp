@@ -10,6 +10,7 @@
 #include "tests/core/arm/questions.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
+#include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::arm {
 namespace {
@@ -56,6 +57,11 @@ double off(const std::vector<JointVector>& way, const JointRef& q) {
         std::min(least, std::hypot(q[0] - way[k][0] - share * dx, q[1] - way[k][1] - share * dy));
   }
   return least;
+}
+
+TrajectoryOptions splines(TrajectoryOptions options = {}) {
+  options.timing = Timing::splines;
+  return options;
 }
 
 /// Continuity and rest, to rounding, at all knots and both ends.
@@ -163,7 +169,8 @@ TEST(Trajectory, MeetsALimitAndBreaksNone) {
   const Robot robot = two_links();
   const auto way = positions({{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}, {-1, 1.5}});
   for (const bool shortcut : {false, true}) {
-    const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = shortcut});
+    const auto made =
+        make_trajectory(robot, Nothing(), columns(way), splines({.shortcut = shortcut}));
     EXPECT_EQ(made.waypoints, shortcut ? 2 : 5);
     EXPECT_FALSE(made.stops);
     expect_smooth(robot, made.trajectory);
@@ -181,9 +188,10 @@ TEST(Trajectory, TakesTheDurationThatIsAskedForUnlessTheLimitsForbid) {
   const OnlyThese only(way);  // so that it rests at each waypoint
   for (const Sensor* sensor :
        {static_cast<const Sensor*>(&open), static_cast<const Sensor*>(&only)}) {
-    const auto fast = make_trajectory(robot, *sensor, columns(way));
+    const auto fast = make_trajectory(robot, *sensor, columns(way), splines());
     const double least = fast.trajectory.duration();
-    const auto slow = make_trajectory(robot, *sensor, columns(way), {.duration = 10 * least});
+    const auto slow =
+        make_trajectory(robot, *sensor, columns(way), splines({.duration = 10 * least}));
     EXPECT_EQ(slow.trajectory.duration(), 10 * least);
     EXPECT_EQ(slow.stops, fast.stops);
     expect_smooth(robot, slow.trajectory);
@@ -192,18 +200,18 @@ TEST(Trajectory, TakesTheDurationThatIsAskedForUnlessTheLimitsForbid) {
       const auto q = slow.trajectory.at(least * i / 10).q;
       EXPECT_LT((q - fast.trajectory.at(least * i / 100).q).norm(), 1e-9) << "the same curve";
     }
-    EXPECT_EQ(make_trajectory(robot, *sensor, columns(way), {.duration = 0.5 * least})
+    EXPECT_EQ(make_trajectory(robot, *sensor, columns(way), splines({.duration = 0.5 * least}))
                   .trajectory.duration(),
               least);
   }
   for (const double none : {-1.0, double{NAN}, double{INFINITY}})
-    EXPECT_THROW(make_trajectory(robot, open, columns(way), {.duration = none}), Error);
+    EXPECT_THROW(make_trajectory(robot, open, columns(way), splines({.duration = none})), Error);
 }
 
 TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
   const Robot robot = two_links();
   const auto way = positions({{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}});
-  const auto made = make_trajectory(robot, OnlyThese(way), columns(way));
+  const auto made = make_trajectory(robot, OnlyThese(way), columns(way), splines());
   EXPECT_TRUE(made.stops);
   EXPECT_EQ(made.waypoints, 4);
   expect_smooth(robot, made.trajectory);
@@ -218,7 +226,7 @@ TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
   Robot robot = two_links();
   robot.joints[0].high = 1;
   const auto way = positions({{0, 0}, {1, 0.1}, {1, 0.2}, {1, 0.3}, {0, 0.4}});
-  const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = false});
+  const auto made = make_trajectory(robot, Nothing(), columns(way), splines({.shortcut = false}));
   for (int i = 0; i <= 2000; ++i) {
     EXPECT_LE(made.trajectory.at(made.trajectory.duration() * i / 2000).q[0], 1 + 1e-9);
   }
@@ -229,7 +237,7 @@ TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
   const auto way = positions({{0, 0}, {0.2, 0.3}, {0.2, 0.5}});
   for (const double clearance : {1e-3, 1e-5, 1e-6}) {
     const Notes notes(clearance);
-    const auto made = make_trajectory(robot, notes, columns(way), {.shortcut = false});
+    const auto made = make_trajectory(robot, notes, columns(way), splines({.shortcut = false}));
     ASSERT_FALSE(made.stops);
     constexpr int kTimes = 4000;
     for (int i = 0; i <= kTimes; ++i) {
@@ -268,7 +276,8 @@ TEST(Trajectory, ARefinedCoursePassesAllWaypoints) {
   const Robot robot = two_links();
   const auto way = positions({{0, 0}, {0.5, 0}, {0.5, 0.6}, {1.2, 0.6}, {1.2, 0.1}});
   for (const double width : {0.03, 0.01}) {
-    const auto made = make_trajectory(robot, Tube(way, width), columns(way), {.shortcut = false});
+    const auto made =
+        make_trajectory(robot, Tube(way, width), columns(way), splines({.shortcut = false}));
     ASSERT_FALSE(made.stops) << width;
     EXPECT_GT(made.trajectory.knots().size(), way.size() + 2) << "nothing was refined";
     for (const JointVector& waypoint : way) {
@@ -294,12 +303,12 @@ TEST(Trajectory, SaysThatTimeRanOut) {
   const Robot robot = two_links();
   const Notes sensor(0.001);
   const auto way = positions({{0.1, 0.2}, {0.7, -0.4}, {1.1, 0.3}});
-  const auto whole = make_trajectory(robot, sensor, columns(way), {.shortcut = false});
+  const auto whole = make_trajectory(robot, sensor, columns(way), splines({.shortcut = false}));
   EXPECT_EQ(whole.status, Status::solved);
   EXPECT_FALSE(whole.stops);
   const CountingTime none(0);
-  const auto cut =
-      make_trajectory(robot, sensor, columns(way), {.shortcut = false, .stop = none.is_up()});
+  const auto cut = make_trajectory(robot, sensor, columns(way),
+                                   splines({.shortcut = false, .stop = none.is_up()}));
   EXPECT_EQ(cut.status, Status::limit);
   EXPECT_TRUE(cut.stops);
   expect_smooth(robot, cut.trajectory);
@@ -310,7 +319,7 @@ TEST(Trajectory, AWayBackToAWaypointStaysThere) {
   const Notes sensor(0.001);
   const JointVector a = joints({0.1, 0.2}), b = joints({0.7, -0.4}), c = joints({1.1, 0.3});
   const auto shortcut = [&](const std::vector<JointVector>& way) {
-    return make_trajectory(robot, sensor, columns(way), {.shortcut = true});
+    return make_trajectory(robot, sensor, columns(way), splines({.shortcut = true}));
   };
   const auto stay = shortcut({a, b, a});
   EXPECT_EQ(stay.waypoints, 1);
@@ -344,6 +353,17 @@ TEST(Trajectory, RefusesWaypointsOutsideTheJointLimits) {
   for (const double q : {-3.0, 3 + 1e-12}) EXPECT_EQ(make(q), Status::solved) << q;
 }
 
+/// By FCL at 500 instants, and by the library's own look at it.
+void expect_free(const Robot& robot, const Scene& scene, double clearance, const Trajectory& t) {
+  const oracle::FclJudge judge(robot, scene);
+  for (int i = 0; i <= 500; ++i)
+    ASSERT_GE(judge.distance(t.at(t.duration() * i / 500).q), clearance - 1e-6) << robot.name << i;
+  const Recheck check = recheck(robot, scene, t, 50);
+  EXPECT_EQ(check.contacts + check.limits + check.unproven, 0) << robot.name;
+  EXPECT_GE(check.nearest, clearance - 1e-6);
+  EXPECT_LT(check.tip_error, 1e-12);
+}
+
 TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
   for (const char* name : {"planar3", "industrial6", "redundant7"}) {
     const Robot robot = shipped(name);
@@ -356,15 +376,14 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
       Params parameters = lattice_of(robot, request, 10);
       parameters.iterations = 20;
       const Result found = plan(robot, sensor, request, parameters);
-      const auto made = make_trajectory(robot, sensor, found.joints, {.shortcut = seed % 3 != 0});
+      const auto made =
+          make_trajectory(robot, sensor, found.joints, splines({.shortcut = seed % 3 != 0}));
       if (made.trajectory.empty()) continue;
       ++moved;
       expect_smooth(robot, made.trajectory);
-      const Recheck check = recheck(robot, query.scene, made.trajectory, 1000);
-      EXPECT_EQ(check.contacts, 0) << name << " " << seed;
-      EXPECT_EQ(check.limits, 0) << name << " " << seed;
-      EXPECT_GE(check.nearest, sensor.clearance() - 1e-6) << name << " " << seed;
-      EXPECT_LT(check.tip_error, 1e-12);
+      expect_free(robot, query.scene, sensor.clearance(), made.trajectory);
+      expect_free(robot, query.scene, sensor.clearance(),
+                  make_trajectory(robot, sensor, found.joints).trajectory);
     }
     EXPECT_GE(moved, 2) << name;
   }
