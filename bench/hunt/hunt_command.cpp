@@ -105,7 +105,7 @@ class Hunt {
     if (verdict.fault.empty()) return;
     ++bag.wrong;
     std::cout << kind.name << ": " << verdict.fault
-              << "\nas a test of tests/bench/hunt_test.cpp:\n\n"
+              << "\nas a test of tests/bench/hunt/hunt_test.cpp:\n\n"
               << as_test(kind, reduced(problem,
                                        [&](const HuntCase& smaller) {
                                          return !kind.judge(smaller).fault.empty();
