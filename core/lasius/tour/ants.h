@@ -55,7 +55,7 @@ struct LASIUS_EXPORT AntParams : TrailParams {
   double beta = 2;        ///< exponent of 1 / the leg's length
   double greedy = 0;      ///< q0: share of choices that take the largest weight
   double drawn = 0;  ///< steps of a tour that are drawn, s: q0 = 1 - s / n; 0: as `greedy` says
-  GreedyStep greedy_step = GreedyStep::largest_weight;
+  GreedyStep greedy_step = GreedyStep::largest_weight;  ///< where q0 leads
   /// tau0; 0: the family's own, of a tour that goes to the nearest stop, of length C: `as` m / C,
   /// `eas` (m + e) / (rho C), `ras` w (w - 1) / (2 rho C), `mmas` 1 / (rho C), others 1 / (n C).
   double initial_pheromone = 0;
