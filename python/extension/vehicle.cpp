@@ -66,7 +66,7 @@ std::vector<Pose> poses_from(const Rows& rows, const char* name) {
   return poses;
 }
 
-py::tuple fields(const vehicle::Result& found) {
+py::tuple vehicle_fields(const vehicle::Result& found) {
   const bool path = !found.segments.empty();
   return py::make_tuple(text(to_string(found.status)), text(to_string(found.fault)), found.error,
                         segment_rows(found.segments), path ? found.length : NAN,
@@ -89,7 +89,7 @@ py::tuple plan(const vehicle::Planner& planner, const Pose& start, const Rows& g
                                  .smooth = smooth,
                                  .stop = call.condition()};
   const vehicle::Result found = call.run([&] { return planner.plan(request); });
-  return py::make_tuple(call.error(), fields(found));
+  return py::make_tuple(call.error(), vehicle_fields(found));
 }
 
 /// x, y, yaw, curvature, gear, speed, time of poses along segments.

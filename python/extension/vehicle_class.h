@@ -14,6 +14,6 @@ vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool
 /// Rows x, y, yaw.
 std::vector<vehicle::Pose> poses_from(const Rows& rows, const char* name);
 /// The fields of lasius.VehicleResult.
-py::tuple fields(const vehicle::Result& found);
+py::tuple vehicle_fields(const vehicle::Result& found);
 
 }  // namespace lasius::python

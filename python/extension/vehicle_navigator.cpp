@@ -22,9 +22,8 @@ py::tuple step(SharedVehicle& shared, const std::array<double, 3>& robot,
     const std::lock_guard lock(shared.mutex);
     return shared.navigator.step({robot[0], robot[1], robot[2]}, call.condition());
   });
-  return py::make_tuple(
-      call.error(), py::make_tuple(fields(static_cast<const vehicle::Result&>(way)), way.replanned,
-                                   way.way_out, way.rejoined, way.doubted));
+  return py::make_tuple(call.error(), py::make_tuple(vehicle_fields(way), way.replanned,
+                                                     way.way_out, way.rejoined, way.doubted));
 }
 
 py::tuple cells_of(const vehicle::SeenCells& seen) {

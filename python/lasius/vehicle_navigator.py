@@ -69,7 +69,8 @@ class VehicleNavigator:
         doubt_after: int = 16,
     ) -> None:
         self._raw = _lasius.VehicleNavigator(
-            grid, *vehicle_values(vehicle), goal_rows(goal), goal_tolerance, heading_tolerance, weight, smooth, doubt_after
+            grid, *vehicle_values(vehicle), goal_rows(goal), goal_tolerance, heading_tolerance, weight, smooth,
+            doubt_after,
         )
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
@@ -124,7 +125,8 @@ def cells_of_scan(
     """The free and the blocked cells that a scan saw, (n, 2) each: what `observe` takes of any navigator.
 
     >>> frame = lasius.WorldFrame(0.5)
-    >>> free, blocked = cells_of_scan((0.25, 0.25, 0), [1.5], 0, 0.1, 5, frame, lasius.Grid(np.zeros((4, 6)), free=0))
+    >>> grid = lasius.Grid(np.zeros((4, 6), np.uint8), free=0)
+    >>> free, blocked = cells_of_scan((0.25, 0.25, 0), [1.5], 0, 0.1, 5, frame, grid)
     >>> blocked.tolist(), len(free)
     ([[3, 3]], 3)
 
