@@ -20,8 +20,9 @@ namespace {
 std::string header_of(const std::string& key) { return "lasius-journal/1 " + key + "\n"; }
 
 std::string entry_head(int number, std::string_view text) {
-  return std::to_string(number) + " " + std::to_string(text.size()) + " " +
-         hash_text(bytes_hash(text)) + "\n";
+  const std::string name = std::to_string(number);
+  return name + " " + std::to_string(text.size()) + " " +
+         hash_text(bytes_hash(text, bytes_hash(name))) + "\n";
 }
 
 /// Takes whole entries off the front of `bytes`; returns how many bytes they are.

@@ -7,8 +7,9 @@
 
 namespace lasius::tool {
 
-/// A file that is only appended to. Each entry has its length and a checksum; an entry that a crash
-/// left in pieces, and what stands behind it, is cut off when the file is opened again.
+/// A file that is only appended to. Each entry has its length and a checksum of number and text; an
+/// entry that a crash left in pieces, and what stands behind it, is cut off when the file is opened
+/// again.
 class Journal {
  public:
   /// Opens or makes the file of a command that `key` tells from all others; a file with another key
