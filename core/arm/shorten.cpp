@@ -105,11 +105,14 @@ Waypoints shorter_way(const Robot& robot, const TrajectoryOptions& options, Wayp
                       CountedSensor& counted,
                       const std::function<double(const Waypoints&)>& seconds) {
   if (options.shortcut) way = shortened(std::move(way), counted);
-  if (!seconds) return cut_at_random(robot, options, std::move(way), counted);
   TrajectoryOptions travel = options;
-  travel.quick = false;
+  if (seconds) travel.quick = false;
   way = cut_at_random(robot, travel, std::move(way), counted);
-  return cut_at_random(robot, options, std::move(way), counted, seconds);
+  // Shortcuts leave corners that others made idle; splines are laid through all, as ever.
+  if (options.shortcut && options.shortcuts > 0 && options.timing == Timing::optimal)
+    way = shortened(std::move(way), counted);
+  if (seconds) way = cut_at_random(robot, options, std::move(way), counted, seconds);
+  return way;
 }
 
 Eigen::MatrixXd shorten_way(const Robot& robot, const Sensor& sensor,
