@@ -11,6 +11,7 @@
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
 #include "lasius/arm_trajectory.h"
+#include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::bench {
 namespace {
@@ -136,13 +137,18 @@ std::vector<Figure> measure_validity(int scenes) {
     const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
     if (found.joints.cols() == 0) continue;
     ++moved;
-    const auto made =
-        arm::make_trajectory(c.robot, sensor, found.joints, {.shortcut = seed % 4 != 0});
+    const auto made = arm::make_trajectory(
+        c.robot, sensor, found.joints, {.shortcut = seed % 4 != 0, .timing = c.parameters.timing});
     stops += made.stops;
-    const arm::Recheck check = arm::recheck(c.robot, c.scene, made.trajectory, 1000);
-    contacts += check.contacts;
-    limits += check.limits;
-    nearest = std::min(nearest, check.nearest);
+    const oracle::FclJudge judge(c.robot, c.scene);
+    constexpr int kInstants = 1000;
+    for (int i = 0; i < kInstants; ++i) {
+      const double t = made.trajectory.duration() * i / (kInstants - 1);
+      const double apart = judge.distance(made.trajectory.at(t).q);
+      contacts += apart <= 0;
+      nearest = std::min(nearest, apart);
+    }
+    limits += arm::recheck(c.robot, c.scene, made.trajectory, kInstants).limits;
   }
   return {{"trajectories checked by FCL at 1000 times", std::to_string(moved), ""},
           {"contacts", std::to_string(contacts), "0"},

@@ -1,14 +1,19 @@
 // lasius_bench arm-mbm: MotionBenchMaker's problems, solved, shortened, and checked by FCL.
+#include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/mbm.h"
+#include "bench/peers/joint_space.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/arm_plan.h"
 #include "lasius/arm_trajectory.h"
+#include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::bench {
 namespace {
@@ -17,15 +22,20 @@ struct MbmOptions {
   std::string folder, problems, base, name = "ur5", tip = "ee_link", markdown;
   double clearance = arm::Sensor::kLeastClearance;
   std::uint64_t seed = 1;
-  int each = 1, checked = 0, instants = 2001;
+  int each = 1, checked = 0, instants = 2000;
+  double peers = 0;
 };
 
-/// What came of the problems of one set.
+/// What came of the problems of one set, and of a peer's. Times in ms, travel in rad.
 struct MbmFigures {
-  int problems = 0, solved = 0, checked = 0, contacts = 0, unproven = 0;
-  double nearest = 1e300;
-  std::vector<double> first, both, found, travel, questions;  // ms, ms, rad, rad
+  int problems = 0, solved = 0, checked = 0, contacts = 0, limits = 0;
+  std::vector<double> first, both, timed, found, travel, duration, stopping, questions;
 };
+struct PeerFigures {
+  int problems = 0, solved = 0;
+  std::vector<double> first, travel, ratio, questions;
+};
+constexpr std::array<const char*, 2> kPeers{"lasius' contact", "FCL, each 0.01 rad"};
 
 double travel_of(const Eigen::MatrixXd& way) {
   double sum = 0;
@@ -33,16 +43,27 @@ double travel_of(const Eigen::MatrixXd& way) {
   return sum;
 }
 
-/// Straight from waypoint to waypoint, each a second.
-arm::Trajectory straight(const Eigen::MatrixXd& way) {
-  std::vector<arm::Trajectory::Knot> knots;
-  for (Eigen::Index i = 0; i < way.cols(); ++i)
-    knots.push_back({static_cast<double>(i), way.col(i), arm::JointVector::Zero(way.rows())});
-  return arm::Trajectory(std::move(knots));
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
 }
 
-void solve(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmProblem& problem,
-           const MbmOptions& options, bool check, MbmFigures& figures) {
+bool breaks_limit(const arm::Robot& robot, const arm::Trajectory::State& state) {
+  constexpr double kTolerance = 1e-9;
+  for (int j = 0; j < robot.size(); ++j) {
+    const arm::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    if (state.q[j] < joint.low - kTolerance || state.q[j] > joint.high + kTolerance ||
+        std::abs(state.dq[j]) > joint.velocity * (1 + kTolerance) ||
+        std::abs(state.ddq[j]) > joint.acceleration * (1 + kTolerance))
+      return true;
+  }
+  return false;
+}
+
+/// The travel of the shortened way; 0 where none was found.
+double solve(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmProblem& problem,
+             const MbmOptions& options, const oracle::FclJudge* judge, MbmFigures& figures) {
   arm::Params parameters;
   parameters.seed = options.seed;
   parameters.threads = 1;
@@ -54,23 +75,83 @@ void solve(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmP
       parameters);
   const double first = watch.seconds();
   ++figures.problems;
-  if (found.joints.cols() == 0) return;
+  if (found.joints.cols() == 0) return 0;
   const Eigen::MatrixXd way = arm::shorten_way(
       robot, sensor, found.joints, {.shortcuts = parameters.shortcuts, .seed = options.seed});
-  figures.both.push_back(1e3 * watch.seconds());
+  const double both = watch.seconds();
+  const arm::Trajectory motion =
+      arm::make_trajectory(robot, sensor, way, {.shortcut = false}).trajectory;
+  figures.timed.push_back(1e3 * (watch.seconds() - both));
+  figures.both.push_back(1e3 * both);
   figures.first.push_back(1e3 * first);
   figures.found.push_back(travel_of(found.joints));
   figures.travel.push_back(travel_of(way));
+  figures.duration.push_back(motion.duration());
+  // Without time to look at corners it rests at each.
+  figures.stopping.push_back(
+      arm::make_trajectory(robot, sensor, way, {.shortcut = false, .max_questions = 0})
+          .trajectory.duration());
   figures.questions.push_back(static_cast<double>(found.questions.motions));
   ++figures.solved;
-  if (!check) return;
+  if (judge == nullptr) return figures.travel.back();
   ++figures.checked;
-  const int samples = (options.instants - 1) * static_cast<int>(way.cols() - 1) + 1;
-  const arm::Recheck seen = arm::recheck(robot, problem.scene, straight(way), samples);
-  figures.contacts += seen.contacts;
-  figures.unproven += seen.unproven;
-  figures.nearest = std::min(figures.nearest, seen.nearest);
+  const int instants = options.instants * static_cast<int>(way.cols() - 1);
+  for (int i = 0; i <= instants; ++i) {
+    const auto state = motion.at(motion.duration() * i / instants);
+    figures.contacts += judge->touches(state.q);
+    figures.limits += breaks_limit(robot, state);
+  }
+  return figures.travel.back();
 }
+
+#ifdef LASIUS_HAVE_OMPL
+void ask_peers(const arm::Robot& robot, const arm::SceneSensor& sensor,
+               const oracle::FclJudge& judge, const MbmProblem& problem, const MbmOptions& options,
+               double travel, std::array<PeerFigures, kPeers.size()>& figures) {
+  constexpr double kApart = 0.01, kToSimplify = 1;  // rad, seconds
+  const std::array<peers::JointChecks, kPeers.size()> checks{
+      {{[&](const arm::JointRef& q) { return sensor.position_free(q); },
+        [&](const arm::JointRef& a, const arm::JointRef& b) { return sensor.motion_free(a, b); }},
+       {[&](const arm::JointRef& q) { return !judge.touches(q); },
+        [&](const arm::JointRef& a, const arm::JointRef& b) {
+          const int pieces = static_cast<int>(std::ceil((b - a).norm() / kApart));
+          for (int i = 1; i <= pieces; ++i)
+            if (judge.touches(a + static_cast<double>(i) / pieces * (b - a))) return false;
+          return true;
+        }}}};
+  for (std::size_t p = 0; p < kPeers.size(); ++p) {
+    PeerFigures& f = figures[p];
+    const auto trial =
+        peers::run_rrt_connect(robot, checks[p], problem.start, problem.goal, options.peers,
+                               kToSimplify, static_cast<std::uint32_t>(options.seed));
+    ++f.problems;
+    if (!trial.solved) continue;
+    ++f.solved;
+    f.first.push_back(1e3 * trial.seconds);
+    f.travel.push_back(trial.shortened_travel);
+    f.questions.push_back(static_cast<double>(trial.motions));
+    if (travel > 0 && trial.shortened_travel > 0)
+      f.ratio.push_back(travel / trial.shortened_travel);
+  }
+}
+
+void add_peers(Table& table, const MbmOptions& options,
+               const std::array<PeerFigures, kPeers.size()>& figures) {
+  table.next("OMPL's RRT-Connect, at most " + short_number(options.peers) +
+                 " s, PathSimplifier for 1 s more; lasius' travel / its, of the problems that both "
+                 "solved.",
+             {"what is free by", "solved", "first, ms", "mean", "95 %", "motions asked",
+              "travel, mean", "lasius / it, mean"});
+  for (std::size_t p = 0; p < kPeers.size(); ++p) {
+    const PeerFigures& f = figures[p];
+    if (f.solved == 0) continue;
+    table.row({kPeers[p], std::to_string(f.solved) + " of " + std::to_string(f.problems),
+               short_number(median(f.first)), short_number(mean(f.first)),
+               short_number(quantile(f.first, 0.95)), short_number(median(f.questions)),
+               short_number(mean(f.travel)), f.ratio.empty() ? "" : short_number(mean(f.ratio))});
+  }
+}
+#endif
 
 void append(std::vector<double>& all, const std::vector<double>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -84,14 +165,15 @@ void row(Table& table, const std::string& name, const MbmFigures& f) {
     return;
   }
   for (const auto* times : {&f.first, &f.both}) {
-    double sum = 0;
-    for (const double t : *times) sum += t;
-    for (const double t : {median(*times), sum / f.solved, quantile(*times, 0.95), largest(*times)})
+    for (const double t : {median(*times), mean(*times), quantile(*times, 0.95), largest(*times)})
       cells.push_back(short_number(t));
   }
-  for (const auto* figure : {&f.questions, &f.found, &f.travel})
+  for (const double t : {median(f.timed), quantile(f.timed, 0.95)})
+    cells.push_back(short_number(t));
+  for (const auto* figure : {&f.questions, &f.found, &f.travel, &f.duration, &f.stopping})
     cells.push_back(short_number(median(*figure)));
-  cells.push_back(std::to_string(f.contacts) + " in " + std::to_string(f.checked));
+  cells.push_back(std::to_string(f.contacts) + ", " + std::to_string(f.limits) + " in " +
+                  std::to_string(f.checked));
   table.row(cells);
 }
 
@@ -108,17 +190,27 @@ void run_arm_mbm(const MbmOptions& options) {
                   short_number(1e3 * options.clearance) +
                   " mm, one thread, processor time; read in " + short_number(read) +
                   " s, prepared in " + short_number(ready) +
-                  " s. Times in ms: median, mean, 95 %, worst; travel in rad.",
+                  " s. Times in ms: median, mean, 95 %, worst; travel in rad, durations in s.",
               {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %",
-               "worst", "motions asked", "travel", "shortened", "contacts, by FCL"},
+               "worst", "blends and timing", "95 %", "motions asked", "travel", "shortened",
+               "duration", "resting at corners", "contacts by FCL, limits broken"},
               options.markdown);
   std::map<std::string, MbmFigures> sets;
   MbmFigures all;
+  std::array<PeerFigures, kPeers.size()> peers;
   int number = 0, taken = 0;
   for (const MbmProblem& problem : problems) {
     if (number++ % options.each != 0) continue;
     const bool check = options.checked > 0 && taken++ % options.checked == 0;
-    solve(robot, prepared, problem, options, check, sets[problem.set]);
+    std::optional<oracle::FclJudge> judge;
+    if (check || options.peers > 0) judge.emplace(robot, problem.scene);
+    const double travel =
+        solve(robot, prepared, problem, options, check ? &*judge : nullptr, sets[problem.set]);
+#ifdef LASIUS_HAVE_OMPL
+    if (options.peers > 0)
+      ask_peers(robot, arm::SceneSensor(prepared, problem.scene), *judge, problem, options, travel,
+                peers);
+#endif
   }
   for (const auto& [name, f] : sets) {
     row(table, name, f);
@@ -126,13 +218,20 @@ void run_arm_mbm(const MbmOptions& options) {
     all.solved += f.solved;
     all.checked += f.checked;
     all.contacts += f.contacts;
+    all.limits += f.limits;
     append(all.first, f.first);
     append(all.both, f.both);
     append(all.found, f.found);
     append(all.travel, f.travel);
+    append(all.timed, f.timed);
+    append(all.duration, f.duration);
+    append(all.stopping, f.stopping);
     append(all.questions, f.questions);
   }
   row(table, "all", all);
+#ifdef LASIUS_HAVE_OMPL
+  if (options.peers > 0) add_peers(table, options, peers);
+#endif
 }
 
 }  // namespace
@@ -150,7 +249,12 @@ void add_arm_mbm_command(CLI::App& app) {
   add_number(command, "--seed", options.seed, "Of the trees");
   add_number(command, "--each", options.each, "Only each so many-th problem", 1, 1e6);
   add_number(command, "--checked", options.checked, "Each so many-th by FCL; 0: none", 0, 1e6);
-  add_number(command, "--instants", options.instants, "Of a motion, that FCL looks at", 2, 1e6);
+  add_number(command, "--instants", options.instants, "Of each straight, that FCL looks at", 1,
+             1e6);
+#ifdef LASIUS_HAVE_OMPL
+  add_number(command, "--peers", options.peers, "Seconds for OMPL's RRT-Connect; 0: without it", 0,
+             1e6);
+#endif
   add_output(command, options.markdown);
 }
 

@@ -2,6 +2,7 @@
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/PathSimplifier.h>
@@ -12,6 +13,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "bench/peers/motions.h"
 
@@ -32,23 +34,23 @@ double seconds_since(Stopwatch::time_point began) {
   return std::chrono::duration<double>(Stopwatch::now() - began).count();
 }
 
-// A sensor that counts.
+// Checks that count.
 class Counter {
  public:
-  Counter(const arm::Sensor& sensor, int joints) : sensor_(&sensor), joints_(joints) {}
+  Counter(const JointChecks& checks, int joints) : checks_(&checks), joints_(joints) {}
   bool free(const ob::State* q) const {
     ++positions;
-    return sensor_->position_free(values(q));
+    return checks_->position(values(q));
   }
   bool free(const ob::State* from, const ob::State* to) const {
     ++motions;
-    return sensor_->motion_free(values(from), values(to));
+    return checks_->motion(values(from), values(to));
   }
   Values values(const ob::State* q) const { return {q->as<Space::StateType>()->values, joints_}; }
   mutable std::int64_t positions = 0, motions = 0;
 
  private:
-  const arm::Sensor* sensor_;
+  const JointChecks* checks_;
   int joints_;
 };
 
@@ -117,17 +119,18 @@ ob::RealVectorBounds bounds_of(const arm::Robot& robot, const JointVector& start
   return bounds;
 }
 
-}  // namespace
-
-JointTrial run_rrt_connect(const arm::Robot& robot, const arm::Sensor& sensor,
-                           const JointVector& start, const Eigen::Vector3d& goal,
-                           double cap_seconds, double seconds_in_all, std::uint32_t seed) {
+// From `start` to the goal that `make_goal` makes; `seconds` reads a clock that began at 0, and
+// `seconds_left(found)` says what there is for shortening.
+template <class MakeGoal, class Seconds, class SecondsLeft>
+JointTrial run(const arm::Robot& robot, const JointChecks& checks, const JointVector& start,
+               const MakeGoal& make_goal, double cap_seconds, const Seconds& seconds,
+               const SecondsLeft& seconds_left, std::uint32_t seed) {
   ompl::msg::noOutputHandler();  // it would print to stdout
   ompl::RNG::setSeed(seed);
   const auto space = std::make_shared<Space>(robot.size());
   space->setBounds(bounds_of(robot, start));
   const auto information = std::make_shared<ob::SpaceInformation>(space);
-  const Counter counter(sensor, robot.size());
+  const Counter counter(checks, robot.size());
   information->setStateValidityChecker(
       [&](const ob::State* q) { return space->satisfiesBounds(q) && counter.free(q); });
   const auto free = [&counter](const ob::State* a, const ob::State* b) {
@@ -139,23 +142,55 @@ JointTrial run_rrt_connect(const arm::Robot& robot, const arm::Sensor& sensor,
   ob::ScopedState<Space> from(space);
   std::copy(start.begin(), start.end(), from->values);
   problem->addStartState(from);
-  problem->setGoal(std::make_shared<TipGoal>(information, robot, goal));
+  problem->setGoal(make_goal(information));
   og::RRTConnect planner(information);
   planner.setProblemDefinition(problem);
   planner.setup();
 
   JointTrial trial;
-  const auto began = Stopwatch::now();
+  const double began = seconds();
   trial.solved = planner.ob::Planner::solve(cap_seconds) == ob::PlannerStatus::EXACT_SOLUTION;
-  trial.seconds = seconds_since(began);
+  trial.seconds = seconds() - began;
   trial.positions = counter.positions;
   trial.motions = counter.motions;
   if (!trial.solved) return trial;
   og::PathGeometric path(*problem->getSolutionPath()->as<og::PathGeometric>());
   og::PathSimplifier(information, problem->getGoal())
-      .simplify(path, std::max(0.0, seconds_in_all - trial.seconds), true);
+      .simplify(path, seconds_left(trial.seconds), true);
   trial.shortened_travel = path.length();
   return trial;
+}
+
+}  // namespace
+
+JointTrial run_rrt_connect(const arm::Robot& robot, const arm::Sensor& sensor,
+                           const JointVector& start, const Eigen::Vector3d& goal,
+                           double cap_seconds, double seconds_in_all, std::uint32_t seed) {
+  const JointChecks checks{
+      [&](const arm::JointRef& q) { return sensor.position_free(q); },
+      [&](const arm::JointRef& a, const arm::JointRef& b) { return sensor.motion_free(a, b); }};
+  const auto began = Stopwatch::now();
+  return run(
+      robot, checks, start,
+      [&](const auto& space) { return std::make_shared<TipGoal>(space, robot, goal); }, cap_seconds,
+      [&] { return seconds_since(began); },
+      [&](double used) { return std::max(0.0, seconds_in_all - used); }, seed);
+}
+
+JointTrial run_rrt_connect(const arm::Robot& robot, const JointChecks& checks,
+                           const JointVector& start, const JointVector& goal, double cap_seconds,
+                           double more_seconds, std::uint32_t seed) {
+  const auto at = [&](const ob::SpaceInformationPtr& space) {
+    ob::ScopedState<Space> state(space);
+    std::copy(goal.begin(), goal.end(), state->values);
+    auto made = std::make_shared<ob::GoalState>(space);
+    made->setState(state);
+    return made;
+  };
+  return run(
+      robot, checks, start, at, cap_seconds,
+      [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; },
+      [&](double) { return more_seconds; }, seed);
 }
 
 }  // namespace lasius::peers

@@ -10,11 +10,14 @@ namespace lasius::arm {
 namespace {
 
 /// Travel of the tip and of the joints along a motion, or without one along the waypoints.
-void measure(const Robot& robot, Result& result) {
+void measure(const Robot& robot, Timing timing, Result& result) {
+  const Kinematics arm(robot);
+  Kinematics::Poses poses;
   JointVector before;
-  Eigen::Vector3d tip_before;
+  Vec3 tip_before;
   const auto go_on = [&](const JointVector& q) {
-    const Eigen::Vector3d tip = tip_position(robot, q);
+    arm.place(as_span(q), poses);
+    const Vec3 tip = arm.tip(poses);
     if (before.size() > 0) {
       result.joint_travel += joint_travel(before, q);
       result.tip_travel += distance(tip, tip_before);
@@ -27,12 +30,16 @@ void measure(const Robot& robot, Result& result) {
     for (const auto q : result.joints.colwise()) go_on(q);
     return;
   }
-  constexpr int kPieces = 16;  // between two knots
+  constexpr int kPieces = 16, kInAll = 128;  // between two knots of a spline; of other motions
   const auto& knots = result.trajectory.knots();
   go_on(knots.front().q);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    for (int p = 1; p <= kPieces; ++p) {
-      const double share = static_cast<double>(p) / kPieces;
+    const double h = knots[i + 1].time - knots[i].time;
+    if (timing == Timing::optimal && !(h > 0)) continue;
+    const int pieces =
+        timing == Timing::splines ? kPieces : 1 + static_cast<int>(kInAll * h / result.duration);
+    for (int p = 1; p <= pieces; ++p) {
+      const double share = static_cast<double>(p) / pieces;
       go_on(result.trajectory.at((1 - share) * knots[i].time + share * knots[i + 1].time).q);
     }
   }
@@ -115,7 +122,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     result.stops = made.stops;
     result.questions.trajectory = made.questions;
   }
-  measure(robot, result);
+  measure(robot, parameters.timing, result);
   return result;
 }
 

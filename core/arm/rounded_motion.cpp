@@ -19,7 +19,8 @@ std::vector<double> largest_blends(const Waypoints& way) {
   return sizes;
 }
 
-Trajectory joined(const std::vector<TimedRun>& runs) {
+Trajectory joined(std::vector<TimedRun>& runs) {
+  if (runs.size() == 1) return std::move(runs[0].motion);
   std::vector<Trajectory::Knot> knots;
   double begin = 0;
   for (const TimedRun& run : runs) {
@@ -59,13 +60,16 @@ Trajectory rounded_motion(const Robot& robot, Waypoints way, CountedSensor& coun
       smaller(i);
     }
   }
+  const bool jerk =
+      std::ranges::any_of(robot.joints, [](const Joint& joint) { return joint.jerk > 0; });
   std::vector<TimedRun> runs;
   for (bool changed = true; changed;) {
     changed = false;
     runs.clear();
     std::size_t corner = 0;
     for (const PathRun& run : rounded(way, sizes)) {
-      runs.push_back(smoothed(robot, in_least_time(robot, run, kSteps)));
+      runs.push_back(in_least_time(robot, run, kSteps));
+      if (jerk) runs.back() = smoothed(robot, runs.back());
       for (const auto& [from, to] : runs.back().blends) {
         do ++corner;
         while (sizes[corner] == 0);

@@ -102,13 +102,18 @@ Waypoints waypoints_of(const Robot& robot, const Eigen::Ref<const Eigen::MatrixX
 }
 
 Waypoints shorter_way(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
+                      CountedSensor& counted) {
+  if (options.shortcut) way = shortened(std::move(way), counted);
+  way = cut_at_random(robot, options, std::move(way), counted);
+  // Shortcuts leave corners that others made idle; splines are laid through all, as ever.
+  if (options.shortcut && options.shortcuts > 0 && options.timing == Timing::optimal)
+    way = shortened(std::move(way), counted);
+  return way;
+}
+
+Waypoints quicker_way(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
                       CountedSensor& counted,
                       const std::function<double(const Waypoints&)>& seconds) {
-  if (options.shortcut) way = shortened(std::move(way), counted);
-  if (!seconds) return cut_at_random(robot, options, std::move(way), counted);
-  TrajectoryOptions travel = options;
-  travel.quick = false;
-  way = cut_at_random(robot, travel, std::move(way), counted);
   return cut_at_random(robot, options, std::move(way), counted, seconds);
 }
 

@@ -16,10 +16,13 @@ Waypoints waypoints_of(const Robot& robot, const Eigen::Ref<const Eigen::MatrixX
 /// How far it is from one to the other: joint travel, or seconds at full speed where `quick`.
 double far(const Robot& robot, bool quick, const JointVector& a, const JointVector& b);
 
-/// What `shortcut` and `shortcuts` of the options leave. `seconds`, where given, says how long a
-/// way takes: random shortcuts save joint travel first, whatever `quick` says, then as many time.
+/// What `shortcut` and `shortcuts` of the options leave.
 Waypoints shorter_way(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
+                      CountedSensor& counted);
+
+/// The same by random shortcuts that make `seconds`, what a way takes, less.
+Waypoints quicker_way(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
                       CountedSensor& counted,
-                      const std::function<double(const Waypoints&)>& seconds = {});
+                      const std::function<double(const Waypoints&)>& seconds);
 
 }  // namespace lasius::arm

@@ -1,15 +1,15 @@
 #include "core/arm/timing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/arm/spline.h"
+#include "core/base/special_values.h"
 
 namespace lasius::arm {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// One side of the limits on u, linear in x: u <= at + slope x, or u >= that.
 struct Line {
@@ -19,17 +19,15 @@ struct Line {
 /// What the limits leave of u at the beginning of a step, and of x.
 class Step {
  public:
-  /// q' at both ends of the step, and q'' (empty: none) between.
-  Step(const Robot& robot, const JointVector& first, const JointVector& last,
-       const JointVector& bend, double length)
-      : length_(length) {
+  Step(const Robot& robot, const PathPiece& piece, double s, double length) : length_(length) {
     for (int j = 0; j < robot.size(); ++j) {
       const Joint& joint = robot.joints[j];
-      const double curved = bend.size() > 0 ? bend[j] : 0;
-      most_ = std::min(most_, square(joint.velocity / first[j]));
-      limit(first[j], curved, joint.acceleration);
+      const double curved = piece.straight() ? 0 : piece.bend[j];
+      const double rate = piece.along[j] + s * curved;
+      most_ = std::min(most_, square(joint.velocity / rate));
+      limit(rate, curved, joint.acceleration);
       // At its end x + 2 length u stands for x.
-      if (curved != 0) limit(last[j] + 2 * length * curved, curved, joint.acceleration);
+      if (curved != 0) limit(rate + 3 * length * curved, curved, joint.acceleration);
     }
   }
 
@@ -64,24 +62,28 @@ class Step {
       return;
     }
     const double slope = -curved / rate, room = most / std::abs(rate);
-    upper_.push_back({room, slope});
-    lower_.push_back({-room, slope});
+    lines_[count_++] = {room, slope};
   }
   Line upper(double x, double after) const {
     Line least{after / (2 * length_), -1 / (2 * length_)};
-    for (const Line& line : upper_)
+    for (int i = 0; i < count_; ++i) {
+      const Line& line = lines_[i];
       if (line.at + line.slope * x < least.at + least.slope * x) least = line;
+    }
     return least;
   }
   Line lower(double x) const {
     Line most{0, -1 / (2 * length_)};
-    for (const Line& line : lower_)
+    for (int i = 0; i < count_; ++i) {
+      const Line line{-lines_[i].at, lines_[i].slope};
       if (line.at + line.slope * x > most.at + most.slope * x) most = line;
+    }
     return most;
   }
 
-  double length_, most_ = kInfinite;
-  std::vector<Line> upper_, lower_;
+  double length_, most_ = kInfinity;
+  int count_ = 0;
+  std::array<Line, std::size_t{2} * Robot::kMaxJoints> lines_;  // above; those below begin at -at
 };
 
 /// Pieces of constant acceleration, one after another. Those so short that rounding says how fast
@@ -216,11 +218,10 @@ Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
 TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
   std::vector<Step> all;
   const auto count = [&](const PathPiece& piece) { return piece.straight() ? 1 : steps; };
+  all.reserve(run.size() * static_cast<std::size_t>(steps));
   for (const PathPiece& piece : run) {
     const double length = piece.length / count(piece);
-    for (int k = 0; k < count(piece); ++k)
-      all.emplace_back(robot, piece.direction(k * length), piece.direction((k + 1) * length),
-                       piece.bend, length);
+    for (int k = 0; k < count(piece); ++k) all.emplace_back(robot, piece, k * length, length);
   }
   std::vector<double> x(all.size() + 1, 0);
   for (std::size_t k = all.size(); k-- > 1;) x[k] = all[k].largest(x[k + 1]);
@@ -231,7 +232,7 @@ TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
   std::size_t k = 0;
   for (const PathPiece& piece : run) {
     if (piece.straight()) {
-      double most = kInfinite, force = kInfinite;
+      double most = kInfinity, force = kInfinity;
       for (int j = 0; j < robot.size(); ++j) {
         const double rate = std::abs(piece.along[j]);
         most = std::min(most, robot.joints[j].velocity / rate);
@@ -246,8 +247,10 @@ TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
       add_step(pieces, piece, step * length, length, x[k], x[k + 1]);
     blends.push_back({begin, pieces.time()});
   }
-  const TimedRun timed{Trajectory(pieces.take()), std::move(blends)};
-  return slower(timed, std::max(1.0, needed_stretch(robot, timed.motion)));
+  TimedRun timed{Trajectory(pieces.take()), std::move(blends)};
+  constexpr double kRounding = 1e-12;
+  const double need = needed_stretch(robot, timed.motion);
+  return need > 1 + kRounding ? slower(timed, need) : timed;
 }
 
 TimedRun smoothed(const Robot& robot, const TimedRun& run) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "core/arm/plan_check.h"
@@ -164,16 +163,28 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   if (given.empty()) return result;
   CountedSensor counted(robot, sensor, options);
   const bool splines = options.timing == Timing::splines;
-  std::function<double(const Waypoints&)> seconds;
-  if (options.quick && !splines)
-    seconds = [&](const Waypoints& way) { return seconds_at_best(robot, way); };
-  const Waypoints way = shorter_way(robot, options, given, counted, seconds);
+  TrajectoryOptions cuts = options;
+  cuts.quick &= splines;  // joint travel first
+  const Waypoints way = shorter_way(robot, cuts, given, counted);
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1)
     result.trajectory = Trajectory({{0, way[0], JointVector::Zero(robot.size())}});
+  else if (splines)
+    result.trajectory = spline_motion(robot, way, counted, result.stops);
   else
-    result.trajectory = splines ? spline_motion(robot, way, counted, result.stops)
-                                : rounded_motion(robot, way, counted, result.stops);
+    result.trajectory = rounded_motion(robot, way, counted, result.stops);
+  if (options.quick && !splines && way.size() > 2) {
+    const Waypoints quick = quicker_way(robot, options, way, counted, [&](const Waypoints& other) {
+      return seconds_at_best(robot, other);
+    });
+    bool stops = false;
+    Trajectory motion = rounded_motion(robot, quick, counted, stops);
+    if (motion.duration() < result.trajectory.duration()) {
+      result.trajectory = std::move(motion);
+      result.waypoints = static_cast<int>(quick.size());
+      result.stops = stops;
+    }
+  }
   if (way.size() > 1 && options.duration > result.trajectory.duration())
     result.trajectory = slowed(result.trajectory, options.duration);
   counted.finish(result);

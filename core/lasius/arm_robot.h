@@ -35,7 +35,7 @@ using Pose = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 /// -mavx, -march=native or GCC's -fsanitize=address, the library has not), linking fails: this
 /// function exists for the library's own flags only. Either leave those flags out of the files that
 /// include lasius/arm, or add -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_ALIGN_BYTES=16 to -mavx or
-/// -march=native there, or compile FCL, KDL and lasius with them, too.
+/// -march=native there, or compile KDL and lasius with them, too.
 template <int AlignBytes, bool ByMalloc>
 LASIUS_ARM_EXPORT bool compile_with_the_Eigen_alignment_of_lasius() noexcept;
 namespace internal {

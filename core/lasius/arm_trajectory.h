@@ -118,10 +118,9 @@ LASIUS_ARM_EXPORT Eigen::MatrixXd shorten_way(const Robot& robot, const Sensor& 
                                               const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
                                               const TrajectoryOptions& options = {});
 
-/// What an independent check of a trajectory found: kinematics by KDL, collision of the solids by
-/// FCL, at `samples` times evenly spread, and between them as often as it takes to show by
-/// distances and speeds that nothing touches there. No kinematics or distance of the planner's
-/// takes part.
+/// What a second look at a finished trajectory found: distances and limits at `samples` times
+/// evenly spread, the tip there by KDL too, and a proof of all between them. No search and no
+/// record of what it asked takes part.
 struct Recheck {
   int samples = 0;       ///< times that were looked at; fewer than asked for where it was stopped
   int contacts = 0;      ///< samples at which a link touches an obstacle or another link

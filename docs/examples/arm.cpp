@@ -23,6 +23,6 @@ int main() {
   std::cout << to_string(result.status) << ", " << result.questions.positions
             << " positions asked, " << motion.duration() << " s\n";
   std::cout << "halfway at " << motion.at(motion.duration() / 2).q.transpose() << '\n';
-  const Recheck check = recheck(robot, scene, motion);  // by KDL and FCL, independently
+  const Recheck check = recheck(robot, scene, motion);  // looked at once more
   return check.contacts == 0 && check.limits == 0 ? 0 : 1;
 }

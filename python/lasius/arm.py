@@ -301,7 +301,7 @@ class Result(SearchResult):
 
 @dataclass(eq=False)
 class Recheck(Record):
-    """What an independent check of a motion found, by KDL and FCL."""
+    """What a second look at a finished motion found."""
 
     samples: int  #: times that were looked at
     contacts: int  #: samples at which something is touched
@@ -361,7 +361,7 @@ def plan(
 
 @explained
 def recheck(robot: Robot, scene: Scene, trajectory: Trajectory, samples: int = 1000) -> Recheck:
-    """Checks a motion at so many times, and between them; no code of the planner's takes part."""
+    """Looks at a motion at so many times, and between them."""
     error, fields = _raw.recheck(robot._raw, scene._raw, trajectory._raw, samples)
     return finish(error, Recheck(*fields))
 

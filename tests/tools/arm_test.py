@@ -409,6 +409,15 @@ class Arm(ProgramTest):
                 self.assertEqual((verified.code, verified.out),
                                  (0, "1 of 1 result is equal to the replay\n"), verified.err)
         result = json.loads(self.read("planar.json"))
+        self.assertEqual(result["parameters"]["timing"], "optimal")
+        # As before there was a choice: splines, and FCL measured.
+        old = self.arm("--json", "--iterations", "5", "--recheck", "50", "--set", "timing=splines",
+                       scene="flat.json").json
+        self.assertLess(result["duration"], old["duration"])
+        del old["parameters"]["timing"]
+        old["recheck"]["nearest"] += 1e-9
+        self.assertEqual(self.replay_of(old).code, 1)
+        self.assertEqual(self.replay_of({**old, "version": "0.3.0"}).code, 0)
         for key, value in (("seed", 4), ("joints", result["joints"][:-1]), ("length", 0)):
             with self.subTest(key=key):
                 self.assertEqual(self.replay_of({**result, key: value}).code, 1)

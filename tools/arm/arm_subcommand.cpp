@@ -155,7 +155,8 @@ Subcommand add_arm(CLI::App& app) {
   table.real("--rate", to->rate, ArmCommand::kLeastRate, ArmCommand::kMostRate,
              "Samples of the trajectory a second (default 100)", "HZ");
   table.integer("--recheck", to->recheck, 1, ArmCommand::kMostRecheck,
-                "Check the trajectory at N instants by KDL and FCL and say what they find", "N");
+                "Look at the trajectory again at N instants and between, and say what is found",
+                "N");
   return table.command(
       {.examples = {{"lasius arm maps/arms/industrial6.json --scene maps/arms/cell.json "
                      "--start -0.9,0.3,0.4,0,0.4,0 --goal 0.45,0.4,0.5 -o motion.csv",

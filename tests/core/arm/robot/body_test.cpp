@@ -257,6 +257,8 @@ joint_limits:
   j2:
     has_acceleration_limits: true
     max_acceleration: 7
+    has_jerk_limits: true
+    max_jerk: 30
     has_position_limits: true
     min_position: -0.1
     max_position: 5
@@ -264,6 +266,8 @@ joint_limits:
   EXPECT_DOUBLE_EQ(robot.joints[0].velocity, 1.5);
   EXPECT_DOUBLE_EQ(robot.joints[0].acceleration, 6);
   EXPECT_DOUBLE_EQ(robot.joints[1].acceleration, 7);
+  EXPECT_EQ(robot.joints[0].jerk, 0);
+  EXPECT_DOUBLE_EQ(robot.joints[1].jerk, 30);
   EXPECT_DOUBLE_EQ(robot.joints[1].low, -0.1);
   EXPECT_DOUBLE_EQ(robot.joints[1].high, 0.3) << "the tighter one";
   EXPECT_TRUE(holds(robot.notes,

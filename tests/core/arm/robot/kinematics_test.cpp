@@ -149,6 +149,8 @@ TEST(Robot, WhatIsOutOfItsRangeIsRefusedByName) {
   refused("its limits", [](auto&, auto& j, auto&) { j.low = 4; });
   refused("2: velocity", [](auto&, auto& j, auto&) { j.velocity = 0.9e-9; });
   refused("acceleration", [](auto&, auto& j, auto&) { j.acceleration = 1e-200; });
+  refused("2: its jerk", [](auto&, auto& j, auto&) { j.jerk = -1; });
+  refused("2: its jerk", [](auto&, auto& j, auto&) { j.jerk = NAN; });
   refused("state \"up\" has", [](auto& r, auto&, auto&) { r.states["up"] = joints({1}); });
   refused("state \"up\" has", [](auto& r, auto&, auto&) { r.states["up"] = joints({0, NAN}); });
   refused("2: its rotation", [](auto&, auto& j, auto&) { j.frame.linear().col(2) *= -1; });
