@@ -56,16 +56,19 @@ class Contact {
   /// The pairs of the larger one's parts with the other.
   static std::array<Pair, 2> opened(const Pair& pair);
   void add(const ShapePair& pair);
-  /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
-  /// look, which need not find what there is.
-  bool reaches_inside(std::span<const double> from, std::span<const double> to) const;
+  /// Whether the kernels' rounding is bounded for such a motion.
+  bool lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;
   ShapeStore store_;  // of the obstacles
   std::vector<const Shape*> obstacles_;
+  std::vector<kernels::LaneObstacle> lane_obstacles_;
+  kernels::LaneContact glance_;
   std::vector<Relation> relations_;
   std::vector<Pair> pairs_;
+  std::vector<int> to_world_;  // of each body: its relation to the obstacles
+  std::size_t own_ = 0;        // from this pair on they are of the robot alone
 };
 
 }  // namespace lasius::arm

@@ -1,6 +1,8 @@
 // Motions: a quick look for what reaches far inside, then bounds, interval by interval.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory_resource>
 #include <utility>
 
 #include "core/arm/contact/contact.h"
@@ -11,27 +13,6 @@
 namespace lasius::arm {
 namespace {
 
-/// The square of the distance from a point to an obstacle that is no mesh, 0 inside.
-double squared_gap(const Shape& shape, Vec3 p) noexcept {
-  if (shape.kind == Shape::Kind::segment) {
-    const Vec3 way = shape.corner[1] - shape.corner[0], off = p - shape.corner[0];
-    const double whole = dot(way, way);
-    const double share = whole > 0 ? std::clamp(dot(off, way) / whole, 0.0, 1.0) : 0;
-    const double away = std::max(0.0, length(off - share * way) - shape.round);
-    return away * away;
-  }
-  const Vec3 local = rotate_back(shape.at.rotation, p - shape.at.position);
-  const auto outside = [](double v, double half) { return std::max(0.0, std::abs(v) - half); };
-  const double z = outside(local.z, shape.half.z);
-  if (shape.kind == Shape::Kind::cylinder) {
-    const double across = std::sqrt(local.x * local.x + local.y * local.y);
-    const double out = std::max(0.0, across - shape.half.x);
-    return out * out + z * z;
-  }
-  const double x = outside(local.x, shape.half.x), y = outside(local.y, shape.half.y);
-  return x * x + y * y + z * z;
-}
-
 /// The i-th of `count`, a power of two, such that those so far are always well spread.
 int mirrored(int i, int count) noexcept {
   int place = 0;
@@ -41,43 +22,18 @@ int mirrored(int i, int count) noexcept {
 
 }  // namespace
 
-bool Contact::reaches_inside(std::span<const double> from, std::span<const double> to) const {
+bool Contact::lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept {
+  constexpr double kMost = 1000, kLongest = 100;
   const Kinematics& arm = robot_->kinematics();
   double way = 0;
-  for (int j = 0; j < arm.size(); ++j) way += std::abs(to[j] - from[j]);
-  const int instants = way > 2 ? 16 : 8;
-  Kinematics::Poses poses;
-  JointArray q;
-  std::vector<Vec3> placed;
-  for (int i = 0; i < instants; ++i) {
-    const double s = (mirrored(i, instants) + 0.5) / instants;
-    for (int j = 0; j < arm.size(); ++j) q[j] = from[j] + s * (to[j] - from[j]);
-    arm.place(std::span<const double>(q).first(from.size()), poses);
-    for (int body = arm.size(); body > 0; --body) {
-      const std::vector<InnerBall>& balls = robot_->inner(body);
-      if (balls.empty()) continue;
-      const Placement& at = poses[body - 1];
-      const Shape& all = *robot_->body(body);
-      const Vec3 middle = at * all.centre;
-      placed.clear();
-      for (const Shape* const obstacle : obstacles_) {
-        const bool solid = obstacle->exact && obstacle->kind != Shape::Kind::triangle;
-        if (!solid || squared_gap(*obstacle, middle) > all.radius * all.radius) continue;
-        if (placed.empty())
-          for (const InnerBall& ball : balls) placed.push_back(at * ball.centre);
-        // What is smaller than the body may be all inside of a mesh, which is free.
-        const Vec3 off = middle - obstacle->centre;
-        const bool sticks_out =
-            dot(off, off) + obstacle->radius * obstacle->radius > all.radius * all.radius;
-        for (std::size_t b = 0; b < balls.size(); ++b) {
-          if ((sticks_out || !balls[b].hollow) &&
-              squared_gap(*obstacle, placed[b]) < balls[b].radius * balls[b].radius)
-            return true;
-        }
-      }
-    }
+  for (int j = 0; j < arm.size(); ++j) {
+    const auto [least, most] = std::minmax(from[j], to[j]);
+    const bool within = arm.slides(j) ? least >= arm.low(j) && most <= arm.high(j)
+                                      : least >= -kMost && most <= kMost;
+    if (!within) return false;
+    way += most - least;
   }
-  return false;
+  return way <= kLongest;
 }
 
 /// One motion: intervals of it, breadth first, and what is not shown to be apart in each.
@@ -88,32 +44,22 @@ class Contact::Search {
       : contact_(contact),
         arm_(contact.robot_->kinematics()),
         from_(from),
+        to_(to),
         clearance_(clearance),
         bound_(arm_),
         poller_(stop, 64),
-        relative_(contact.relations_.size()) {
+        relative_(contact.relations_.size(), &memory_),
+        known_(relative_.size(), 0, &memory_) {
     for (int j = 0; j < arm_.size(); ++j) change_[j] = to[j] - from[j];
   }
 
   Answer run() {
-    const int joints = arm_.size();
-    double way = 0;
-    for (int j = 0; j < joints; ++j) way += std::abs(change_[j]);
-    int pieces = 1;
-    constexpr int kMostPieces = 64;
-    constexpr double kPiece = 0.8;  // radians and metres, all joints together
-    while (pieces < kMostPieces && way > kPiece * pieces) pieces *= 2;
-    left_ = contact_.pairs_;
-    // Far apart ones first: what is blocked at all is found sooner.
-    for (int i = 0; i < pieces; ++i) {
-      const int place = mirrored(i, pieces);
-      intervals_.push_back({(place + 0.5) / pieces, 0.5 / pieces, 0, left_.size()});
-    }
+    if (!begin()) return Answer::blocked;
     constexpr int kMostHalvings = 48;
     for (int depth = 0; !intervals_.empty(); ++depth) {
       if (depth == kMostHalvings) return Answer::blocked;
-      std::vector<Pair> next;
-      std::vector<Interval> halves;
+      std::pmr::vector<Pair> next(&memory_);
+      std::pmr::vector<Interval> halves(&memory_);
       for (const Interval& interval : intervals_) {
         const std::size_t first = next.size();
         if (!look(interval, next)) return poller_.stopped() ? Answer::stopped : Answer::blocked;
@@ -134,9 +80,70 @@ class Contact::Search {
     std::size_t first, last;  // of left_
   };
 
+  /// The motion in so many parts that none is longer than `most`, radians and metres of all joints
+  /// together: 1 to 64, a power of two.
+  int parts(double most) const noexcept {
+    double way = 0;
+    for (int j = 0; j < arm_.size(); ++j) way += std::abs(change_[j]);
+    int count = 1;
+    while (count < kMostParts && way > most * count) count *= 2;
+    return count;
+  }
+
+  /// Makes intervals of what a glance leaves open; false where it sees that something is touched.
+  bool begin() {
+    constexpr double kPiece = 0.8, kPart = 0.3;
+    const int pieces = parts(kPiece), lanes = std::max(kernels::kLanes, parts(kPart));
+    const bool glance = contact_.lanes_hold(from_, to_);
+    std::vector<kernels::LaneMiss> misses;
+    std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
+    if (glance && !contact_.lane_obstacles_.empty()) {
+      const kernels::LaneRobot& robot = contact_.robot_->lanes().robot;
+      const auto each_batch = [&](const auto& ask) {
+        for (int b = 0; b < lanes / kernels::kLanes; ++b) {
+          ask(b, kernels::LaneMotion{from_.data(), to_.data(), lanes, b * kernels::kLanes,
+                                     clearance_});
+        }
+      };
+      bool touched = false;
+      each_batch([&](int, const kernels::LaneMotion& motion) {
+        touched = touched ||
+                  contact_.glance_.touches(robot, contact_.lane_obstacles_, motion);
+      });
+      if (touched) return false;
+      each_batch([&](int batch, const kernels::LaneMotion& motion) {
+        contact_.glance_.sweep(robot, contact_.lane_obstacles_, motion, misses);
+        until[batch + 1] = misses.size();
+      });
+    }
+    // Far apart ones first: what is blocked at all is found sooner.
+    for (int i = 0; i < lanes && !misses.empty(); ++i) {
+      const int place = mirrored(i, lanes), batch = place / kernels::kLanes;
+      const std::size_t first = left_.size();
+      for (std::size_t m = until[batch]; m < until[batch + 1]; ++m) {
+        if ((misses[m].parts >> (place % kernels::kLanes) & 1) == 0) continue;
+        const auto& [body, ball, obstacle, bits] = misses[m];
+        left_.push_back({contact_.robot_->lanes().nodes[body][ball],
+                         contact_.obstacles_[obstacle], contact_.to_world_[body + 1]});
+      }
+      if (left_.size() > first)
+        intervals_.push_back({(place + 0.5) / lanes, 0.5 / lanes, first, left_.size()});
+    }
+    const std::size_t own = left_.size();
+    const auto& pairs = contact_.pairs_;
+    for (std::size_t i = glance ? contact_.own_ : 0; i < pairs.size(); ++i) {
+      const PairTable* const table =
+          i < contact_.own_ ? nullptr : contact_.robot_->table(i - contact_.own_);
+      if (table == nullptr || !table->apart(from_, to_)) left_.push_back(pairs[i]);
+    }
+    for (int i = 0; i < pieces && left_.size() > own; ++i)
+      intervals_.push_back({(mirrored(i, pieces) + 0.5) / pieces, 0.5 / pieces, own, left_.size()});
+    return true;
+  }
+
   /// False where something is touched, or told to stop. Adds to `next` what may still touch within
   /// the interval, and is apart in its middle.
-  bool look(const Interval& interval, std::vector<Pair>& next) {
+  bool look(const Interval& interval, std::pmr::vector<Pair>& next) {
     JointArray q;
     const int joints = arm_.size();
     for (int j = 0; j < joints; ++j) q[j] = from_[j] + interval.middle * change_[j];
@@ -201,19 +208,23 @@ class Contact::Search {
     return a->exact && b->exact ? Verdict::touched : Verdict::opened;
   }
 
+  static constexpr int kMostParts = 64;
+
   const Contact& contact_;
   const Kinematics& arm_;
-  std::span<const double> from_;
+  std::span<const double> from_, to_;
   double clearance_;
   JointArray change_{};
   MotionBound bound_;
   Poller poller_;
   Kinematics::Poses poses_;
   Bodies bodies_;
-  std::vector<RelativeMotion> relative_;
-  std::vector<char> known_;  // of relative_
-  std::vector<Pair> left_, stack_;
-  std::vector<Interval> intervals_;
+  std::array<std::byte, 1 << 15> buffer_;
+  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
+  std::pmr::vector<RelativeMotion> relative_;
+  std::pmr::vector<char> known_;  // of relative_
+  std::pmr::vector<Pair> left_{&memory_}, stack_{&memory_};
+  std::pmr::vector<Interval> intervals_{&memory_};
 };
 
 Contact::Answer Contact::motion(std::span<const double> from, std::span<const double> to,
@@ -221,7 +232,6 @@ Contact::Answer Contact::motion(std::span<const double> from, std::span<const do
   if (std::ranges::equal(from, to))
     return posture_free(from, clearance) ? Answer::free : Answer::blocked;
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
-  if (reaches_inside(from, to)) return Answer::blocked;
   return Search(*this, from, to, clearance, stop).run();
 }
 
