@@ -1,5 +1,5 @@
-// A glance at a motion of a robot among obstacles: eight postures or eight parts of it side by side,
-// in floats with a margin for their rounding. The same on every machine.
+// A glance at a motion of a robot among obstacles: eight postures or eight parts of it side by
+// side, in floats with a margin for their rounding. The same on every machine.
 #pragma once
 
 #include <array>
@@ -62,6 +62,7 @@ struct LaneMotion {
 struct LaneMiss {
   int body, ball, obstacle;
   unsigned parts;
+  friend bool operator==(const LaneMiss&, const LaneMiss&) = default;
 };
 
 struct LaneContact {

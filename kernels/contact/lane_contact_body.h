@@ -86,8 +86,8 @@ LASIUS_LANES void place(const LaneRobot& robot, const LaneMotion& motion,
       }
     }
     const Lanes3 rows[3] = {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
-    pose.origin = before.origin + Lanes3{dot(rows[0], position), dot(rows[1], position),
-                                         dot(rows[2], position)};
+    pose.origin = before.origin +
+                  Lanes3{dot(rows[0], position), dot(rows[1], position), dot(rows[2], position)};
   }
 }
 
@@ -138,8 +138,7 @@ LASIUS_LANES_TARGET static bool touches(const LaneRobot& robot,
       // What is smaller than the body may be all inside of a mesh, which is free.
       const Lanes3 apart = middle - all(o.position);
       const float reach = kUp * whole.radius + o.margin;
-      const unsigned out =
-          less(all(reach * reach), dot(apart, apart) + all(o.radius * o.radius));
+      const unsigned out = less(all(reach * reach), dot(apart, apart) + all(o.radius * o.radius));
       for (const LaneBall& ball : body.inner) {
         const float radius = ball.radius - o.margin;
         if (!(radius > 0)) break;  // the largest are first
@@ -200,8 +199,7 @@ LASIUS_LANES_TARGET static void sweep(const LaneRobot& robot,
       at[b] = poses[k].origin + turned(poses[k], ball.centre);
       velocity[b] = cross(turn, at[b]) + shift;
       curved[b] = all(0.5F * kUp) * (far + all(spread * ball.far));
-      curved[b] =
-          curved[b] + all(kUp * ball.radius + static_cast<float>(motion.clearance) * kUp);
+      curved[b] = curved[b] + all(kUp * ball.radius + static_cast<float>(motion.clearance) * kUp);
       need[b] = curved[b] + all(kUp) * root(dot(velocity[b], velocity[b]));
     }
     for (int o = 0; o < static_cast<int>(obstacles.size()); ++o) {

@@ -58,6 +58,8 @@ class Contact {
   void add(const ShapePair& pair);
   /// Whether the kernels' rounding is bounded for such a motion.
   bool lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept;
+  /// A quick look whether an obstacle reaches into the robot, which need not find what there is.
+  bool touches(std::span<const double> from, std::span<const double> to) const;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;

@@ -20,6 +20,22 @@ int mirrored(int i, int count) noexcept {
   return place;
 }
 
+constexpr int kMostParts = 64;
+
+/// In so many parts none is longer than `most`, radians and metres of all joints together: 1 to 64,
+/// a power of two.
+int parts_of(std::span<const double> from, std::span<const double> to, double most) noexcept {
+  double way = 0;
+  for (std::size_t j = 0; j < from.size(); ++j) way += std::abs(to[j] - from[j]);
+  int count = 1;
+  while (count < kMostParts && way > most * count) count *= 2;
+  return count;
+}
+int lanes_of(std::span<const double> from, std::span<const double> to) noexcept {
+  constexpr double kPart = 0.3;
+  return std::max(kernels::kLanes, parts_of(from, to, kPart));
+}
+
 }  // namespace
 
 bool Contact::lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept {
@@ -36,16 +52,27 @@ bool Contact::lanes_hold(std::span<const double> from, std::span<const double> t
   return way <= kLongest;
 }
 
+bool Contact::touches(std::span<const double> from, std::span<const double> to) const {
+  const int lanes = lanes_of(from, to);
+  for (int first = 0; first < lanes; first += kernels::kLanes) {
+    if (glance_.touches(robot_->lanes().robot, lane_obstacles_,
+                        {from.data(), to.data(), lanes, first, 0}))
+      return true;
+  }
+  return false;
+}
+
 /// One motion: intervals of it, breadth first, and what is not shown to be apart in each.
 class Contact::Search {
  public:
   Search(const Contact& contact, std::span<const double> from, std::span<const double> to,
-         double clearance, const StopCondition& stop)
+         double clearance, bool glance, const StopCondition& stop)
       : contact_(contact),
         arm_(contact.robot_->kinematics()),
         from_(from),
         to_(to),
         clearance_(clearance),
+        glance_(glance),
         bound_(arm_),
         poller_(stop, 64),
         relative_(contact.relations_.size(), &memory_),
@@ -54,7 +81,7 @@ class Contact::Search {
   }
 
   Answer run() {
-    if (!begin()) return Answer::blocked;
+    begin();
     constexpr int kMostHalvings = 48;
     for (int depth = 0; !intervals_.empty(); ++depth) {
       if (depth == kMostHalvings) return Answer::blocked;
@@ -80,41 +107,18 @@ class Contact::Search {
     std::size_t first, last;  // of left_
   };
 
-  /// The motion in so many parts that none is longer than `most`, radians and metres of all joints
-  /// together: 1 to 64, a power of two.
-  int parts(double most) const noexcept {
-    double way = 0;
-    for (int j = 0; j < arm_.size(); ++j) way += std::abs(change_[j]);
-    int count = 1;
-    while (count < kMostParts && way > most * count) count *= 2;
-    return count;
-  }
-
-  /// Makes intervals of what a glance leaves open; false where it sees that something is touched.
-  bool begin() {
-    constexpr double kPiece = 0.8, kPart = 0.3;
-    const int pieces = parts(kPiece), lanes = std::max(kernels::kLanes, parts(kPart));
-    const bool glance = contact_.lanes_hold(from_, to_);
+  /// Makes intervals of what a glance leaves open.
+  void begin() {
+    constexpr double kPiece = 0.8;
+    const int pieces = parts_of(from_, to_, kPiece), lanes = lanes_of(from_, to_);
     std::vector<kernels::LaneMiss> misses;
+    std::vector<std::pair<PairTable::Doubt, std::size_t>> doubts;
     std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
-    if (glance && !contact_.lane_obstacles_.empty()) {
-      const kernels::LaneRobot& robot = contact_.robot_->lanes().robot;
-      const auto each_batch = [&](const auto& ask) {
-        for (int b = 0; b < lanes / kernels::kLanes; ++b) {
-          ask(b, kernels::LaneMotion{from_.data(), to_.data(), lanes, b * kernels::kLanes,
-                                     clearance_});
-        }
-      };
-      bool touched = false;
-      each_batch([&](int, const kernels::LaneMotion& motion) {
-        touched = touched ||
-                  contact_.glance_.touches(robot, contact_.lane_obstacles_, motion);
-      });
-      if (touched) return false;
-      each_batch([&](int batch, const kernels::LaneMotion& motion) {
-        contact_.glance_.sweep(robot, contact_.lane_obstacles_, motion, misses);
-        until[batch + 1] = misses.size();
-      });
+    for (int b = 0; glance_ && b < lanes / kernels::kLanes; ++b) {
+      contact_.glance_.sweep(contact_.robot_->lanes().robot, contact_.lane_obstacles_,
+                             {from_.data(), to_.data(), lanes, b * kernels::kLanes, clearance_},
+                             misses);
+      until[b + 1] = misses.size();
     }
     // Far apart ones first: what is blocked at all is found sooner.
     for (int i = 0; i < lanes && !misses.empty(); ++i) {
@@ -123,22 +127,33 @@ class Contact::Search {
       for (std::size_t m = until[batch]; m < until[batch + 1]; ++m) {
         if ((misses[m].parts >> (place % kernels::kLanes) & 1) == 0) continue;
         const auto& [body, ball, obstacle, bits] = misses[m];
-        left_.push_back({contact_.robot_->lanes().nodes[body][ball],
-                         contact_.obstacles_[obstacle], contact_.to_world_[body + 1]});
+        left_.push_back({contact_.robot_->lanes().nodes[body][ball], contact_.obstacles_[obstacle],
+                         contact_.to_world_[body + 1]});
       }
       if (left_.size() > first)
         intervals_.push_back({(place + 0.5) / lanes, 0.5 / lanes, first, left_.size()});
     }
-    const std::size_t own = left_.size();
+    std::size_t first = left_.size();
     const auto& pairs = contact_.pairs_;
-    for (std::size_t i = glance ? contact_.own_ : 0; i < pairs.size(); ++i) {
+    for (std::size_t i = glance_ ? contact_.own_ : 0; i < pairs.size(); ++i) {
       const PairTable* const table =
           i < contact_.own_ ? nullptr : contact_.robot_->table(i - contact_.own_);
-      if (table == nullptr || !table->apart(from_, to_)) left_.push_back(pairs[i]);
+      if (table == nullptr) {
+        left_.push_back(pairs[i]);
+        continue;
+      }
+      const PairTable::Doubt doubt = table->doubt(from_, to_);
+      if (doubt.first <= doubt.last) doubts.emplace_back(doubt, i);
     }
-    for (int i = 0; i < pieces && left_.size() > own; ++i)
-      intervals_.push_back({(mirrored(i, pieces) + 0.5) / pieces, 0.5 / pieces, own, left_.size()});
-    return true;
+    for (int i = 0; i < pieces && left_.size() > first; ++i)
+      intervals_.push_back(
+          {(mirrored(i, pieces) + 0.5) / pieces, 0.5 / pieces, first, left_.size()});
+    for (const auto& [doubt, i] : doubts) {
+      first = left_.size();
+      left_.push_back(pairs[i]);
+      const double half = 0.5 * (doubt.last - doubt.first);
+      intervals_.push_back({doubt.first + half, half, first, first + 1});
+    }
   }
 
   /// False where something is touched, or told to stop. Adds to `next` what may still touch within
@@ -208,12 +223,11 @@ class Contact::Search {
     return a->exact && b->exact ? Verdict::touched : Verdict::opened;
   }
 
-  static constexpr int kMostParts = 64;
-
   const Contact& contact_;
   const Kinematics& arm_;
   std::span<const double> from_, to_;
   double clearance_;
+  bool glance_;  // kernels look at the obstacles first
   JointArray change_{};
   MotionBound bound_;
   Poller poller_;
@@ -232,7 +246,9 @@ Contact::Answer Contact::motion(std::span<const double> from, std::span<const do
   if (std::ranges::equal(from, to))
     return posture_free(from, clearance) ? Answer::free : Answer::blocked;
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
-  return Search(*this, from, to, clearance, stop).run();
+  const bool glance = lanes_hold(from, to);
+  if (glance && touches(from, to)) return Answer::blocked;
+  return Search(*this, from, to, clearance, glance, stop).run();
 }
 
 }  // namespace lasius::arm

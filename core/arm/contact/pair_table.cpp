@@ -23,8 +23,8 @@ struct SweptTwice {
 }  // namespace
 
 PairTable::PairTable(const Kinematics& arm, const ShapePair& pair, double clearance)
-    : arm_(arm), pair_(pair), clearance_(clearance) {
-  for (int i = 0; i < 2; ++i) {
+    : arm_(arm), pair_(pair), joints_(pair.body - pair.from), clearance_(clearance) {
+  for (int i = 0; i < joints_; ++i) {
     const int joint = pair.from + i;
     round_[i] = !arm.slides(joint);
     low_[i] = round_[i] ? 0 : arm.low(joint);
@@ -32,55 +32,61 @@ PairTable::PairTable(const Kinematics& arm, const ShapePair& pair, double cleara
     if (!(width_[i] > 0)) width_[i] = 1e-9;
   }
   for (int l = 0; l < kLevels; ++l)
-    states_[l] = std::vector<std::atomic<char>>(static_cast<std::size_t>(kCoarse * kCoarse) << 2 * l);
+    states_[l] = std::vector<std::atomic<char>>(
+        static_cast<std::size_t>(joints_ == 1 ? 1 : kCoarse << l) * (kCoarse << l));
 }
 
-bool PairTable::apart(std::span<const double> from, std::span<const double> to) const {
+PairTable::Doubt PairTable::doubt(std::span<const double> from, std::span<const double> to) const {
   constexpr int kMostSteps = 1000;
   constexpr double kStep = 0.25 * (kLarger - 1);  // of the smallest cell: within the larger ones
-  std::array<double, 2> begin, way;
+  std::array<double, 2> begin{}, way{};
   double longest = 0;
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < joints_; ++i) {
     const int joint = pair_.from + i;
     begin[i] = (from[joint] - low_[i]) / width_[i];
     way[i] = (to[joint] - from[joint]) / width_[i];
     longest = std::max(longest, std::abs(way[i]));
-    if (!(std::abs(begin[i]) + std::abs(way[i]) < 1e6)) return false;
+    if (!(std::abs(begin[i]) + std::abs(way[i]) < 1e6)) return {0, 1};
   }
   const double step = longest > 0 ? kStep / longest : 1;
+  Doubt found;
   double s = 0;
   for (int steps = 0; steps < kMostSteps; ++steps) {
-    std::array<double, 2> at;
-    std::array<int, 2> cell;
-    for (int i = 0; i < 2; ++i) {
+    std::array<double, 2> at{};
+    std::array<int, 2> cell{};
+    for (int i = 0; i < joints_; ++i) {
       at[i] = begin[i] + s * way[i];
       cell[i] = static_cast<int>(std::floor(at[i]));
       if (!round_[i]) {
-        if (at[i] < 0 || at[i] > kFine) return false;
+        if (at[i] < 0 || at[i] > kFine) return {0, 1};
         cell[i] = std::min(cell[i], kFine - 1);
       }
     }
     int level = 0;
     const auto coarse = [&] { return kLevels - 1 - level; };
     while (level < kLevels && !cell_free(level, cell[0] >> coarse(), cell[1] >> coarse())) ++level;
-    if (level == kLevels) return false;
+    const bool doubted = level == kLevels;
+    level = std::min(level, kLevels - 1);
     double out = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < joints_; ++i) {
       const int first = cell[i] >> coarse() << coarse();
       const int end = way[i] > 0 ? first + (1 << coarse()) : first;
       if (way[i] != 0) out = std::min(out, (end - at[i]) / way[i]);
     }
-    s += out + step;
-    if (s >= 1) return true;
+    const double next = std::min(1.0, s + out + step);
+    if (doubted) found = {std::min(found.first, s), next};
+    if (next >= 1) return found;
+    s = next;
   }
-  return false;
+  return {0, 1};
 }
 
 bool PairTable::cell_free(int level, int x, int y) const {
   const int count = kCoarse << level;
   x &= count - 1;
   y &= count - 1;
-  std::atomic<char>& state = states_[level][static_cast<std::size_t>(x) * count + y];
+  std::atomic<char>& state =
+      states_[level][static_cast<std::size_t>(x) * (joints_ == 1 ? 1 : count) + y];
   char known = state.load(std::memory_order_relaxed);
   if (known == unknown) {
     known = look(level, x, y);
@@ -90,10 +96,10 @@ bool PairTable::cell_free(int level, int x, int y) const {
 }
 
 PairTable::State PairTable::look(int level, int x, int y) const {
-  constexpr int kMostTests = 64;
+  const int most = level + 1 < kLevels ? 8 : 24;
   const int first = pair_.from, larger = 1 << (kLevels - 1 - level);
   JointArray q{}, change{};
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < joints_; ++i) {
     const double size = larger * width_[i];
     q[first + i] = low_[i] + ((i == 0 ? x : y) + 0.5) * size;
     change[first + i] = 0.5 * kLarger * size;
@@ -112,7 +118,7 @@ PairTable::State PairTable::look(int level, int x, int y) const {
   const Placement &here = bodies[pair_.body], &there = bodies[pair_.from];
   std::vector<std::pair<const Shape*, const Shape*>> left{{pair_.a, pair_.b}};
   for (int tests = 0; !left.empty(); ++tests) {
-    if (tests == kMostTests) return open;
+    if (tests == most) return open;
     const auto [a, b] = left.back();
     left.pop_back();
     const PlacedShape other(*b, there);

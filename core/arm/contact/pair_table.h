@@ -1,4 +1,4 @@
-// Two bodies with two joints between: for which values of the two they keep apart.
+// Two bodies with one or two joints between: for which values of these they keep apart.
 #pragma once
 
 #include <array>
@@ -16,18 +16,22 @@ struct ShapePair {
   int body, from;  // of a and of b, which is below
 };
 
-/// Cells of joint values, from a sixteenth of the range on halved four times; each is looked at when
-/// a motion first comes by, and says the same whoever asks. Thread-safe.
+/// Cells of joint values, from a sixteenth of the range on halved three times; each is looked at
+/// when a motion first comes by, and says the same whoever asks. Thread-safe.
 class PairTable {
  public:
-  /// Precondition: `pair.body` is `pair.from` + 2. `arm` and the shapes outlive it.
+  /// Precondition: `pair.body` is `pair.from` + 1 or 2. `arm` and the shapes outlive it.
   PairTable(const Kinematics& arm, const ShapePair& pair, double clearance);
 
-  /// True only where the two are never nearer than the clearance while their joints go straight.
-  bool apart(std::span<const double> from, std::span<const double> to) const;
+  /// From where to where of the way, 0 to 1, the two may be nearer than the clearance while their
+  /// joints go straight; the first is above the last where they never are.
+  struct Doubt {
+    double first = 2, last = -1;
+  };
+  Doubt doubt(std::span<const double> from, std::span<const double> to) const;
 
  private:
-  static constexpr int kCoarse = 16, kLevels = 5, kFine = kCoarse << (kLevels - 1);
+  static constexpr int kCoarse = 16, kLevels = 4, kFine = kCoarse << (kLevels - 1);
   enum State : char { unknown, free, open };
 
   bool cell_free(int level, int x, int y) const;
@@ -35,6 +39,7 @@ class PairTable {
 
   const Kinematics& arm_;
   ShapePair pair_;
+  int joints_;
   double clearance_;
   std::array<double, 2> low_, width_;  // of the finest cells
   std::array<bool, 2> round_;          // the joint turns: values a turn apart are alike

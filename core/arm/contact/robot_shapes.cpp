@@ -7,9 +7,9 @@ namespace lasius::arm {
 
 RobotShapes::RobotShapes(const Robot& robot, double clearance) : arm_(robot) {
   const int links = static_cast<int>(robot.links.size());
-  std::vector<const Shape*> whole(links, nullptr);          // of each link
+  std::vector<const Shape*> whole(links, nullptr);              // of each link
   std::vector<std::vector<InnerBall>> inner(robot.size() + 1);  // of each body
-  std::vector<std::vector<int>> of_body(robot.size() + 1);  // links with solids
+  std::vector<std::vector<int>> of_body(robot.size() + 1);      // links with solids
   for (int l = 0; l < links; ++l) {
     std::vector<const Shape*> shapes;
     for (const Solid& solid : robot.links[l].solids) {
@@ -59,9 +59,8 @@ RobotShapes::RobotShapes(const Robot& robot, double clearance) : arm_(robot) {
     }
   }
   for (const ShapePair& pair : pairs_) {
-    tables_.push_back(pair.body == pair.from + 2
-                          ? std::make_unique<PairTable>(arm_, pair, clearance)
-                          : nullptr);
+    tables_.push_back(
+        pair.body <= pair.from + 2 ? std::make_unique<PairTable>(arm_, pair, clearance) : nullptr);
   }
 }
 

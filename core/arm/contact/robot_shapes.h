@@ -23,7 +23,7 @@ class RobotShapes {
   /// All that moves with a body; null: nothing.
   const Shape* body(int i) const noexcept { return bodies_[i]; }
   std::span<const ShapePair> pairs() const noexcept { return pairs_; }
-  /// That of a pair, where two joints are between.
+  /// That of a pair, where at most two joints are between.
   const PairTable* table(std::size_t pair) const noexcept { return tables_[pair].get(); }
   int link_of(int solid) const noexcept { return links_[solid]; }
   /// What is looked at before all else.
