@@ -5,4 +5,5 @@
 #include "lasius/arm_plan.h"
 #include "lasius/arm_robot.h"
 #include "lasius/arm_sensor.h"
+#include "lasius/arm_tip.h"
 #include "lasius/arm_trajectory.h"
