@@ -1,5 +1,6 @@
 // lasius_bench arm-mbm: MotionBenchMaker's problems, solved, shortened, and checked by FCL.
 #include <map>
+#include <random>
 #include <vector>
 
 #include "bench/clocks.h"
@@ -17,12 +18,13 @@ struct MbmOptions {
   std::string folder, problems, base, name = "ur5", tip = "ee_link", markdown;
   double clearance = arm::Sensor::kLeastClearance;
   std::uint64_t seed = 1;
-  int each = 1, checked = 0, instants = 2001;
+  int each = 1, checked = 0, instants = 2001, cuts = 0;
 };
 
 /// What came of the problems of one set.
 struct MbmFigures {
-  int problems = 0, solved = 0, checked = 0, contacts = 0, unproven = 0;
+  int problems = 0, solved = 0, checked = 0, contacts = 0, unproven = 0, cut = 0;
+  double overrun = 0;  // ms of processor time past a limit, the worst
   double nearest = 1e300;
   std::vector<double> first, both, found, travel, questions;  // ms, ms, rad, rad
 };
@@ -72,6 +74,32 @@ void solve(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmP
   figures.nearest = std::min(figures.nearest, seen.nearest);
 }
 
+/// Plans, motion and all, with limits that end somewhere on the way, in processor time.
+void cut(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmProblem& problem,
+         const MbmOptions& options, std::mt19937_64& engine, MbmFigures& figures) {
+  arm::Params parameters;
+  parameters.seed = options.seed;
+  parameters.threads = 1;
+  const arm::SceneSensor sensor(prepared, problem.scene);
+  double whole = 1e9;
+  for (int i = 0; i <= options.cuts; ++i) {
+    const double limit = i == 0 ? 1e9 : whole * std::generate_canonical<double, 53>(engine);
+    const ThreadTime time;
+    const arm::Result found =
+        arm::plan(robot, sensor,
+                  {.start = problem.start,
+                   .goals = {arm::Goal::joints(problem.goal)},
+                   .stop = {.deadline = deadline_in(std::chrono::duration<double>(limit), {}),
+                            .time = &time}},
+                  parameters);
+    const double used = time.used();
+    if (i == 0) whole = used;
+    if (found.status != Status::limit) continue;
+    ++figures.cut;
+    figures.overrun = std::max(figures.overrun, 1e3 * (used - limit));
+  }
+}
+
 void append(std::vector<double>& all, const std::vector<double>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -92,6 +120,7 @@ void row(Table& table, const std::string& name, const MbmFigures& f) {
   for (const auto* figure : {&f.questions, &f.found, &f.travel})
     cells.push_back(short_number(median(*figure)));
   cells.push_back(std::to_string(f.contacts) + " in " + std::to_string(f.checked));
+  cells.push_back(short_number(f.overrun) + " of " + std::to_string(f.cut));
   table.row(cells);
 }
 
@@ -104,21 +133,23 @@ void run_arm_mbm(const MbmOptions& options) {
   const double ready = preparing.seconds() - read;
   const auto problems =
       read_mbm_problems(options.problems.empty() ? folder + "/problems" : options.problems, robot);
-  Table table("MotionBenchMaker, " + options.name + ", meshes as they are, clearance " +
-                  short_number(1e3 * options.clearance) +
-                  " mm, one thread, processor time; read in " + short_number(read) +
-                  " s, prepared in " + short_number(ready) +
-                  " s. Times in ms: median, mean, 95 %, worst; travel in rad.",
-              {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %",
-               "worst", "motions asked", "travel", "shortened", "contacts, by FCL"},
-              options.markdown);
+  Table table(
+      "MotionBenchMaker, " + options.name + ", meshes as they are, clearance " +
+          short_number(1e3 * options.clearance) + " mm, one thread, processor time; read in " +
+          short_number(read) + " s, prepared in " + short_number(ready) +
+          " s. Times in ms: median, mean, 95 %, worst; travel in rad.",
+      {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %", "worst",
+       "motions asked", "travel", "shortened", "contacts, by FCL", "limit overrun, worst of"},
+      options.markdown);
   std::map<std::string, MbmFigures> sets;
   MbmFigures all;
   int number = 0, taken = 0;
+  std::mt19937_64 engine(options.seed);
   for (const MbmProblem& problem : problems) {
     if (number++ % options.each != 0) continue;
     const bool check = options.checked > 0 && taken++ % options.checked == 0;
     solve(robot, prepared, problem, options, check, sets[problem.set]);
+    if (options.cuts > 0) cut(robot, prepared, problem, options, engine, sets[problem.set]);
   }
   for (const auto& [name, f] : sets) {
     row(table, name, f);
@@ -126,6 +157,8 @@ void run_arm_mbm(const MbmOptions& options) {
     all.solved += f.solved;
     all.checked += f.checked;
     all.contacts += f.contacts;
+    all.cut += f.cut;
+    all.overrun = std::max(all.overrun, f.overrun);
     append(all.first, f.first);
     append(all.both, f.both);
     append(all.found, f.found);
@@ -150,6 +183,7 @@ void add_arm_mbm_command(CLI::App& app) {
   add_number(command, "--seed", options.seed, "Of the trees");
   add_number(command, "--each", options.each, "Only each so many-th problem", 1, 1e6);
   add_number(command, "--checked", options.checked, "Each so many-th by FCL; 0: none", 0, 1e6);
+  add_number(command, "--cuts", options.cuts, "Limits at random, each problem", 0, 1e6);
   add_number(command, "--instants", options.instants, "Of a motion, that FCL looks at", 2, 1e6);
   add_output(command, options.markdown);
 }

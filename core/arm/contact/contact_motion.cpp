@@ -142,7 +142,7 @@ class Contact::Search {
         left_.push_back(pairs[i]);
         continue;
       }
-      const PairTable::Doubt doubt = table->doubt(from_, to_);
+      const PairTable::Doubt doubt = table->doubt(from_, to_, poller_);
       if (doubt.first <= doubt.last) doubts.emplace_back(doubt, i);
     }
     for (int i = 0; i < pieces && left_.size() > first; ++i)
@@ -176,6 +176,7 @@ class Contact::Search {
         if (verdict == Verdict::touched) return false;
         if (verdict == Verdict::apart) next.push_back(pair);
         if (verdict != Verdict::opened) continue;
+        poller_.stop_after(work_of_parts(first_is_opened(*pair.a, *pair.b) ? *pair.a : *pair.b));
         const auto parts = opened(pair);
         stack_.insert(stack_.end(), parts.begin(), parts.end());
       }

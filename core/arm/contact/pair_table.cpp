@@ -36,7 +36,8 @@ PairTable::PairTable(const Kinematics& arm, const ShapePair& pair, double cleara
         static_cast<std::size_t>(joints_ == 1 ? 1 : kCoarse << l) * (kCoarse << l));
 }
 
-PairTable::Doubt PairTable::doubt(std::span<const double> from, std::span<const double> to) const {
+PairTable::Doubt PairTable::doubt(std::span<const double> from, std::span<const double> to,
+                                  Poller& poller) const {
   constexpr int kMostSteps = 1000;
   constexpr double kStep = 0.25 * (kLarger - 1);  // of the smallest cell: within the larger ones
   std::array<double, 2> begin{}, way{};
@@ -64,7 +65,9 @@ PairTable::Doubt PairTable::doubt(std::span<const double> from, std::span<const 
     }
     int level = 0;
     const auto coarse = [&] { return kLevels - 1 - level; };
-    while (level < kLevels && !cell_free(level, cell[0] >> coarse(), cell[1] >> coarse())) ++level;
+    while (level < kLevels && !cell_free(level, cell[0] >> coarse(), cell[1] >> coarse(), poller))
+      ++level;
+    if (poller.stopped()) return {0, 1};
     const bool doubted = level == kLevels;
     level = std::min(level, kLevels - 1);
     double out = std::numeric_limits<double>::infinity();
@@ -81,7 +84,7 @@ PairTable::Doubt PairTable::doubt(std::span<const double> from, std::span<const 
   return {0, 1};
 }
 
-bool PairTable::cell_free(int level, int x, int y) const {
+bool PairTable::cell_free(int level, int x, int y, Poller& poller) const {
   const int count = kCoarse << level;
   x &= count - 1;
   y &= count - 1;
@@ -89,13 +92,14 @@ bool PairTable::cell_free(int level, int x, int y) const {
       states_[level][static_cast<std::size_t>(x) * (joints_ == 1 ? 1 : count) + y];
   char known = state.load(std::memory_order_relaxed);
   if (known == unknown) {
-    known = look(level, x, y);
+    if (poller.stopped()) return false;
+    known = look(level, x, y, poller);
     state.store(known, std::memory_order_relaxed);
   }
   return known == free;
 }
 
-PairTable::State PairTable::look(int level, int x, int y) const {
+PairTable::State PairTable::look(int level, int x, int y, Poller& poller) const {
   const int most = level + 1 < kLevels ? 8 : 24;
   const int first = pair_.from, larger = 1 << (kLevels - 1 - level);
   JointArray q{}, change{};
@@ -140,6 +144,7 @@ PairTable::State PairTable::look(int level, int x, int y) const {
       if (a->exact && b->exact) return open;
     }
     const bool opened = first_is_opened(*a, *b);
+    poller.stop_after(work_of_parts(opened ? *a : *b));
     for (const Shape* const part : parts_of(opened ? *a : *b))
       left.emplace_back(opened ? part : a, opened ? b : part);
   }

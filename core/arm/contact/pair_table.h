@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arm/contact/pair_tests.h"
+#include "core/base/poller.h"
 
 namespace lasius::arm {
 
@@ -28,14 +29,15 @@ class PairTable {
   struct Doubt {
     double first = 2, last = -1;
   };
-  Doubt doubt(std::span<const double> from, std::span<const double> to) const;
+  /// All of it where `poller`, who is told of the work, says to stop.
+  Doubt doubt(std::span<const double> from, std::span<const double> to, Poller& poller) const;
 
  private:
   static constexpr int kCoarse = 16, kLevels = 4, kFine = kCoarse << (kLevels - 1);
   enum State : char { unknown, free, open };
 
-  bool cell_free(int level, int x, int y) const;
-  State look(int level, int x, int y) const;
+  bool cell_free(int level, int x, int y, Poller& poller) const;
+  State look(int level, int x, int y, Poller& poller) const;
 
   const Kinematics& arm_;
   ShapePair pair_;
