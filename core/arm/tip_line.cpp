@@ -8,7 +8,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/loop/run_status.h"
-#include "lasius/arm_tip.h"
+#include "lasius/arm_plan.h"
 
 namespace lasius::arm {
 namespace {

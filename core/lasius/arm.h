@@ -5,5 +5,4 @@
 #include "lasius/arm_plan.h"
 #include "lasius/arm_robot.h"
 #include "lasius/arm_sensor.h"
-#include "lasius/arm_tip.h"
 #include "lasius/arm_trajectory.h"

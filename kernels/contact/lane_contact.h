@@ -65,29 +65,12 @@ struct LaneMiss {
   friend bool operator==(const LaneMiss&, const LaneMiss&) = default;
 };
 
-/// Points in floats: all x from `x` on, y `stride` further on, z again; `count`, a multiple of
-/// kLanes, of them.
-struct LanePoints {
-  const float* x;
-  int stride, count;
-};
-/// Which of them is furthest along a direction, the first of several, and how far.
-struct LaneFurthest {
-  int index;
-  float along;
-};
-using LaneDirection = std::array<float, 3>;
-
 struct LaneContact {
   /// True only where a ball in the robot touches an obstacle in the middle of a part.
   bool (*touches)(const LaneRobot&, const std::vector<LaneObstacle>&, const LaneMotion&);
   /// Adds to `misses` what is not shown to be further apart than the clearance, all along a part.
   void (*sweep)(const LaneRobot&, const std::vector<LaneObstacle>&, const LaneMotion&,
                 std::vector<LaneMiss>& misses);
-  LaneFurthest (*furthest)(const LanePoints&, const LaneDirection&) noexcept;
-  /// Along two directions at once.
-  std::array<LaneFurthest, 2> (*furthest_two)(const LanePoints&, const LaneDirection&,
-                                              const LaneDirection&) noexcept;
 };
 /// Those of an instruction set. They say the same.
 const LaneContact& lane_contact(Isa isa) noexcept;

@@ -117,37 +117,6 @@ LASIUS_LANES Lanes square(Lanes a) noexcept { return a * a; }
 
 constexpr float kUp = 1.00001F;
 
-/// The furthest along a direction so far, of each eighth point.
-struct LaneScan {
-  Lanes3 direction;
-  Lanes most = all(-3e38F), index = all(0);
-
-  LASIUS_LANES void step(Lanes3 points, Lanes numbers) noexcept {
-    const Lanes along = dot(direction, points);
-    index = pick(most, along, numbers, index);
-    most = kernels::most(most, along);
-  }
-  LASIUS_LANES LaneFurthest best() const noexcept {
-    alignas(32) float along[kLanes], number[kLanes];
-    store(along, most);
-    store(number, index);
-    int lane = 0;
-    for (int l = 1; l < kLanes; ++l)
-      if (along[l] > along[lane] || (along[l] == along[lane] && number[l] < number[lane])) lane = l;
-    return {static_cast<int>(number[lane]), along[lane]};
-  }
-};
-
-LASIUS_LANES Lanes first_numbers() noexcept {
-  constexpr float kNumbers[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
-  return load(kNumbers);
-}
-
-LASIUS_LANES Lanes3 points_at(const LanePoints& points, int i) noexcept {
-  const float* const x = points.x + i;
-  return {load(x), load(x + points.stride), load(x + 2 * points.stride)};
-}
-
 LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, const std::vector<LaneObstacle>& obstacles,
                                  const LaneMotion& motion) {
   std::array<LanePose, kMostLaneJoints> poses;
@@ -253,32 +222,7 @@ LASIUS_LANES_TARGET void sweep(const LaneRobot& robot, const std::vector<LaneObs
   }
 }
 
-LASIUS_LANES_TARGET LaneFurthest furthest(const LanePoints& points,
-                                          const LaneDirection& d) noexcept {
-  LaneScan scan{all(d)};
-  Lanes numbers = first_numbers();
-  for (int i = 0; i < points.count; i += kLanes) {
-    scan.step(points_at(points, i), numbers);
-    numbers = numbers + all(static_cast<float>(kLanes));
-  }
-  return scan.best();
-}
-
-LASIUS_LANES_TARGET std::array<LaneFurthest, 2> furthest_two(const LanePoints& points,
-                                                             const LaneDirection& d,
-                                                             const LaneDirection& e) noexcept {
-  LaneScan first{all(d)}, second{all(e)};
-  Lanes numbers = first_numbers();
-  for (int i = 0; i < points.count; i += kLanes) {
-    const Lanes3 at = points_at(points, i);
-    first.step(at, numbers);
-    second.step(at, numbers);
-    numbers = numbers + all(static_cast<float>(kLanes));
-  }
-  return {first.best(), second.best()};
-}
-
-constexpr LaneContact kContact{touches, sweep, furthest, furthest_two};
+constexpr LaneContact kContact{touches, sweep};
 
 }  // namespace
 }  // namespace lasius::kernels

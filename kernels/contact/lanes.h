@@ -37,10 +37,6 @@ LASIUS_LANES Lanes operator/(Lanes a, Lanes b) noexcept { return {_mm256_div_ps(
 LASIUS_LANES Lanes least(Lanes a, Lanes b) noexcept { return {_mm256_min_ps(a.of, b.of)}; }
 LASIUS_LANES Lanes most(Lanes a, Lanes b) noexcept { return {_mm256_max_ps(a.of, b.of)}; }
 LASIUS_LANES Lanes root(Lanes a) noexcept { return {_mm256_sqrt_ps(a.of)}; }
-/// x where a < b, else y.
-LASIUS_LANES Lanes pick(Lanes a, Lanes b, Lanes x, Lanes y) noexcept {
-  return {_mm256_blendv_ps(y.of, x.of, _mm256_cmp_ps(a.of, b.of, _CMP_LT_OQ))};
-}
 /// Bit l: that of lane l.
 LASIUS_LANES unsigned less(Lanes a, Lanes b) noexcept {
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.of, b.of, _CMP_LT_OQ)));
@@ -77,13 +73,6 @@ LASIUS_LANES Lanes most(Lanes a, Lanes b) noexcept {
   return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
 }
 LASIUS_LANES Lanes root(Lanes a) noexcept { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
-LASIUS_LANES __m128 pick(__m128 a, __m128 b, __m128 x, __m128 y) noexcept {
-  const __m128 mask = _mm_cmplt_ps(a, b);
-  return _mm_or_ps(_mm_and_ps(mask, x), _mm_andnot_ps(mask, y));
-}
-LASIUS_LANES Lanes pick(Lanes a, Lanes b, Lanes x, Lanes y) noexcept {
-  return {pick(a.low, b.low, x.low, y.low), pick(a.high, b.high, x.high, y.high)};
-}
 LASIUS_LANES unsigned less(Lanes a, Lanes b) noexcept {
   const int low = _mm_movemask_ps(_mm_cmplt_ps(a.low, b.low));
   return static_cast<unsigned>(low | _mm_movemask_ps(_mm_cmplt_ps(a.high, b.high)) << 4);
@@ -128,9 +117,6 @@ inline Lanes most(const Lanes& a, const Lanes& b) noexcept {
 }
 inline Lanes root(const Lanes& a) noexcept {
   return each([&](int l) { return std::sqrt(a.of[l]); });
-}
-inline Lanes pick(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) noexcept {
-  return each([&](int l) { return a.of[l] < b.of[l] ? x.of[l] : y.of[l]; });
 }
 inline unsigned less(const Lanes& a, const Lanes& b) noexcept {
   unsigned bits = 0;

@@ -3,7 +3,6 @@
 
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
-#include "lasius/arm_tip.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"

@@ -1,11 +1,11 @@
 #include "core/arm/contact/hull.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "core/arm/contact/gjk.h"
-#include "core/base/kernel_choice.h"
 
 namespace lasius::arm {
 namespace {
@@ -16,32 +16,68 @@ Vec3 as_floats(Vec3 p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-kernels::LaneDirection as_direction(Vec3 d) {
-  return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
-}
+// Four points at a time, in the vectors that compilers make of this: the same additions in the same
+// order on every machine.
+using Floats [[gnu::vector_size(16)]] = float;
+using Ints [[gnu::vector_size(16)]] = int;
 
-constexpr int padded(std::size_t count) {
-  return static_cast<int>((count + kernels::kLanes - 1) / kernels::kLanes) * kernels::kLanes;
-}
+/// The furthest along a direction so far, of each fourth point.
+class Scan {
+ public:
+  explicit Scan(Vec3 d) noexcept : x_(all(d.x)), y_(all(d.y)), z_(all(d.z)) {}
+
+  /// The four points from number `at` on: x behind `x`, y `count` further on, z again.
+  void step(const float* x, int count, int at) noexcept {
+    const Floats along = x_ * load(x) + y_ * load(x + count) + z_ * load(x + 2 * count);
+    const Ints more = along > most_;
+    most_ = reinterpret_cast<Floats>((more & reinterpret_cast<Ints>(along)) |
+                                     (~more & reinterpret_cast<Ints>(most_)));
+    best_ = (more & (Ints{at, at, at, at} + Ints{0, 1, 2, 3})) | (~more & best_);
+  }
+  /// Its number, and how far along it is.
+  std::pair<int, float> best() const noexcept {
+    int lane = 0;
+    for (int l = 1; l < 4; ++l)
+      if (most_[l] > most_[lane]) lane = l;
+    return {best_[lane], most_[lane]};
+  }
+
+ private:
+  static Floats all(double v) noexcept {
+    const auto f = static_cast<float>(v);
+    return Floats{f, f, f, f};
+  }
+  static Floats load(const float* from) noexcept {
+    Floats four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+  }
+
+  static constexpr float kLow = -std::numeric_limits<float>::max();
+  Floats x_, y_, z_;
+  Floats most_{kLow, kLow, kLow, kLow};
+  Ints best_{};
+};
 
 /// Points that are looked through again and again.
 class Cloud {
  public:
-  Cloud(const kernels::LaneContact& kernel, std::size_t most)
-      : kernel_(kernel), stride_(padded(most)), floats_(static_cast<std::size_t>(3) * stride_) {}
+  explicit Cloud(std::size_t most)
+      : stride_(static_cast<int>((most + 3) / 4 * 4)),
+        floats_(static_cast<std::size_t>(3) * stride_) {}
 
   void add(Vec3 p) {
-    // Those that fill up the last vector are this one, too.
-    for (int i = count_++; i == count_ - 1 || i % kernels::kLanes != 0; ++i) put(p, i);
+    // Those that fill up the last four are this one, too.
+    for (int i = count_++; i == count_ - 1 || i % 4 != 0; ++i) put(p, i);
   }
   int count() const noexcept { return count_; }
   Vec3 at(int i) const noexcept {
     return {floats_[i], floats_[i + stride_], floats_[i + 2 * stride_]};
   }
   int furthest(Vec3 direction) const noexcept {
-    const int filled = padded(static_cast<std::size_t>(count_));
-    const kernels::LanePoints points{floats_.data(), stride_, filled};
-    return std::min(kernel_.furthest(points, as_direction(direction)).index, count_ - 1);
+    Scan scan(direction);
+    for (int i = 0; i < count_; i += 4) scan.step(floats_.data() + i, stride_, i);
+    return std::min(scan.best().first, count_ - 1);
   }
 
  private:
@@ -51,7 +87,6 @@ class Cloud {
     floats_[i + 2 * stride_] = static_cast<float>(p.z);
   }
 
-  const kernels::LaneContact& kernel_;
   int stride_, count_ = 0;
   std::vector<float> floats_;
 };
@@ -81,10 +116,9 @@ Vec3 way_out(const Cloud& corners, Vec3 p, double near) {
 
 }  // namespace
 
-Hull::Hull(std::span<const Vec3> points, double wanted)
-    : kernel_(&kernels::lane_contact(chosen_isa())) {
+Hull::Hull(std::span<const Vec3> points, double wanted) {
   constexpr std::size_t kFew = 48;
-  Cloud corners(*kernel_, std::max(kFew, kMostCorners)), all(*kernel_, points.size());
+  Cloud corners(std::max(kFew, kMostCorners)), all(points.size());
   for (const Vec3 p : points) all.add(p);
   const auto add = [&](Vec3 p) {
     p = as_floats(p);
@@ -120,7 +154,7 @@ Hull::Hull(std::span<const Vec3> points, double wanted)
       break;
     }
   }
-  count_ = padded(static_cast<std::size_t>(corners.count()));
+  count_ = (corners.count() + 3) / 4 * 4;
   floats_.resize(static_cast<std::size_t>(3) * count_);
   double far = 0;
   for (int i = 0; i < count_; ++i) {
@@ -134,15 +168,22 @@ Hull::Hull(std::span<const Vec3> points, double wanted)
 }
 
 int Hull::furthest(Vec3 direction) const noexcept {
-  return kernel_->furthest({floats_.data(), count_, count_}, as_direction(direction)).index;
+  Scan scan(direction);
+  for (int i = 0; i < count_; i += 4) scan.step(floats_.data() + i, count_, i);
+  return scan.best().first;
 }
 
 Hull::Furthest Hull::furthest(Vec3 first, double first_start, Vec3 second,
                               double second_start) const noexcept {
-  const auto [ahead, behind] = kernel_->furthest_two({floats_.data(), count_, count_},
-                                                     as_direction(first), as_direction(second));
-  if (first_start + ahead.along >= second_start + behind.along) return {ahead.index, false};
-  return {behind.index, true};
+  Scan ahead(first), behind(second);
+  for (int i = 0; i < count_; i += 4) {
+    ahead.step(floats_.data() + i, count_, i);
+    behind.step(floats_.data() + i, count_, i);
+  }
+  const auto [index, along] = ahead.best();
+  const auto [other, across] = behind.best();
+  if (first_start + along >= second_start + across) return {index, false};
+  return {other, true};
 }
 
 }  // namespace lasius::arm

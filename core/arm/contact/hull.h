@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "core/arm/robot/vec3.h"
-#include "kernels/contact/lane_contact.h"
 
 namespace lasius::arm {
 
-/// Points, as floats side by side: all x, all y, all z, each a multiple of eight by repetition of
+/// Points, as floats side by side: all x, all y, all z, each a multiple of four by repetition of
 /// the last.
 class Hull {
  public:
@@ -37,7 +36,6 @@ class Hull {
   static constexpr double kFloat = 6e-7;
 
  private:
-  const kernels::LaneContact* kernel_ = nullptr;
   std::vector<float> floats_;
   int count_ = 0;  // padded
   double margin_ = 0;

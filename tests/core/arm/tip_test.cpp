@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "lasius/arm_plan.h"
 #include "lasius/arm_sensor.h"
-#include "lasius/arm_tip.h"
 #include "lasius/error.h"
 #include "tests/core/arm/robot/arms.h"
 

@@ -1,8 +1,6 @@
 // What is looked at first, in lanes and in tables, against postures by the hundred.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/arm/contact/contact.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
@@ -76,40 +74,6 @@ TEST(Lanes, SayWhatAllPosturesSayAndTheSameOnEveryMachine) {
   EXPECT_GT(touching, 10);
   EXPECT_GT(passed, 100);
   EXPECT_GT(open, 100);
-}
-
-TEST(Lanes, FindTheFurthestPointTheFirstOfSeveral) {
-  Draw draw(31);
-  for (int round = 0; round < 100; ++round) {
-    const int count = 8 * (1 + round % 9);
-    std::vector<float> points(static_cast<std::size_t>(3 * count));
-    for (float& x : points) x = static_cast<float>(std::floor(draw.between(-3, 3)));  // many alike
-    const auto direction = [&] {
-      const Vec3 d = draw.point(1);
-      return kernels::LaneDirection{static_cast<float>(d.x), static_cast<float>(d.y),
-                                    static_cast<float>(d.z)};
-    };
-    const kernels::LaneDirection d = direction(), e = direction();
-    const auto along = [&](int i, const kernels::LaneDirection& of) {
-      return of[0] * points[i] + of[1] * points[i + count] + of[2] * points[i + 2 * count];
-    };
-    const auto expected = [&](const kernels::LaneDirection& of) {
-      int best = 0;
-      for (int i = 1; i < count; ++i)
-        if (along(i, of) > along(best, of)) best = i;
-      return best;
-    };
-    const kernels::LanePoints all{points.data(), count, count};
-    for (const kernels::Isa isa : {kernels::Isa::scalar, kernels::supported_isa()}) {
-      const kernels::LaneContact& kernel = kernels::lane_contact(isa);
-      const auto [index, far] = kernel.furthest(all, d);
-      EXPECT_EQ(index, expected(d));
-      EXPECT_EQ(far, along(index, d));
-      const auto both = kernel.furthest_two(all, d, e);
-      EXPECT_EQ(both[0].index, expected(d));
-      EXPECT_EQ(both[1].index, expected(e));
-    }
-  }
 }
 
 TEST(PairTable, DoubtsAllThatComesNear) {
