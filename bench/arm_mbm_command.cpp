@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "bench/clocks.h"
@@ -22,13 +23,14 @@ struct MbmOptions {
   std::string folder, problems, base, name = "ur5", tip = "ee_link", markdown;
   double clearance = arm::Sensor::kLeastClearance;
   std::uint64_t seed = 1;
-  int each = 1, checked = 0, instants = 2000;
+  int each = 1, checked = 0, instants = 2000, cuts = 0;
   double peers = 0;
 };
 
 /// What came of the problems of one set, and of a peer's. Times in ms, travel in rad.
 struct MbmFigures {
-  int problems = 0, solved = 0, checked = 0, contacts = 0, limits = 0;
+  int problems = 0, solved = 0, checked = 0, contacts = 0, limits = 0, cut = 0;
+  double overrun = 0;  // ms of processor time past a limit, the worst
   std::vector<double> first, both, timed, found, travel, duration, stopping, questions;
 };
 struct PeerFigures {
@@ -153,6 +155,32 @@ void add_peers(Table& table, const MbmOptions& options,
 }
 #endif
 
+/// Plans, motion and all, with limits that end somewhere on the way, in processor time.
+void cut(const arm::Robot& robot, const arm::SceneSensor& prepared, const MbmProblem& problem,
+         const MbmOptions& options, std::mt19937_64& engine, MbmFigures& figures) {
+  arm::Params parameters;
+  parameters.seed = options.seed;
+  parameters.threads = 1;
+  const arm::SceneSensor sensor(prepared, problem.scene);
+  double whole = 1e9;
+  for (int i = 0; i <= options.cuts; ++i) {
+    const double limit = i == 0 ? 1e9 : whole * std::generate_canonical<double, 53>(engine);
+    const ThreadTime time;
+    const arm::Result found =
+        arm::plan(robot, sensor,
+                  {.start = problem.start,
+                   .goals = {arm::Goal::joints(problem.goal)},
+                   .stop = {.deadline = deadline_in(std::chrono::duration<double>(limit), {}),
+                            .time = &time}},
+                  parameters);
+    const double used = time.used();
+    if (i == 0) whole = used;
+    if (found.status != Status::limit) continue;
+    ++figures.cut;
+    figures.overrun = std::max(figures.overrun, 1e3 * (used - limit));
+  }
+}
+
 void append(std::vector<double>& all, const std::vector<double>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -174,6 +202,7 @@ void row(Table& table, const std::string& name, const MbmFigures& f) {
     cells.push_back(short_number(median(*figure)));
   cells.push_back(std::to_string(f.contacts) + ", " + std::to_string(f.limits) + " in " +
                   std::to_string(f.checked));
+  cells.push_back(short_number(f.overrun) + " of " + std::to_string(f.cut));
   table.row(cells);
 }
 
@@ -186,19 +215,20 @@ void run_arm_mbm(const MbmOptions& options) {
   const double ready = preparing.seconds() - read;
   const auto problems =
       read_mbm_problems(options.problems.empty() ? folder + "/problems" : options.problems, robot);
-  Table table("MotionBenchMaker, " + options.name + ", meshes as they are, clearance " +
-                  short_number(1e3 * options.clearance) +
-                  " mm, one thread, processor time; read in " + short_number(read) +
-                  " s, prepared in " + short_number(ready) +
-                  " s. Times in ms: median, mean, 95 %, worst; travel in rad, durations in s.",
-              {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %",
-               "worst", "blends and timing", "95 %", "motions asked", "travel", "shortened",
-               "duration", "resting at corners", "contacts by FCL, limits broken"},
-              options.markdown);
+  Table table(
+      "MotionBenchMaker, " + options.name + ", meshes as they are, clearance " +
+          short_number(1e3 * options.clearance) + " mm, one thread, processor time; read in " +
+          short_number(read) + " s, prepared in " + short_number(ready) +
+          " s. Times in ms: median, mean, 95 %, worst; travel in rad, durations in s.",
+      {"set", "solved", "first", "mean", "95 %", "worst", "shortened", "mean", "95 %", "worst",
+       "blends and timing", "95 %", "motions asked", "travel", "shortened", "duration",
+       "resting at corners", "contacts by FCL, limits broken", "limit overrun, worst of"},
+      options.markdown);
   std::map<std::string, MbmFigures> sets;
   MbmFigures all;
   std::array<PeerFigures, kPeers.size()> peers;
   int number = 0, taken = 0;
+  std::mt19937_64 engine(options.seed);
   for (const MbmProblem& problem : problems) {
     if (number++ % options.each != 0) continue;
     const bool check = options.checked > 0 && taken++ % options.checked == 0;
@@ -206,6 +236,7 @@ void run_arm_mbm(const MbmOptions& options) {
     if (check || options.peers > 0) judge.emplace(robot, problem.scene);
     const double travel =
         solve(robot, prepared, problem, options, check ? &*judge : nullptr, sets[problem.set]);
+    if (options.cuts > 0) cut(robot, prepared, problem, options, engine, sets[problem.set]);
 #ifdef LASIUS_HAVE_OMPL
     if (options.peers > 0)
       ask_peers(robot, arm::SceneSensor(prepared, problem.scene), *judge, problem, options, travel,
@@ -219,6 +250,8 @@ void run_arm_mbm(const MbmOptions& options) {
     all.checked += f.checked;
     all.contacts += f.contacts;
     all.limits += f.limits;
+    all.cut += f.cut;
+    all.overrun = std::max(all.overrun, f.overrun);
     append(all.first, f.first);
     append(all.both, f.both);
     append(all.found, f.found);
@@ -249,6 +282,7 @@ void add_arm_mbm_command(CLI::App& app) {
   add_number(command, "--seed", options.seed, "Of the trees");
   add_number(command, "--each", options.each, "Only each so many-th problem", 1, 1e6);
   add_number(command, "--checked", options.checked, "Each so many-th by FCL; 0: none", 0, 1e6);
+  add_number(command, "--cuts", options.cuts, "Limits at random, each problem", 0, 1e6);
   add_number(command, "--instants", options.instants, "Of each straight, that FCL looks at", 1,
              1e6);
 #ifdef LASIUS_HAVE_OMPL

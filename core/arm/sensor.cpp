@@ -109,7 +109,7 @@ SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearanc
   require_parameter(clearance >= kLeastClearance && clearance <= 1, "clearance", clearance,
                     "it must be 0.000001 .. 1 metres");
   auto kept = std::make_shared<const Robot>(robot);
-  auto shapes = std::make_shared<const RobotShapes>(*kept);
+  auto shapes = std::make_shared<const RobotShapes>(*kept, clearance);
   impl_ = std::make_unique<const Impl>(std::move(kept), std::move(shapes), scene, clearance);
 }
 SceneSensor::SceneSensor(const SceneSensor& other, const Scene& scene) {

@@ -11,16 +11,6 @@ namespace {
 constexpr std::array<int, Robot::kMaxJoints> kPrimes{2,  3,  5,  7,  11, 13, 17, 19,
                                                      23, 29, 31, 37, 41, 43, 47, 53};
 
-/// The digits of a number in a base, mirrored at the point: evenly spread in 0 .. 1.
-double mirrored(int number, int base) {
-  double share = 1, value = 0;
-  for (; number > 0; number /= base) {
-    share /= base;
-    value += share * (number % base);
-  }
-  return value;
-}
-
 }  // namespace
 
 SpreadValues::SpreadValues(const Robot& robot, const JointVector& start, std::uint64_t seed)
@@ -38,9 +28,18 @@ SpreadValues::SpreadValues(const Robot& robot, const JointVector& start, std::ui
 }
 
 void SpreadValues::next(JointVector& q) {
-  ++number_;
   for (Eigen::Index j = 0; j < low_.size(); ++j) {
-    const double place = mirrored(number_, kPrimes[j]) + turn_[j];
+    // The digits of a number in a base, mirrored at the point: evenly spread in 0 .. 1.
+    auto& digits = digits_[j];
+    std::size_t carry = 0;
+    while (carry < digits.size() && digits[carry].value + 1 == kPrimes[j])
+      digits[carry++].value = 0;
+    if (carry == digits.size())
+      digits.push_back({0, (carry == 0 ? 1 : digits.back().share) / kPrimes[j]});
+    ++digits[carry].value;
+    double value = 0;
+    for (const Digit& digit : digits) value += digit.share * digit.value;
+    const double place = value + turn_[j];
     q[j] = std::min(low_[j] + width_[j] * (place < 1 ? place : place - 1), low_[j] + width_[j]);
   }
 }

@@ -28,7 +28,11 @@ class SpreadValues {
  private:
   JointVector low_, width_;
   std::array<double, Robot::kMaxJoints> turn_;  // each seed shifts all, round and round
-  int number_ = 0;
+  struct Digit {
+    int value;
+    double share;  // that it stands for
+  };
+  std::array<std::vector<Digit>, Robot::kMaxJoints> digits_;  // of the number of values so far
 };
 
 /// Joint values and how each was come by.

@@ -92,6 +92,60 @@ py::tuple rechecked(const arm::Robot& robot, const arm::Scene& scene,
                                                      r.nearest, r.tip_error));
 }
 
+/// A solid, of a scene or held; corners (3 n, 3) of a mesh.
+arm::Obstacle solid_of(const std::string& name, const std::string& shape,
+                       const Eigen::Vector3d& size, double radius, double length,
+                       const Eigen::Matrix4d& pose, const Eigen::MatrixXd& corners) {
+  arm::Obstacle solid;
+  for (std::size_t i = 0; i < arm::kShapeNames.size(); ++i)
+    if (arm::kShapeNames[i] == shape) solid.shape = static_cast<arm::Solid::Shape>(i);
+  solid.name = name;
+  solid.size = size;
+  solid.radius = radius;
+  solid.length = length;
+  solid.pose = pose_from(pose);
+  arm::Triangles triangles;
+  for (Eigen::Index i = 0; i + 2 < corners.rows(); i += 3)
+    triangles.push_back({corners.row(i), corners.row(i + 1), corners.row(i + 2)});
+  if (!triangles.empty())
+    solid.triangles = std::make_shared<const arm::Triangles>(std::move(triangles));
+  return solid;
+}
+
+arm::Scene scene_of(const std::vector<arm::Obstacle>& obstacles, const std::string& name) {
+  arm::Scene scene{.name = name, .obstacles = obstacles};
+  arm::validate(scene);
+  return scene;
+}
+
+arm::Robot holding(const arm::Robot& robot, const std::vector<arm::Obstacle>& solids,
+                   const std::string& name, const std::vector<std::string>& may_touch) {
+  return arm::holding(robot, name, {solids.begin(), solids.end()}, may_touch);
+}
+
+/// (n, joints)
+Eigen::MatrixXd inverse(const arm::Robot& robot, const arm::Goal& goal, const JointVector& near,
+                        int most, std::uint64_t seed) {
+  const std::vector<JointVector> found = arm::inverse_kinematics(robot, goal, near, most, seed);
+  Eigen::MatrixXd rows(std::ssize(found), robot.size());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    rows.row(i) = found[static_cast<std::size_t>(i)].transpose();
+  return rows;
+}
+
+/// In the order of the fields of lasius.arm.TipLine.
+py::tuple tip_line(const arm::Robot& robot, const arm::SceneSensor& sensor,
+                   const JointVector& start, const Eigen::Matrix4d& goal, double tolerance,
+                   double angle_tolerance, double joint_step, std::optional<double> time_limit) {
+  Call call(time_limit);
+  const arm::TipLineOptions options{tolerance, angle_tolerance, joint_step, call.condition()};
+  const arm::TipLine line =
+      call.run([&] { return arm::tip_line(robot, sensor, start, pose_from(goal), options); });
+  return py::make_tuple(call.error(),
+                        py::make_tuple(std::string(to_string(line.status)), rows_of(line.joints),
+                                       line.reached, line.error));
+}
+
 /// Limits of all joints, in order.
 template <double arm::Joint::*kLimit>
 JointVector limits(const arm::Robot& robot) {
@@ -138,9 +192,12 @@ void bind_worlds(py::module_& module) {
       });
   py::class_<arm::Scene>(module, "Scene")
       .def(py::init<>())
+      .def(py::init(&scene_of))
       .def_readonly("name", &arm::Scene::name)
       .def_readonly("warnings", &arm::Scene::warnings)
       .def("__len__", [](const arm::Scene& scene) { return scene.obstacles.size(); });
+  py::class_<arm::Obstacle>(module, "Solid").def(py::init(&solid_of));
+  module.def("holding", &holding);
   module.def("read_robot", &read_robot);
   module.def("read_scene", [](const std::string& path) { return arm::read_scene(path); });
   module.def("generate_query", [](const arm::Robot& robot, std::uint64_t seed, int obstacles,
@@ -159,6 +216,11 @@ void bind_sensor(py::module_& module) {
                              const JointVector& to) { return s.motion_free(from, to); })
       .def("distance",
            [](const arm::SceneSensor& s, const JointVector& q) { return s.distance(q); })
+      .def("nearest",
+           [](const arm::SceneSensor& s, const JointVector& q) {
+             const arm::SceneSensor::Nearest found = s.nearest(q);
+             return py::make_tuple(found.distance, found.link, found.other);
+           })
       .def("contact", [](const arm::SceneSensor& s, const JointVector& q) { return s.contact(q); });
 }
 
@@ -193,6 +255,8 @@ void bind_arm(py::module_& module) {
   module.def("algorithms", [] { return described(arm::algorithms()); });
   module.def("plan", &plan_motion);
   module.def("recheck", &rechecked);
+  module.def("inverse", &inverse);
+  module.def("tip_line", &tip_line);
 }
 
 }  // namespace lasius::python

@@ -75,13 +75,75 @@ class Goal:
 
 
 @explained
+class Solid:
+    """A body: of a scene, placed in the world, or held, placed in the tip's frame. Poses are (4, 4), metres; none
+    is the frame itself."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, raw: Any) -> None:
+        self._raw = raw
+
+    @classmethod
+    def _of(cls, name: str, shape: str, pose: Optional[npt.ArrayLike], size: npt.ArrayLike = (0, 0, 0),
+            radius: float = 0.0, length: float = 0.0, corners: Optional[FloatArray] = None) -> Solid:
+        placed = np.eye(4) if pose is None else numbers_of(pose, (4, 4), "pose")
+        rows = np.zeros((0, 3)) if corners is None else corners
+        return cls(_raw.Solid(name, shape, numbers_of(size, (3,), "size"), radius, length, placed, rows))
+
+    @classmethod
+    def box(cls, size: npt.ArrayLike, pose: Optional[npt.ArrayLike] = None, name: str = "") -> Solid:
+        """Of these lengths (3,), its middle at the pose."""
+        return cls._of(name, "box", pose, size=size)
+
+    @classmethod
+    def sphere(cls, radius: float, pose: Optional[npt.ArrayLike] = None, name: str = "") -> Solid:
+        """Its middle at the pose."""
+        return cls._of(name, "sphere", pose, radius=radius)
+
+    @classmethod
+    def cylinder(cls, radius: float, length: float, pose: Optional[npt.ArrayLike] = None, name: str = "") -> Solid:
+        """Along the z of the pose, its middle there."""
+        return cls._of(name, "cylinder", pose, radius=radius, length=length)
+
+    @classmethod
+    def capsule(cls, radius: float, axis: npt.ArrayLike, pose: Optional[npt.ArrayLike] = None, name: str = "") -> Solid:
+        """Around the way from the pose's origin to `axis` (3,) in its frame."""
+        return cls._of(name, "capsule", pose, size=axis, radius=radius)
+
+    @classmethod
+    def mesh(cls, triangles: npt.ArrayLike, pose: Optional[npt.ArrayLike] = None, name: str = "") -> Solid:
+        """A surface of triangles (n, 3, 3), their corners; what is inside of it is free."""
+        corners = np.asarray(triangles, np.float64)
+        if corners.ndim != 3 or corners.shape[1:] != (3, 3):
+            raise ValueError(f"triangles has the shape {corners.shape}: give (n, 3, 3)")
+        return cls._of(name, "mesh", pose, corners=corners.reshape(-1, 3))
+
+
+def _solids(solids: Sequence[Solid]) -> List[Any]:
+    for solid in solids:
+        if not isinstance(solid, Solid):
+            raise TypeError(f"a solid is {shown(solid)}: give Solid.box(size) or its like")
+    return [solid._raw for solid in solids]
+
+
+@explained
 class Scene:
-    """What stands around a robot; without a file nothing."""
+    """What stands around a robot; without a file nothing.
+
+    >>> len(Scene.of([Solid.box([0.4, 0.4, 0.02]), Solid.sphere(0.1, name="ball")]))
+    2
+    """
 
     __slots__ = ("_raw",)
 
     def __init__(self, raw: Any = None) -> None:
         self._raw = raw if raw is not None else _raw.Scene()
+
+    @classmethod
+    def of(cls, solids: Sequence[Solid], name: str = "") -> Scene:
+        """Of these solids, in their order."""
+        return cls(_raw.Scene(_solids(solids), name))
 
     @classmethod
     def read(cls, path: Path) -> Scene:
@@ -174,6 +236,16 @@ class Robot:
     def tip_pose(self, joints: npt.ArrayLike) -> FloatArray:
         """Where the tip's frame is: (4, 4)."""
         return self._raw.tip_pose(joints)
+
+    def holding(self, solids: Sequence[Solid], name: str = "held", may_touch: Sequence[str] = ()) -> Robot:
+        """This robot with something in its gripper, placed in the tip's frame. It is checked as the links are, but
+        for those that move with the last joint and those named."""
+        return Robot(_raw.holding(self._raw, _solids(solids), name, list(may_touch)))
+
+    def inverse(self, goal: Goal, near: npt.ArrayLike, most: int = 8, seed: int = 1) -> FloatArray:
+        """Joint values within the limits that reach the goal, (n, joints), those nearest to `near` first; none where
+        none was found, which is no proof. What is in the way is not looked at."""
+        return _raw.inverse(self._raw, goal._raw, near, most, seed)
 
     def random_query(
         self, *, seed: int = 1, obstacles: int = 20, wall: float = 0.0, least_distance: float = 0.3
@@ -371,6 +443,63 @@ def position_free(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: 
     """True when nothing that the arm must not touch, obstacle or link, is nearer than twice the clearance at joint
     values (joints,): what a plan with this clearance counts as free. See contact and distance."""
     return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).position_free(joints))
+
+
+@explained
+def motion_free(
+    robot: Robot, scene: Scene, start: npt.ArrayLike, end: npt.ArrayLike, clearance: float = LEAST_CLEARANCE
+) -> bool:
+    """True when nothing comes nearer than the clearance while every joint goes straight: shown by bounds, all along."""
+    return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).motion_free(start, end))
+
+
+@explained
+def nearest(robot: Robot, scene: Scene, joints: npt.ArrayLike) -> Tuple[float, str, str]:
+    """The distance, and the names of the two that are nearest of all that must not touch: a link, and a link or an
+    obstacle; inf and empty names where there is nothing."""
+    distance, link, other = _raw.SceneSensor(robot._raw, scene._raw, LEAST_CLEARANCE).nearest(joints)
+    return float(distance), str(link), str(other)
+
+
+@dataclass(eq=False)
+class TipLine(Record):
+    """A straight motion of the tip, as far as it goes."""
+
+    status: str  #: "solved": all of the line; "no_path", "limit"
+    joints: FloatArray  #: (n, joints), the waypoints, the start first
+    reached: float  #: share of the line
+    error: str  #: why it ends before its end
+
+
+@explained
+def tip_line(
+    robot: Robot,
+    scene: Scene,
+    start: npt.ArrayLike,
+    pose: npt.ArrayLike,
+    *,
+    tolerance: float = 1e-3,
+    angle_tolerance: float = 0.01,
+    joint_step: float = 0.3,
+    clearance: float = LEAST_CLEARANCE,
+    time_limit: Optional[float] = None,
+) -> TipLine:
+    """Straight with the tip from where it is to a pose (4, 4), turning evenly: waypoints between which joints go
+    straight.
+
+    Args:
+        tolerance: metres that the tip may be off the line, anywhere between waypoints too.
+        angle_tolerance: radians that it may be turned off; pi or more: as it likes.
+        joint_step: how far a joint may go between waypoints.
+        clearance: as of plan.
+        time_limit: seconds.
+    """
+    sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
+    placed = numbers_of(pose, (4, 4), "pose")
+    error, fields = _raw.tip_line(
+        robot._raw, sensor, start, placed, tolerance, angle_tolerance, joint_step, time_limit
+    )
+    return finish(error, TipLine(*fields))
 
 
 @explained

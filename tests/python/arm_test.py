@@ -148,3 +148,48 @@ def test_urdf(tmp_path):
     two = arm.Robot.read(tmp_path / "two.urdf", bodiless=True)
     assert two.joint_names == ["a", "b"] and two.limits[1].tolist() == [2, 1] and two.name == "two"
     assert two.tip_position([np.pi / 2, 0]) == pytest.approx([0, 1, 0])
+
+
+def moved(*by):
+    pose = np.eye(4)
+    pose[:3, 3] = by
+    return pose
+
+
+def test_scenes_and_what_is_held_are_made_of_solids(maps):
+    robot, q = arm.Robot.read(maps / "arms/industrial6.json"), [0.3, 0.4, 0.7, 0.2, 0.6, 0.1]
+    tip = robot.tip_pose(q)
+    square = [[[-1, -1, 0], [1, -1, 0], [1, 1, 0]], [[-1, -1, 0], [1, 1, 0], [-1, 1, 0]]]
+    for thing in (arm.Solid.sphere(0.05, tip @ moved(0, 0, 0.18), name="it"),
+                  arm.Solid.box([0.1, 0.1, 0.1], tip @ moved(0, 0, 0.18), "it"),
+                  arm.Solid.cylinder(0.2, 0.1, tip @ moved(0, 0, 0.18), "it"),
+                  arm.Solid.capsule(0.05, [0, 0, 1], tip @ moved(0, 0, 0.18), "it"),
+                  arm.Solid.mesh(0.1 * np.array(square), tip @ moved(0, 0, 0.13), "it")):
+        scene = arm.Scene.of([thing])
+        bare = arm.nearest(robot, scene, q)
+        held = robot.holding([arm.Solid.sphere(0.01, moved(0, 0, 0.1))], "grip")
+        distance, link, other = arm.nearest(held, scene, q)
+        assert distance == pytest.approx(0.02, abs=1e-6) and "grip" in link and "it" in other
+        assert bare[0] > distance and len(scene) == 1 and len(held) == 6
+    with pytest.raises(TypeError, match="Solid.box"):
+        arm.Scene.of([3])
+    with pytest.raises(ValueError, match=r"\(n, 3, 3\)"):
+        arm.Solid.mesh([[1, 2, 3]])
+    with pytest.raises(lasius.InvalidParameter):
+        arm.Scene.of([arm.Solid.sphere(-1)])
+
+
+def test_inverse_kinematics_and_straight_motions_of_the_tip(maps):
+    robot, q = arm.Robot.read(maps / "arms/industrial6.json"), np.array([0.3, 0.4, 0.7, 0.2, 0.6, 0.1])
+    pose = robot.tip_pose(q)
+    found = robot.inverse(arm.Goal.pose(pose), q)
+    assert len(found) > 2 and found[0] == pytest.approx(q, abs=1e-5)
+    for other in found:
+        assert robot.tip_pose(other) == pytest.approx(pose, abs=1e-6)
+    line = arm.tip_line(robot, arm.Scene(), q, moved(0.05, -0.2, -0.1) @ pose)
+    assert line.status == "solved" and line.reached == 1 and line.error == "" and len(line.joints) > 2
+    for a, b in zip(line.joints, line.joints[1:]):
+        assert arm.motion_free(robot, arm.Scene(), a, b)
+        off = np.cross(robot.tip_position((a + b) / 2) - pose[:3, 3], [0.05, -0.2, -0.1]) / 0.229
+        assert np.linalg.norm(off) <= 1e-3
+    assert arm.tip_line(robot, arm.Scene(), q, moved(9, 0, 0) @ pose).status == "no_path"

@@ -4,18 +4,25 @@
 #include <utility>
 
 #include "core/arm/contact/pair_tests.h"
+#include "core/base/kernel_choice.h"
 #include "core/base/special_values.h"
 
 namespace lasius::arm {
 
 Contact::Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene)
-    : robot_(std::move(robot)) {
+    : robot_(std::move(robot)),
+      glance_(kernels::lane_contact(chosen_isa())),
+      to_world_(robot_->kinematics().size() + 1, -1) {
   for (int o = 0; o < static_cast<int>(scene.obstacles.size()); ++o)
     if (const Shape* const s = store_.add(scene.obstacles[o], -1 - o)) obstacles_.push_back(s);
+  for (const Shape* const obstacle : obstacles_)
+    lane_obstacles_.push_back(robot_->lanes().obstacle(*obstacle));
   for (int i = 1; i <= robot_->kinematics().size(); ++i) {
     if (robot_->body(i) == nullptr) continue;
     for (const Shape* const obstacle : obstacles_) add({robot_->body(i), obstacle, i, 0});
+    if (!obstacles_.empty()) to_world_[i] = pairs_.back().relation;
   }
+  own_ = pairs_.size();
   for (const ShapePair& pair : robot_->pairs()) add(pair);
 }
 

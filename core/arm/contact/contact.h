@@ -54,21 +54,32 @@ class Contact {
   struct Relation {
     int body, from;
   };
+  /// A motion in which each joint goes straight.
+  struct Straight {
+    std::span<const double> from, to;
+    JointCurve curve;
+    bool lanes_hold;  ///< the kernels' rounding is bounded
+  };
   class Search;
 
   /// The pairs of the larger one's parts with the other.
   static std::array<Pair, 2> opened(const Pair& pair);
   void add(const ShapePair& pair);
-  /// Whether an obstacle reaches into an inner ball in one of some postures on the way: a quick
-  /// look, which need not find what there is.
-  bool reaches_inside(const JointCurve& curve) const;
+  /// Whether the kernels' rounding is bounded for such a motion.
+  bool lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept;
+  /// A quick look whether an obstacle reaches into the robot, which need not find what there is.
+  bool touches(const Straight& motion) const;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;
   ShapeStore store_;  // of the obstacles
   std::vector<const Shape*> obstacles_;
+  std::vector<kernels::LaneObstacle> lane_obstacles_;
+  kernels::LaneContact glance_;
   std::vector<Relation> relations_;
   std::vector<Pair> pairs_;
+  std::vector<int> to_world_;  // of each body: its relation to the obstacles
+  std::size_t own_ = 0;        // from this pair on they are of the robot alone
 };
 
 }  // namespace lasius::arm

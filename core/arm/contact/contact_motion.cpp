@@ -1,6 +1,8 @@
 // Motions: a quick look for what reaches far inside, then bounds, interval by interval.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory_resource>
 #include <utility>
 
 #include "core/arm/contact/contact.h"
@@ -11,27 +13,6 @@
 namespace lasius::arm {
 namespace {
 
-/// The square of the distance from a point to an obstacle that is no mesh, 0 inside.
-double squared_gap(const Shape& shape, Vec3 p) noexcept {
-  if (shape.kind == Shape::Kind::segment) {
-    const Vec3 way = shape.corner[1] - shape.corner[0], off = p - shape.corner[0];
-    const double whole = dot(way, way);
-    const double share = whole > 0 ? std::clamp(dot(off, way) / whole, 0.0, 1.0) : 0;
-    const double away = std::max(0.0, length(off - share * way) - shape.round);
-    return away * away;
-  }
-  const Vec3 local = rotate_back(shape.at.rotation, p - shape.at.position);
-  const auto outside = [](double v, double half) { return std::max(0.0, std::abs(v) - half); };
-  const double z = outside(local.z, shape.half.z);
-  if (shape.kind == Shape::Kind::cylinder) {
-    const double across = std::sqrt(local.x * local.x + local.y * local.y);
-    const double out = std::max(0.0, across - shape.half.x);
-    return out * out + z * z;
-  }
-  const double x = outside(local.x, shape.half.x), y = outside(local.y, shape.half.y);
-  return x * x + y * y + z * z;
-}
-
 /// The i-th of `count`, a power of two, such that those so far are always well spread.
 int mirrored(int i, int count) noexcept {
   int place = 0;
@@ -39,42 +20,42 @@ int mirrored(int i, int count) noexcept {
   return place;
 }
 
+constexpr int kMostParts = 64;
+
+/// In so many parts of a motion none is longer than `most`, radians and metres of all joints
+/// together: 1 to 64, a power of two.
+int parts_of(double way, double most) noexcept {
+  int count = 1;
+  while (count < kMostParts && way > most * count) count *= 2;
+  return count;
+}
+int lanes_of(double way) noexcept {
+  constexpr double kPart = 0.3;
+  return std::max(kernels::kLanes, parts_of(way, kPart));
+}
+
 }  // namespace
 
-bool Contact::reaches_inside(const JointCurve& curve) const {
+bool Contact::lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept {
+  constexpr double kMost = 1000, kLongest = 100;
   const Kinematics& arm = robot_->kinematics();
-  const int instants = curve.way() > 2 ? 16 : 8;
-  Kinematics::Poses poses;
-  JointArray q;
-  std::vector<Vec3> placed;
-  for (int i = 0; i < instants; ++i) {
-    const double s = (mirrored(i, instants) + 0.5) / instants;
-    const CurvePiece& piece = curve.piece(s);
-    for (std::size_t j = 0; j < curve.size(); ++j) q[j] = piece.at(j, s);
-    arm.place(std::span<const double>(q).first(curve.size()), poses);
-    for (int body = arm.size(); body > 0; --body) {
-      const std::vector<InnerBall>& balls = robot_->inner(body);
-      if (balls.empty()) continue;
-      const Placement& at = poses[body - 1];
-      const Shape& all = *robot_->body(body);
-      const Vec3 middle = at * all.centre;
-      placed.clear();
-      for (const Shape* const obstacle : obstacles_) {
-        const bool solid = obstacle->exact && obstacle->kind != Shape::Kind::triangle;
-        if (!solid || squared_gap(*obstacle, middle) > all.radius * all.radius) continue;
-        if (placed.empty())
-          for (const InnerBall& ball : balls) placed.push_back(at * ball.centre);
-        // What is smaller than the body may be all inside of a mesh, which is free.
-        const Vec3 off = middle - obstacle->centre;
-        const bool sticks_out =
-            dot(off, off) + obstacle->radius * obstacle->radius > all.radius * all.radius;
-        for (std::size_t b = 0; b < balls.size(); ++b) {
-          if ((sticks_out || !balls[b].hollow) &&
-              squared_gap(*obstacle, placed[b]) < balls[b].radius * balls[b].radius)
-            return true;
-        }
-      }
-    }
+  double way = 0;
+  for (int j = 0; j < arm.size(); ++j) {
+    const auto [least, most] = std::minmax(from[j], to[j]);
+    const bool within = arm.slides(j) ? least >= arm.low(j) && most <= arm.high(j)
+                                      : least >= -kMost && most <= kMost;
+    if (!within) return false;
+    way += most - least;
+  }
+  return way <= kLongest;
+}
+
+bool Contact::touches(const Straight& motion) const {
+  const int lanes = lanes_of(motion.curve.way());
+  for (int first = 0; first < lanes; first += kernels::kLanes) {
+    if (glance_.touches(robot_->lanes().robot, lane_obstacles_,
+                        {motion.from.data(), motion.to.data(), lanes, first, 0}))
+      return true;
   }
   return false;
 }
@@ -82,32 +63,26 @@ bool Contact::reaches_inside(const JointCurve& curve) const {
 /// One motion: intervals of it, breadth first, and what is not shown to be apart in each.
 class Contact::Search {
  public:
-  Search(const Contact& contact, const JointCurve& curve, double clearance,
-         const StopCondition& stop)
+  /// `straight`: the same motion, where it is one; else null.
+  Search(const Contact& contact, const JointCurve& curve, const Straight* straight,
+         double clearance, const StopCondition& stop)
       : contact_(contact),
         arm_(contact.robot_->kinematics()),
         curve_(curve),
+        straight_(straight),
         clearance_(clearance),
         bound_(arm_),
         poller_(stop, 64),
-        relative_(contact.relations_.size()) {}
+        relative_(contact.relations_.size(), &memory_),
+        known_(relative_.size(), 0, &memory_) {}
 
   Answer run() {
-    int pieces = 1;
-    constexpr int kMostPieces = 64;
-    constexpr double kPiece = 0.8;  // radians and metres, all joints together
-    while (pieces < kMostPieces && curve_.way() > kPiece * pieces) pieces *= 2;
-    left_ = contact_.pairs_;
-    // Far apart ones first: what is blocked at all is found sooner.
-    for (int i = 0; i < pieces; ++i) {
-      const int place = mirrored(i, pieces);
-      intervals_.push_back({(place + 0.5) / pieces, 0.5 / pieces, 0, left_.size()});
-    }
+    begin();
     constexpr int kMostHalvings = 48;
     for (int depth = 0; !intervals_.empty(); ++depth) {
       if (depth == kMostHalvings) return Answer::blocked;
-      std::vector<Pair> next;
-      std::vector<Interval> halves;
+      std::pmr::vector<Pair> next(&memory_);
+      std::pmr::vector<Interval> halves(&memory_);
       for (const Interval& interval : intervals_) {
         const std::size_t first = next.size();
         if (!look(interval, next)) return poller_.stopped() ? Answer::stopped : Answer::blocked;
@@ -128,9 +103,61 @@ class Contact::Search {
     std::size_t first, last;  // of left_
   };
 
+  /// Makes intervals of what a glance leaves open.
+  void begin() {
+    constexpr double kPiece = 0.8;
+    const int pieces = parts_of(curve_.way(), kPiece), lanes = lanes_of(curve_.way());
+    const bool glance = straight_ != nullptr && straight_->lanes_hold;
+    std::vector<kernels::LaneMiss> misses;
+    std::vector<std::pair<PairTable::Doubt, std::size_t>> doubts;
+    std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
+    for (int b = 0; glance && b < lanes / kernels::kLanes; ++b) {
+      contact_.glance_.sweep(
+          contact_.robot_->lanes().robot, contact_.lane_obstacles_,
+          {straight_->from.data(), straight_->to.data(), lanes, b * kernels::kLanes, clearance_},
+          misses);
+      until[b + 1] = misses.size();
+    }
+    // Far apart ones first: what is blocked at all is found sooner.
+    for (int i = 0; i < lanes && !misses.empty(); ++i) {
+      const int place = mirrored(i, lanes), batch = place / kernels::kLanes;
+      const std::size_t first = left_.size();
+      for (std::size_t m = until[batch]; m < until[batch + 1]; ++m) {
+        if ((misses[m].parts >> (place % kernels::kLanes) & 1) == 0) continue;
+        const auto& [body, ball, obstacle, bits] = misses[m];
+        left_.push_back({contact_.robot_->lanes().nodes[body][ball], contact_.obstacles_[obstacle],
+                         contact_.to_world_[body + 1]});
+      }
+      if (left_.size() > first)
+        intervals_.push_back({(place + 0.5) / lanes, 0.5 / lanes, first, left_.size()});
+    }
+    std::size_t first = left_.size();
+    const auto& pairs = contact_.pairs_;
+    for (std::size_t i = glance ? contact_.own_ : 0; i < pairs.size(); ++i) {
+      const PairTable* const table = straight_ == nullptr || i < contact_.own_
+                                         ? nullptr
+                                         : contact_.robot_->table(i - contact_.own_);
+      if (table == nullptr) {
+        left_.push_back(pairs[i]);
+        continue;
+      }
+      const PairTable::Doubt doubt = table->doubt(straight_->from, straight_->to, poller_);
+      if (doubt.first <= doubt.last) doubts.emplace_back(doubt, i);
+    }
+    for (int i = 0; i < pieces && left_.size() > first; ++i)
+      intervals_.push_back(
+          {(mirrored(i, pieces) + 0.5) / pieces, 0.5 / pieces, first, left_.size()});
+    for (const auto& [doubt, i] : doubts) {
+      first = left_.size();
+      left_.push_back(pairs[i]);
+      const double half = 0.5 * (doubt.last - doubt.first);
+      intervals_.push_back({doubt.first + half, half, first, first + 1});
+    }
+  }
+
   /// False where something is touched, or told to stop. Adds to `next` what may still touch within
   /// the interval, and is apart in its middle.
-  bool look(const Interval& interval, std::vector<Pair>& next) {
+  bool look(const Interval& interval, std::pmr::vector<Pair>& next) {
     JointArray q, change, bend;
     const CurvePiece& piece = curve_.piece(interval.middle);
     for (std::size_t j = 0; j < curve_.size(); ++j) {
@@ -151,6 +178,7 @@ class Contact::Search {
         if (verdict == Verdict::touched) return false;
         if (verdict == Verdict::apart) next.push_back(pair);
         if (verdict != Verdict::opened) continue;
+        poller_.stop_after(work_of_parts(first_is_opened(*pair.a, *pair.b) ? *pair.a : *pair.b));
         const auto parts = opened(pair);
         stack_.insert(stack_.end(), parts.begin(), parts.end());
       }
@@ -201,30 +229,35 @@ class Contact::Search {
   const Contact& contact_;
   const Kinematics& arm_;
   const JointCurve& curve_;
+  const Straight* straight_;
   double clearance_;
   MotionBound bound_;
   Poller poller_;
   Kinematics::Poses poses_;
   Bodies bodies_;
-  std::vector<RelativeMotion> relative_;
-  std::vector<char> known_;  // of relative_
-  std::vector<Pair> left_, stack_;
-  std::vector<Interval> intervals_;
+  std::array<std::byte, 1 << 15> buffer_;
+  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
+  std::pmr::vector<RelativeMotion> relative_;
+  std::pmr::vector<char> known_;  // of relative_
+  std::pmr::vector<Pair> left_{&memory_}, stack_{&memory_};
+  std::pmr::vector<Interval> intervals_{&memory_};
 };
 
 Contact::Answer Contact::motion(std::span<const double> from, std::span<const double> to,
                                 double clearance, const StopCondition& stop) const {
   if (std::ranges::equal(from, to))
     return posture_free(from, clearance) ? Answer::free : Answer::blocked;
-  const CurvePiece straight(from, to);
-  return motion(JointCurve(from.size(), {&straight, 1}), clearance, stop);
+  if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
+  const CurvePiece piece(from, to);
+  const Straight motion{from, to, JointCurve(from.size(), {&piece, 1}), lanes_hold(from, to)};
+  if (motion.lanes_hold && touches(motion)) return Answer::blocked;
+  return Search(*this, motion.curve, &motion, clearance, stop).run();
 }
 
 Contact::Answer Contact::motion(const JointCurve& curve, double clearance,
                                 const StopCondition& stop) const {
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
-  if (reaches_inside(curve)) return Answer::blocked;
-  return Search(*this, curve, clearance, stop).run();
+  return Search(*this, curve, nullptr, clearance, stop).run();
 }
 
 }  // namespace lasius::arm

@@ -1,5 +1,6 @@
 #include "core/arm/contact/hull.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -13,39 +14,6 @@ constexpr std::size_t kMostCorners = 128;
 
 Vec3 as_floats(Vec3 p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
-
-std::size_t furthest_of(std::span<const Vec3> points, Vec3 direction) {
-  std::size_t best = 0;
-  double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double along = dot(points[i], direction);
-    if (along > most) most = along, best = i;
-  }
-  return best;
-}
-
-/// The way from the hull's nearest point to `p`, as far as it takes to tell it from `near`.
-Vec3 way_out(std::span<const Vec3> corners, Vec3 p, double near) {
-  GjkSimplex simplex;
-  Vec3 to = p - corners[0];
-  double size = length(to);
-  constexpr int kMostSteps = 30;
-  for (int i = 0; i < kMostSteps && size > near; ++i) {
-    const Vec3 next = p - corners[furthest_of(corners, to)];
-    if (size - dot(next, to) / size <= 1e-3 * size) break;
-    bool known = false;
-    for (int k = 0; k < simplex.count; ++k) known = known || simplex.point[k] == next;
-    if (known) break;
-    simplex.point[simplex.count++] = next;
-    const Vec3 nearer = nearest_point(simplex);
-    const double smaller = length(nearer);
-    if (i > 0 && !(smaller < size)) break;
-    to = nearer;
-    size = smaller;
-    if (simplex.count == 4) break;
-  }
-  return to;
 }
 
 // Four points at a time, in the vectors that compilers make of this: the same additions in the same
@@ -91,17 +59,76 @@ class Scan {
   Ints best_{};
 };
 
+/// Points that are looked through again and again.
+class Cloud {
+ public:
+  explicit Cloud(std::size_t most)
+      : stride_(static_cast<int>((most + 3) / 4 * 4)),
+        floats_(static_cast<std::size_t>(3) * stride_) {}
+
+  void add(Vec3 p) {
+    // Those that fill up the last four are this one, too.
+    for (int i = count_++; i == count_ - 1 || i % 4 != 0; ++i) put(p, i);
+  }
+  int count() const noexcept { return count_; }
+  Vec3 at(int i) const noexcept {
+    return {floats_[i], floats_[i + stride_], floats_[i + 2 * stride_]};
+  }
+  int furthest(Vec3 direction) const noexcept {
+    Scan scan(direction);
+    for (int i = 0; i < count_; i += 4) scan.step(floats_.data() + i, stride_, i);
+    return std::min(scan.best().first, count_ - 1);
+  }
+
+ private:
+  void put(Vec3 p, int i) noexcept {
+    floats_[i] = static_cast<float>(p.x);
+    floats_[i + stride_] = static_cast<float>(p.y);
+    floats_[i + 2 * stride_] = static_cast<float>(p.z);
+  }
+
+  int stride_, count_ = 0;
+  std::vector<float> floats_;
+};
+
+/// The way from the hull's nearest point to `p`, as far as it takes to tell it from `near`.
+Vec3 way_out(const Cloud& corners, Vec3 p, double near) {
+  GjkSimplex simplex;
+  Vec3 to = p - corners.at(0);
+  double size = length(to);
+  constexpr int kMostSteps = 30;
+  for (int i = 0; i < kMostSteps && size > near; ++i) {
+    const Vec3 next = p - corners.at(corners.furthest(to));
+    if (size - dot(next, to) / size <= 1e-3 * size) break;
+    bool known = false;
+    for (int k = 0; k < simplex.count; ++k) known = known || simplex.point[k] == next;
+    if (known) break;
+    simplex.point[simplex.count++] = next;
+    const Vec3 nearer = nearest_point(simplex);
+    const double smaller = length(nearer);
+    if (i > 0 && !(smaller < size)) break;
+    to = nearer;
+    size = smaller;
+    if (simplex.count == 4) break;
+  }
+  return to;
+}
+
 }  // namespace
 
 Hull::Hull(std::span<const Vec3> points, double wanted) {
-  std::vector<Vec3> corners;
+  constexpr std::size_t kFew = 48;
+  Cloud corners(std::max(kFew, kMostCorners)), all(points.size());
+  for (const Vec3 p : points) all.add(p);
   const auto add = [&](Vec3 p) {
     p = as_floats(p);
-    if (std::ranges::find(corners, p) != corners.end()) return false;
-    corners.push_back(p);
+    for (int i = 0; i < corners.count(); ++i)
+      if (corners.at(i) == p) return false;
+    corners.add(p);
     return true;
   };
-  if (points.size() <= 12) {
+  const auto add_furthest = [&](Vec3 d) { return add(points[all.furthest(d)]); };
+  if (points.size() <= kFew) {
     for (const Vec3 p : points) add(p);
   } else {
     constexpr double kDiagonal = 0.577;
@@ -112,8 +139,8 @@ Hull::Hull(std::span<const Vec3> points, double wanted) {
                          {kDiagonal, kDiagonal, -kDiagonal},
                          {kDiagonal, -kDiagonal, kDiagonal},
                          {-kDiagonal, kDiagonal, kDiagonal}}) {
-      add(points[furthest_of(points, d)]);
-      add(points[furthest_of(points, -1.0 * d)]);
+      add_furthest(d);
+      add_furthest(-1.0 * d);
     }
   }
   for (const Vec3 p : points) {
@@ -121,21 +148,22 @@ Hull::Hull(std::span<const Vec3> points, double wanted) {
       const Vec3 out = way_out(corners, p, wanted);
       const double left = length(out);
       // The point reached is one of the hull: its distance is one that holds.
-      if (left > wanted && corners.size() < kMostCorners && add(points[furthest_of(points, out)]))
+      if (left > wanted && corners.count() < static_cast<int>(kMostCorners) && add_furthest(out))
         continue;
       margin_ = std::max(margin_, left);
       break;
     }
   }
-  const std::size_t filled = (corners.size() + 3) / 4 * 4;
-  corners.resize(filled, corners.back());
-  count_ = static_cast<int>(filled);
-  floats_.reserve(3 * filled);
+  count_ = (corners.count() + 3) / 4 * 4;
+  floats_.resize(static_cast<std::size_t>(3) * count_);
   double far = 0;
-  for (const Vec3 c : corners) far = std::max(far, length(c));
-  for (const Vec3 c : corners) floats_.push_back(static_cast<float>(c.x));
-  for (const Vec3 c : corners) floats_.push_back(static_cast<float>(c.y));
-  for (const Vec3 c : corners) floats_.push_back(static_cast<float>(c.z));
+  for (int i = 0; i < count_; ++i) {
+    const Vec3 c = corners.at(std::min(i, corners.count() - 1));
+    far = std::max(far, length(c));
+    floats_[i] = static_cast<float>(c.x);
+    floats_[i + count_] = static_cast<float>(c.y);
+    floats_[i + 2 * count_] = static_cast<float>(c.z);
+  }
   margin_ += kFloat * far;
 }
 

@@ -5,10 +5,11 @@
 
 namespace lasius::arm {
 
-RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() + 1) {
+RobotShapes::RobotShapes(const Robot& robot, double clearance) : arm_(robot) {
   const int links = static_cast<int>(robot.links.size());
-  std::vector<const Shape*> whole(links, nullptr);          // of each link
-  std::vector<std::vector<int>> of_body(robot.size() + 1);  // links with solids
+  std::vector<const Shape*> whole(links, nullptr);              // of each link
+  std::vector<std::vector<InnerBall>> inner(robot.size() + 1);  // of each body
+  std::vector<std::vector<int>> of_body(robot.size() + 1);      // links with solids
   for (int l = 0; l < links; ++l) {
     std::vector<const Shape*> shapes;
     for (const Solid& solid : robot.links[l].solids) {
@@ -16,7 +17,7 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() 
         shapes.push_back(shape);
       links_.push_back(l);
       const std::vector<InnerBall> balls = inner_balls(solid);
-      auto& of_all = inner_[robot.links[l].body];
+      auto& of_all = inner[robot.links[l].body];
       of_all.insert(of_all.end(), balls.begin(), balls.end());
     }
     if (shapes.empty()) continue;
@@ -30,8 +31,9 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() 
   }
 
   // Here, not in the first motion, which may have to end soon.
-  for (std::vector<InnerBall>& balls : inner_)
+  for (std::vector<InnerBall>& balls : inner)
     std::ranges::stable_sort(balls, std::greater<>(), &InnerBall::radius);
+  lanes_.emplace(robot, bodies_, inner);
 
   std::vector<std::vector<char>> checked(links, std::vector<char>(links, 0));
   for (const auto& [a, b, check] : link_pairs(robot))
@@ -55,6 +57,10 @@ RobotShapes::RobotShapes(const Robot& robot) : arm_(robot), inner_(robot.size() 
           if (checked[a][b] != 0) pairs_.push_back({whole[a], whole[b], i, j});
       }
     }
+  }
+  for (const ShapePair& pair : pairs_) {
+    tables_.push_back(
+        pair.body <= pair.from + 2 ? std::make_unique<PairTable>(arm_, pair, clearance) : nullptr);
   }
 }
 

@@ -10,8 +10,8 @@
 namespace lasius::arm {
 namespace {
 
-constexpr int kMostInHull = 1024;  // triangles; of larger covers only the first has one
-constexpr double kCover = 0.01;    // of its radius: how near a hull follows what it covers
+constexpr int kMostInHull = 512;  // triangles; of larger covers only the first has one
+constexpr double kCover = 0.01;   // of its radius: how near a hull follows what it covers
 
 struct Ball {
   Vec3 centre;

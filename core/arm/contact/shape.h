@@ -70,6 +70,11 @@ inline const Shape::Parts& parts_of(const Shape& shape) {
   return known != nullptr ? *known : shape.store->make_parts(shape);
 }
 
+/// What it takes to open a shape, in tests of a pair: much where its parts have yet to be made.
+inline int work_of_parts(const Shape& shape) noexcept {
+  return shape.parts.load(std::memory_order_relaxed) == nullptr ? 64 : 1;
+}
+
 /// A shape in the world, as the search for a separating plane asks.
 class PlacedShape {
  public:

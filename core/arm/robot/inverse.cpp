@@ -19,30 +19,6 @@ double share_left(double size, double tolerance) noexcept {
   return size > kWithin * tolerance ? 1 - kWithin * tolerance / size : 0;
 }
 
-/// The turn from one frame to another as a vector: its axis, as long as its angle.
-Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
-  Rotation turn;  // to * from^T
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      turn[3 * i + j] = to[3 * i] * from[3 * j] + to[3 * i + 1] * from[3 * j + 1] +
-                        to[3 * i + 2] * from[3 * j + 2];
-    }
-  }
-  const Vec3 twice{turn[7] - turn[5], turn[2] - turn[6], turn[3] - turn[1]};  // 2 sin(angle) axis
-  const double sine = 0.5 * length(twice), cosine = 0.5 * (turn[0] + turn[4] + turn[8] - 1);
-  const double angle = kernels::angle_between(1, 0, cosine, sine);
-  if (sine > 1e-6) return (0.5 * angle / sine) * twice;
-  if (cosine > 0) return 0.5 * twice;
-  // Half a turn: the longest column of turn + 1 lies along the axis.
-  Vec3 axis;
-  for (int i = 0; i < 3; ++i) {
-    Vec3 column{turn[i], turn[3 + i], turn[6 + i]};
-    (i == 0 ? column.x : i == 1 ? column.y : column.z) += 1;
-    if (length(column) > length(axis)) axis = column;
-  }
-  return (angle / length(axis)) * axis;
-}
-
 /// Solves (J J^T + damping) x = b by Cholesky, in place of b, over `rows` rows.
 void solve(const std::array<Six, Robot::kMaxJoints>& column,
            const std::array<bool, Robot::kMaxJoints>& held, int joints, int rows, double damping,
@@ -72,6 +48,29 @@ void solve(const std::array<Six, Robot::kMaxJoints>& column,
 }
 
 }  // namespace
+
+Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
+  Rotation turn;  // to * from^T
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      turn[3 * i + j] = to[3 * i] * from[3 * j] + to[3 * i + 1] * from[3 * j + 1] +
+                        to[3 * i + 2] * from[3 * j + 2];
+    }
+  }
+  const Vec3 twice{turn[7] - turn[5], turn[2] - turn[6], turn[3] - turn[1]};  // 2 sin(angle) axis
+  const double sine = 0.5 * length(twice), cosine = 0.5 * (turn[0] + turn[4] + turn[8] - 1);
+  const double angle = kernels::angle_between(1, 0, cosine, sine);
+  if (sine > 1e-6) return (0.5 * angle / sine) * twice;
+  if (cosine > 0) return 0.5 * twice;
+  // Half a turn: the longest column of turn + 1 lies along the axis.
+  Vec3 axis;
+  for (int i = 0; i < 3; ++i) {
+    Vec3 column{turn[i], turn[3 + i], turn[6 + i]};
+    (i == 0 ? column.x : i == 1 ? column.y : column.z) += 1;
+    if (length(column) > length(axis)) axis = column;
+  }
+  return (angle / length(axis)) * axis;
+}
 
 bool Kinematics::is_at(const TipTarget& target, std::span<const double> q) const noexcept {
   Poses poses;

@@ -37,6 +37,9 @@ struct TipTarget {
   double angle_tolerance = 0;  // pi or more: any orientation
 };
 
+/// The turn from one frame to another as a vector: its axis, as long as its angle.
+Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept;
+
 class Kinematics {
  public:
   /// Precondition: a robot that `validate` accepts.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "core/arm/contact/gjk.h"
 #include "core/arm/contact/motion_bound.h"
@@ -12,37 +11,12 @@
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/arm_trajectory.h"
+#include "tests/core/arm/contact/draw.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::arm {
 namespace {
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  bool one_in(int n) { return between(0, n) < 1; }
-  Vec3 point(double half) {
-    return {between(-half, half), between(-half, half), between(-half, half)};
-  }
-  Placement pose(double half) {
-    const Vec3 at = point(half);
-    return {roll_pitch_yaw(point(3)), at};
-  }
-  JointVector values(const Robot& robot) {
-    JointVector q(robot.size());
-    for (int j = 0; j < robot.size(); ++j) {
-      q[j] = between(std::max(-3.0, robot.joints[j].low), std::min(3.0, robot.joints[j].high));
-    }
-    return q;
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// Joints that turn and joints that slide, in any order.
 Robot any_robot(Draw& draw) {
@@ -58,24 +32,6 @@ Robot any_robot(Draw& draw) {
     robot.joints.push_back(joint);
   }
   return robot;
-}
-
-/// A closed surface like a ball of unit radius, in so many rings.
-Triangles globe(int rings) {
-  const auto at = [&](int ring, int side) {
-    const double pi = 3.14159265358979323846;
-    const auto polar = kernels::sine_cosine(pi * ring / rings);
-    const auto around = kernels::sine_cosine(pi * side / rings);
-    return Eigen::Vector3d(polar.sine * around.cosine, polar.sine * around.sine, polar.cosine);
-  };
-  Triangles triangles;
-  for (int r = 0; r < rings; ++r) {
-    for (int s = 0; s < 2 * rings; ++s) {
-      triangles.push_back({at(r, s), at(r + 1, s), at(r + 1, s + 1)});
-      triangles.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
-    }
-  }
-  return triangles;
 }
 
 TEST(Sine, AgreesWithTheLibraryWithinItsPromise) {
@@ -179,28 +135,6 @@ TEST(Gjk, NeverSaysMoreThanTheDistance) {
                                                      [&](Vec3) { return a; }, box, a - b, enough);
     EXPECT_EQ(capped >= enough, expected >= enough) << expected - enough;
   }
-}
-
-/// Things of all shapes in reach.
-Scene any_scene(Draw& draw, int count) {
-  Scene scene;
-  for (int i = 0; i < count; ++i) {
-    Obstacle o;
-    o.shape = static_cast<Solid::Shape>(i % 5);
-    o.pose = to_eigen(draw.pose(0.9));
-    o.radius = draw.between(0.02, 0.12);
-    o.length = draw.between(0.05, 0.4);
-    o.size = {draw.between(0.02, 0.3), draw.between(0.02, 0.3), draw.between(0.02, 0.3)};
-    if (o.shape == Solid::Shape::mesh) {
-      Triangles triangles = globe(6);
-      for (auto& triangle : triangles) {
-        for (Eigen::Vector3d& corner : triangle) corner = corner.cwiseProduct(o.size);
-      }
-      o.triangles = std::make_shared<const Triangles>(std::move(triangles));
-    }
-    scene.obstacles.push_back(o);
-  }
-  return scene;
 }
 
 TEST(Contact, DistancesAreFcls) {

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/arm/contact/motion_bound.h"
+#include "core/arm/ends.h"
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
+#include "core/loop/run_status.h"
+#include "lasius/arm_plan.h"
+
+namespace lasius::arm {
+namespace {
+
+/// The way of a frame: straight, and turning evenly.
+class FrameLine {
+ public:
+  FrameLine(const Placement& from, const Placement& to)
+      : from_(from), way_(to.position - from.position) {
+    const Vec3 turn = turn_between(from.rotation, to.rotation);
+    angle_ = length(turn);
+    axis_ = angle_ > 0 ? (1 / angle_) * turn : Vec3{0, 0, 1};
+  }
+  Placement at(double s) const {
+    return {rotation_about(axis_, s * angle_) * from_.rotation, from_.position + s * way_};
+  }
+
+ private:
+  Placement from_;
+  Vec3 way_, axis_;
+  double angle_;
+};
+
+/// How far the tip gets off the chord between two postures, metres, and off its even turn, radians,
+/// while the joints go straight: by an eighth of what bounds the second derivatives.
+struct Deviation {
+  double off, turned;
+};
+Deviation deviation(const Kinematics& arm, const JointVector& a, const JointVector& b) {
+  const JointVector middle = 0.5 * (a + b), change = b - a;
+  Kinematics::Poses poses;
+  arm.place(as_span(middle), poses);
+  MotionBound bound(arm);
+  bound.set(as_span(change), 0.5, poses);
+  const RelativeMotion motion = bound.of(arm.size(), 0);
+  const double out = distance(arm.tip(poses), poses[arm.size() - 1].position);
+  constexpr double kCurved = 1.2;  // a turn's vector changes not quite as its velocity does
+  return {(motion.far + motion.spread * out) / 8, kCurved * motion.spread / 8};
+}
+
+}  // namespace
+
+std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal,
+                                            const JointVector& near, int most, std::uint64_t seed) {
+  constexpr int kAttempts = 64;
+  validate_but_corners(robot);
+  require_parameter(most >= 1, "most", most, "it must be 1 or more");
+  std::string fault = values_fault(robot, near, "near", Request::kLimitTolerance);
+  const Kinematics arm(robot);
+  if (fault.empty()) fault = goal_fault(robot, arm, as_span(near), goal);
+  if (!fault.empty()) throw invalid_parameter(fault, "give values and a goal within its reach");
+  const Request request{.start = near, .goals = {goal}};
+  const std::array<int, 1> only{0};
+  std::vector<JointVector> found;
+  for (End& end : find_ends(robot, arm, request, only, seed, 0, kAttempts, kAttempts)) {
+    if (std::ssize(found) == most) break;
+    found.push_back(std::move(end.q));
+  }
+  return found;
+}
+
+TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& start,
+                 const Pose& goal, const TipLineOptions& options) {
+  constexpr double kLeast = 1e-6, kShortest = 1e-5;
+  constexpr double kClose = 1e-9;  // of waypoints to the line
+  validate_but_corners(robot);
+  for (const double value : {options.tolerance, options.angle_tolerance})
+    require_parameter(value >= kLeast, "a tolerance", value, "it must be 0.000001 or more");
+  require_parameter(options.joint_step >= 1e-3, "joint_step", options.joint_step,
+                    "it must be 0.001 or more");
+  const std::string fault = values_fault(robot, start, "start");
+  if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
+  const Kinematics arm(robot);
+  const bool any_turn = options.angle_tolerance >= std::numbers::pi;
+  const Goal target = Goal::pose(goal);
+  const std::string no_goal = goal_fault(robot, arm, as_span(start), target);
+  TipLine line{.joints = start};
+  if (!no_goal.empty()) {
+    line.error = no_goal;
+    return line;
+  }
+  Kinematics::Poses poses;
+  arm.place(as_span(start), poses);
+  const FrameLine way(arm.tip_frame(poses), from_eigen(goal));
+  JointVector here = start;
+  double step = 1;
+  std::string why;
+  if (!sensor.position_free(start)) {
+    line.error = "the arm touches something at the start: " + sensor.contact(start);
+    return line;
+  }
+  while (line.reached < 1) {
+    const auto cause = options.stop.poll();
+    if (cause != StopCondition::Cause::none) {
+      end_run(line, cause, Status::no_path);
+      return line;
+    }
+    const double s = std::min(1.0, line.reached + step);
+    JointVector next = here;
+    const TipTarget there{way.at(s), kClose, any_turn ? 2 * std::numbers::pi : kClose};
+    bool good = arm.reach_pose(there, {next.data(), static_cast<std::size_t>(next.size())});
+    if (!good) {
+      why = "joint values continued from the start do not reach on: a limit, or a singular posture";
+    } else {
+      const Deviation most = deviation(arm, here, next);
+      good = largest_change(here, next) <= options.joint_step &&
+             most.off + kClose <= options.tolerance &&
+             (any_turn || most.turned + kClose <= options.angle_tolerance);
+      if (!good) why = "the joints would have to go too far at once: a singular posture";
+    }
+    if (good) {
+      const auto free = sensor.try_motion(here, next, options.stop);
+      if (!free) continue;  // told to stop
+      good = *free;
+      if (!good) {
+        const std::string contact = sensor.contact(next);
+        why = "something is in the way" + (contact.empty() ? "" : ": " + contact);
+      }
+    }
+    if (!good) {
+      step *= 0.5;
+      if (step >= kShortest) continue;
+      line.error =
+          "after " + number_text(std::round(1e4 * line.reached) / 1e4) + " of the line " + why;
+      return line;
+    }
+    line.joints.conservativeResize(Eigen::NoChange, line.joints.cols() + 1);
+    line.joints.rightCols<1>() = next;
+    line.reached = s;
+    here = next;
+    step *= 2;
+  }
+  line.status = Status::solved;
+  return line;
+}
+
+Robot holding(Robot robot, const std::string& name, std::vector<Solid> solids,
+              const std::vector<std::string>& may_touch) {
+  const int own = static_cast<int>(robot.links.size());
+  Link link{.name = name, .body = robot.size(), .parent = -1, .solids = std::move(solids)};
+  for (Solid& solid : link.solids)
+    solid.pose = to_eigen(from_eigen(robot.tip) * from_eigen(solid.pose));
+  for (const std::string& other : may_touch) {
+    const auto found = std::ranges::find(robot.links, other, &Link::name);
+    if (found == robot.links.end())
+      throw invalid_parameter("no link of the robot is called \"" + other + "\"",
+                              "take a name of Robot::links");
+    robot.may_touch.emplace_back(static_cast<int>(found - robot.links.begin()), own);
+  }
+  robot.links.push_back(std::move(link));
+  validate(robot);
+  return robot;
+}
+
+}  // namespace lasius::arm
