@@ -109,7 +109,8 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
   // As Nav2's default has it, at 0.05 m a cell.
   if (options.inflation > 0)
     costs.add(grid, {.radius = 14, .scaling = 0.15, .weight = options.inflation, .inscribed = 4});
-  const vehicle::Planner planner(grid, vehicle_of(options), costs);
+  const vehicle::Planner planner = *vehicle::Planner::make(
+      grid, vehicle_of(options), {}, options.inflation > 0 ? &costs : nullptr);
   const double prepared = 1e3 * preparing.seconds();
   const PosePairs pairs = given != nullptr ? *given : random_pairs(planner.space(), grid, 10);
   std::vector<double> times, gaps;

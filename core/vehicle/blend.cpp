@@ -15,7 +15,7 @@ using Offset = std::array<double, 3>;  // x, y, yaw
 
 /// One piece of a part driven in one gear: an arc or a line, as long as it is up to the middles of
 /// the clothoids at its ends.
-struct Piece {
+struct Bend {
   double length, curvature;
 };
 
@@ -33,9 +33,9 @@ bool solve(const std::array<Offset, 3>& m, const Offset& b, Offset& x) {
 }
 
 /// One part, from rest to rest: nothing is asked of the curvature at its ends.
-class Part {
+class Stretch {
  public:
-  Part(std::span<const Segment> path, const Vehicle& asked)
+  Stretch(std::span<const Segment> path, const Vehicle& asked)
       : begin_(path.front().begin),
         end_(path.back().end()),
         gear_(path.front().gear),
@@ -49,33 +49,16 @@ class Part {
     if (!make_room()) return false;
     constexpr int kRounds = 40;
     for (int round = 0; round < kRounds; ++round) {
-      const Offset off = offset();
+      const Course whole = course(0, pieces_.size(), begin_);
+      const Offset off{whole.end.x - end_.x, whole.end.y - end_.y,
+                       half_turned(whole.end.yaw - end_.yaw)};
       if (std::max({std::fabs(off[0]), std::fabs(off[1]), std::fabs(off[2])}) < 1e-10) return true;
-      if (!step(off)) return false;
+      if (!step(whole, off)) return false;
     }
     return false;
   }
 
-  std::vector<Segment> motions() const {
-    std::vector<Segment> made;
-    Pose at = begin_;
-    const auto put = [&](double curvature, double rate, double length) {
-      if (length < 1e-9) return;
-      made.push_back({.begin = at,
-                      .curvature = curvature,
-                      .curvature_rate = gear_ * rate,
-                      .length = length,
-                      .gear = gear_});
-      at = made.back().end();
-    };
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      put(pieces_[i].curvature, 0, pieces_[i].length - needed(i));
-      if (i + 1 == pieces_.size()) continue;
-      const double rise = pieces_[i + 1].curvature - pieces_[i].curvature;
-      put(pieces_[i].curvature, rise < 0 ? -rate_ : rate_, ramp(i));
-    }
-    return made;
-  }
+  std::vector<Segment> motions() const { return course(0, pieces_.size(), begin_).motions; }
 
  private:
   /// The length of the clothoid after a piece.
@@ -93,7 +76,7 @@ class Part {
     for (int round = 0; round < 100; ++round) {
       bool fits = true;
       for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        Piece& piece = pieces_[i];
+        Bend& piece = pieces_[i];
         if (piece.length >= needed(i) || piece.curvature == 0) continue;
         fits = false;
         piece.curvature *= kWider;
@@ -107,15 +90,38 @@ class Part {
     return false;
   }
 
-  /// By how much its end is missed.
-  Offset offset() const {
-    const std::vector<Segment> made = motions();
-    const Pose at = made.empty() ? begin_ : made.back().end();
-    return {at.x - end_.x, at.y - end_.y, half_turned(at.yaw - end_.yaw)};
+  /// What is driven from the begin of a piece, behind the clothoid there, to before another's.
+  struct Course {
+    std::vector<Segment> motions;
+    std::vector<Pose> before, after;  ///< of each piece, between its clothoids
+    Pose end;
+  };
+  Course course(std::size_t first, std::size_t last, const Pose& begin) const {
+    Course made;
+    made.end = begin;
+    const auto put = [&](double curvature, double rate, double length) {
+      if (length < 1e-9) return;
+      made.motions.push_back({.begin = made.end,
+                              .curvature = curvature,
+                              .curvature_rate = gear_ * rate,
+                              .length = length,
+                              .gear = gear_});
+      made.end = made.motions.back().end();
+    };
+    for (std::size_t i = first; i < last; ++i) {
+      made.before.push_back(made.end);
+      put(pieces_[i].curvature, 0, pieces_[i].length - needed(i));
+      made.after.push_back(made.end);
+      if (i + 1 == last) continue;
+      const double rise = pieces_[i + 1].curvature - pieces_[i].curvature;
+      put(pieces_[i].curvature, rise < 0 ? -rate_ : rate_, ramp(i));
+    }
+    return made;
   }
 
-  /// Newton's step of least change: of lengths by what they have, of curvatures by a tenth.
-  bool step(const Offset& off) {
+  /// Newton's step of least change: of lengths by what they have, of curvatures by a tenth. A piece
+  /// changes what is driven from the one before it to the one after it; the rest is moved.
+  bool step(const Course& whole, const Offset& off) {
     constexpr double kSmall = 1e-6, kBend = 0.1;
     struct Way {
       std::size_t piece;
@@ -126,18 +132,27 @@ class Part {
     std::vector<Way> ways;
     std::array<Offset, 3> m{};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const std::size_t first = i > 0 ? i - 1 : 0;
+      const std::size_t last = std::min(i + 2, pieces_.size());
+      const Pose& after = whole.after[last - 1];
+      const double x = whole.end.x - after.x, y = whole.end.y - after.y;
       for (const bool length : {true, false}) {
         double& value = length ? pieces_[i].length : pieces_[i].curvature;
         if (!length && value == 0) continue;
-        const double share =
+        const double change =
             length ? 0.1 + pieces_[i].length - needed(i) : kBend * std::fabs(value);
+        const double small = length ? kSmall : kSmall * most_;
         const double before = value;
-        value += kSmall * (length ? 1 : most_);
-        const Offset there = offset();
-        const double moved = value - before;
+        value += small;
+        const Pose there = course(first, last, whole.before[first]).end;
         value = before;
-        Way way{i, length, share * share, {}};
-        for (int k = 0; k < 3; ++k) way.slope[k] = (there[k] - off[k]) / moved;
+        const kernels::SineCosine turn = kernels::sine_cosine(there.yaw - after.yaw);
+        const Way way{i,
+                      length,
+                      change * change,
+                      {(there.x + turn.cosine * x - turn.sine * y - whole.end.x) / small,
+                       (there.y + turn.sine * x + turn.cosine * y - whole.end.y) / small,
+                       (there.yaw - after.yaw) / small}};
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b) m[a][b] += way.share * way.slope[a] * way.slope[b];
         ways.push_back(way);
@@ -148,7 +163,7 @@ class Part {
     for (const Way& way : ways) {
       double change = 0;
       for (int k = 0; k < 3; ++k) change -= way.share * way.slope[k] * pull[k];
-      Piece& piece = pieces_[way.piece];
+      Bend& piece = pieces_[way.piece];
       if (way.length)
         piece.length += change;
       else
@@ -162,7 +177,7 @@ class Part {
   Pose begin_, end_;
   int gear_;
   double rate_, most_;
-  std::vector<Piece> pieces_;
+  std::vector<Bend> pieces_;
 };
 
 /// Parts of a path, each from rest to rest.
@@ -212,7 +227,7 @@ class Blender {
       motions.assign(path.begin(), path.end());
       return true;
     }
-    Part part(path, asked_);
+    Stretch part(path, asked_);
     if (!part.fit()) return false;
     motions = part.motions();
     return space_.all_free(motions, Space::Impl::kCoarse, false, checked_);

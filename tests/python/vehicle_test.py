@@ -62,7 +62,7 @@ def test_a_slow_wheel(yard):
     result = plan_vehicle(yard, slow, (8, 8, 0.3), (70, 50, -2.0))
     assert result.status == "solved" and result.corners <= 2
     assert 0.09 < np.abs(result.segments[:, 4]).max() <= 0.1 + 1e-12
-    poses = result.poses(0.05, SpeedLimits(steady_curvature=True))
+    poses = result.poses(0.05, SpeedLimits(acceleration=1, braking=1, steady_curvature=True))
     jumps = (np.abs(np.diff(poses[:, 3])) > 0.006) & (poses[1:, 4] == poses[:-1, 4])
     assert np.count_nonzero(jumps) == result.corners and np.all(poses[:-1, 5][jumps] == 0)
 

@@ -321,7 +321,7 @@ class Vehicles(ProgramTest):
         self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", "cannot be replayed")
 
     def test_curvature_changes_no_faster_than_it_may(self):
-        slow = {**CAR, "curvature_rate": 0.2}
+        slow = {**CAR, "curvature_rate": 0.2, "acceleration": 1, "braking": 1}
         self.write("slow.json", json.dumps(slow))
         jumps = 0
         for start, goal in (("4,4,0", "38,26,180deg"), ("4,4,0", "36,4,0"), ("20.5,15.5,90deg", "4.5,24.5,-1")):
