@@ -73,7 +73,7 @@ double Bound::over_weights(Point start, Point goal, bool joined, const StopCondi
   if (from == to || !terrain->free(from.x, from.y) || !terrain->free(to.x, to.y)) return 0;
   cost::CostSearch search;
   cost::CostAnswer answer;
-  search.search(*terrain, from, to, {.target_gap = 0.01}, stop, answer, nullptr, from_at, to_at);
+  search.search(*terrain, {from, to, from_at, to_at}, {.target_gap = 0.01}, stop, answer);
   return answer.lower_bound * (1 - 1e-9) - moved;
 }
 
