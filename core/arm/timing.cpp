@@ -17,9 +17,9 @@ struct Line {
 };
 
 /// What the limits leave of u at the beginning of a step, and of x.
-class Step {
+class Rung {
  public:
-  Step(const Robot& robot, const PathPiece& piece, double s, double length) : length_(length) {
+  Rung(const Robot& robot, const PathPiece& piece, double s, double length) : length_(length) {
     for (int j = 0; j < robot.size(); ++j) {
       const Joint& joint = robot.joints[j];
       const double curved = piece.straight() ? 0 : piece.bend[j];
@@ -216,7 +216,7 @@ Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
 }  // namespace
 
 TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
-  std::vector<Step> all;
+  std::vector<Rung> all;
   const auto count = [&](const PathPiece& piece) { return piece.straight() ? 1 : steps; };
   all.reserve(run.size() * static_cast<std::size_t>(steps));
   for (const PathPiece& piece : run) {

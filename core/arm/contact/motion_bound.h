@@ -31,6 +31,10 @@ class MotionBound {
   /// `change` is dq, `bend` c, `half` h; `poses` are those of the middle.
   void set(std::span<const double> change, std::span<const double> bend, double half,
            const Kinematics::Poses& poses);
+  /// The same where each joint goes straight.
+  void set(std::span<const double> change, double half, const Kinematics::Poses& poses) {
+    set(change, JointArray{}, half, poses);
+  }
   /// Of body `body` seen from body `from`, below it; 0 is the base, i moves with joint i - 1.
   RelativeMotion of(int body, int from) const;
 
