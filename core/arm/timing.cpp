@@ -92,8 +92,13 @@ class Pieces {
  public:
   explicit Pieces(const JointVector& start) : q_(start) {}
   void add(double seconds, const JointVector& to, const JointVector& acceleration) {
-    constexpr double kShort = 1e-10;  // of the time so far
-    const bool shown = seconds > kShort * time_;
+    constexpr double kShort = 1e-10;  // of the values
+    double moved = 0, large = 0;
+    for (Eigen::Index j = 0; j < to.size(); ++j) {
+      moved = std::max(moved, std::abs(to[j] - q_[j]));
+      large = std::max(large, std::abs(to[j]));
+    }
+    const bool shown = seconds > 0 && (knots_.empty() || moved > kShort * large);
     if (shown) {
       if (knots_.empty() || knots_.back().ddq != acceleration || knots_.back().q != q_)
         knots_.push_back({time_, q_, acceleration});
@@ -155,7 +160,7 @@ Trajectory mean_over(const Trajectory& motion, double window) {
   std::vector<Trajectory::Knot> smooth;
   JointVector q = knots.front().q, dq = JointVector::Zero(q.size());
   for (const double t : times) {
-    if (!smooth.empty() && !(t - smooth.back().time > 1e-12 * last)) continue;
+    if (!smooth.empty() && !(t - smooth.back().time > 1e-9 * last)) continue;
     const JointVector ddq = (motion.at(t).dq - motion.at(t - window).dq) / window;
     if (!smooth.empty()) {
       const auto& before = smooth.back();
@@ -165,8 +170,11 @@ Trajectory mean_over(const Trajectory& motion, double window) {
     }
     smooth.push_back({t, q, ddq});
   }
-  smooth.back().q = knots.back().q;
   smooth.back().ddq.setZero();
+  // What rounding left to the end, evenly over the motion.
+  const JointVector off = (knots.back().q - smooth.back().q) / smooth.back().time;
+  for (auto& knot : smooth) knot.q += knot.time * off;
+  smooth.back().q = knots.back().q;
   return Trajectory(std::move(smooth));
 }
 
@@ -174,6 +182,13 @@ TimedRun slower(const TimedRun& run, double factor) {
   TimedRun slow{stretched(run.motion, factor), run.blends};
   for (auto& [begin, end] : slow.blends) begin *= factor, end *= factor;
   return slow;
+}
+
+/// As it is where limits hold, or as much slower as it takes.
+TimedRun slow_enough(const Robot& robot, TimedRun run) {
+  constexpr double kRounding = 1e-12;
+  const double need = needed_stretch(robot, run.motion);
+  return need > 1 + kRounding ? slower(run, need) : std::move(run);
 }
 
 /// The largest jerk, in what the limits allow.
@@ -201,6 +216,8 @@ Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
     }
   }
   if (!(window > 0)) return motion;
+  constexpr double kShort = 1e-6;  // of the motion: rounding says what happens in less
+  window = std::max(window, kShort * motion.duration());
   constexpr double kMargin = 1 + 1e-9;  // for rounding
   constexpr int kMost = 20;
   Trajectory smooth = mean_over(motion, window);
@@ -247,10 +264,7 @@ TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
       add_step(pieces, piece, step * length, length, x[k], x[k + 1]);
     blends.push_back({begin, pieces.time()});
   }
-  TimedRun timed{Trajectory(pieces.take()), std::move(blends)};
-  constexpr double kRounding = 1e-12;
-  const double need = needed_stretch(robot, timed.motion);
-  return need > 1 + kRounding ? slower(timed, need) : timed;
+  return slow_enough(robot, {Trajectory(pieces.take()), std::move(blends)});
 }
 
 TimedRun smoothed(const Robot& robot, const TimedRun& run) {
@@ -266,7 +280,7 @@ TimedRun smoothed(const Robot& robot, const TimedRun& run) {
   }
   const double window = best.duration() - slow.motion.duration();
   for (auto& [begin, end] : slow.blends) end += window;
-  return {std::move(best), std::move(slow.blends)};
+  return slow_enough(robot, {std::move(best), std::move(slow.blends)});
 }
 
 }  // namespace lasius::arm

@@ -305,7 +305,7 @@ class State(Record):
 
 @explained
 class Trajectory:
-    """A motion in time: smooth, at rest at both ends."""
+    """A motion in time, at rest at both ends; accelerations may jump, unless jerk is limited."""
 
     __slots__ = ("_raw",)
     __reduce_ex__ = reduced

@@ -214,6 +214,29 @@ TEST(Smoothed, JerkIsLimitedRoundCornersAndAtStops) {
   }
 }
 
+TEST(RoundedMotion, TinyEdgesBesideLongOnesLeaveNoJump) {
+  std::mt19937 engine(17);
+  for (int i = 0; i < 40; ++i) {
+    const int size = 1 + i % 5;
+    Robot robot = any_limits(engine, size);
+    if (i % 2 == 0)
+      for (Joint& joint : robot.joints) joint.jerk = 10 * joint.acceleration;
+    auto way = any_way(engine, size, 5);
+    for (std::size_t k = 2; k < way.size(); ++k)
+      way[k] = way[k - 1] + (k % 2 == 0 ? 1 : 1e-12) * (way[k - 1] - way[k - 2]);
+    for (JointVector& q : way) q *= 0.5;
+    const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = false});
+    const Trajectory& t = made.trajectory;
+    EXPECT_LE(needed_stretch(robot, t), 1 + 1e-9) << i;
+    EXPECT_EQ(t.at(1e9).q, way.back());
+    const double step = 1e-9 * t.duration();
+    for (const auto& knot : t.knots()) {
+      const JointVector before = t.at(knot.time - step).dq, after = t.at(knot.time + step).dq;
+      ASSERT_LT((after - before).norm(), 1e-3) << i << " at " << knot.time;
+    }
+  }
+}
+
 /// Free are postures no further than `width` from the way; curves are not known to it.
 class Corridor : public Nothing {
  public:
