@@ -17,9 +17,10 @@ struct Line {
 };
 
 /// What the limits leave of u at the beginning of a step, and of x.
-class Rung {
+class StepLimits {
  public:
-  Rung(const Robot& robot, const PathPiece& piece, double s, double length) : length_(length) {
+  StepLimits(const Robot& robot, const PathPiece& piece, double s, double length)
+      : length_(length) {
     for (int j = 0; j < robot.size(); ++j) {
       const Joint& joint = robot.joints[j];
       const double curved = piece.straight() ? 0 : piece.bend[j];
@@ -233,7 +234,7 @@ Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
 }  // namespace
 
 TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
-  std::vector<Rung> all;
+  std::vector<StepLimits> all;
   const auto count = [&](const PathPiece& piece) { return piece.straight() ? 1 : steps; };
   all.reserve(run.size() * static_cast<std::size_t>(steps));
   for (const PathPiece& piece : run) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
@@ -50,6 +51,13 @@ constexpr double kBoundingHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
 
+// Where ties are found to be frequent the search that notes them ends early; and after each that
+// was in vain more of the next searches do without.
+constexpr std::int64_t kFewTies = 8;
+constexpr std::int64_t kExpansionsForTie = 32;
+constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
+constexpr int kMorePause = 8, kMostPause = 256;
+
 }  // namespace
 
 // Scans the cone of a corner. Where the view is long, only as far as paths not much longer than the
@@ -81,15 +89,20 @@ void ExactSearch::expand(std::uint32_t index) {
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
 bool ExactSearch::next_corner(std::uint32_t& index) {
   while (frontier_.advance(*poller_)) {
-    lower_ = std::max(lower_, frontier_.floor());
-    if (lower_ >= upper_) return false;
+    lower_ = std::max(lower_, std::min(frontier_.floor(), upper_));
+    if (too_long(frontier_.floor())) return false;
     index = frontier_.pop();
     const Corner& corner = corners_[index];
-    if (!corner.expanded && corner.length + corner.to_goal < upper_) return true;
+    if (!corner.expanded && !too_long(corner.length + corner.to_goal)) return true;
     if (poller_->stop_after(1)) return false;
   }
   lower_ = upper_;
   return false;
+}
+
+// Is no path of this length wanted?
+bool ExactSearch::too_long(double length) const noexcept {
+  return only_ ? exact::beyond(length, upper_) : length >= upper_;
 }
 
 // Expands corners by the frontier that weighs the distance to the goal more. What it finds enters
@@ -160,6 +173,57 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   cause_ = go_on ? poller.cause() : StopCondition::Cause::token;
 }
 
+// Expands corners by the frontier alone, for about so much work.
+void ExactSearch::run_plain(const StopCondition& stop, std::int64_t work, InterleavedWork* beside) {
+  bounding_ = weighted_on_ = false;
+  Poller poller(stop, kWordsPerPoll, beside);
+  poller_ = &poller;
+  frontier_.reset(lower_, kBucketWidth);
+  std::uint32_t index = CornerTable::kStart;
+  do {
+    expand(index);
+  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && !given_up() &&
+           next_corner(index));
+  poller_ = nullptr;
+  cause_ = poller.cause();
+}
+
+// Finds the shortest path if it is the only one, or that there is none; or is stopped. Else false.
+bool ExactSearch::search_only(const ExactOptions& options, const StopCondition& stop) {
+  const bool looked_at = options.improved != nullptr && !options.improved_once_polled;
+  if (options.target_gap > 0 || looked_at || stop.deadline != Clock::time_point::max() ||
+      straight_ > kLongWay)
+    return false;
+  if (rest_ > 0) {
+    --rest_;
+    return false;
+  }
+  only_ = true;
+  run_plain(stop, kNoLimit, options.beside);
+  if (cause_ != StopCondition::Cause::none || (!given_up() && is_only())) {
+    if (pause_ > 0) --pause_;
+    rest_ = pause_;
+    counters_.ties = exact::Counters::Ties::none;
+    return true;
+  }
+  counters_.ties = exact::Counters::Ties::some;
+  rest_ = pause_ = std::min(2 * pause_ + kMorePause, kMostPause);
+  return false;
+}
+
+bool ExactSearch::given_up() const noexcept {
+  return only_ && ties_ > kFewTies && ties_ * kExpansionsForTie > counters_.expansions;
+}
+
+// Is no other path as short as the best? Let one be, and let it join the best one at a corner, or
+// at the goal: it came there by a corner that was expanded at its least length, which was noted.
+bool ExactSearch::is_only() const noexcept {
+  if (goal_tied_) return false;
+  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent)
+    if (corners_[i].tied) return false;
+  return true;
+}
+
 bool ExactSearch::tell_improvement() {
   return improvements_.tell(lower_, upper_, poller_, [this](std::vector<Point>& path) {
     trace(path);
@@ -180,10 +244,14 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   touched_ = nullptr;
   improving_ = false;
   near_lines_ = exact::kLeastNear;
+  barren_tests_ = exact::kFirstBarrenTests;
+  only_ = goal_tied_ = false;
+  ties_ = 0;
+  root_ = {};
   passes_goal_ = false;
   const kernels::HalfPoint near = start_.near();
   corners_.reset(grid.width(),
-                 {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
+                 {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, false, 0});
 }
 
 bool ExactSearch::goal_in_sight() const noexcept { return start_.sees(map_, goal_); }
@@ -199,8 +267,11 @@ void ExactSearch::search(const Grid& grid, Point start, Point goal, const ExactO
   improvements_.begin(options);
   if (goal_in_sight()) {
     upper_ = lower_;
-  } else {
+  } else if (!search_only(options, stop)) {
+    const exact::Counters::Ties ties = counters_.ties;
+    begin(grid, start, goal);
     run(options, stop);
+    counters_.ties = ties;
   }
   tell_improvement();  // the last one; nothing is left to stop
   answer.path.clear();
@@ -217,15 +288,7 @@ void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double lengt
   if (goal_in_sight()) return trace(path);
   upper_ = length;
   touched_ = &cells;
-  bounding_ = weighted_on_ = false;
-  Poller poller(stop, kWordsPerPoll);
-  poller_ = &poller;
-  frontier_.reset(lower_, kBucketWidth);
-  std::uint32_t index = CornerTable::kStart;
-  do {
-    expand(index);
-  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && next_corner(index));
-  poller_ = nullptr;
+  run_plain(stop, work);
   if (upper_ < length) trace(path);
 }
 

@@ -22,10 +22,22 @@ constexpr double kTrailBuckets = 1024;
 /// Lines from a root to where its scan asks for limits: doubled after a scan that they did not cut.
 constexpr int kLeastNear = 12, kMostNear = 96;
 
+/// Corners that are looked at for whether they are barren, and more for each that is.
+constexpr int kFirstBarrenTests = 64, kTestsForBarren = 8;
+
+/// Ways whose lengths differ by less of themselves may be equally long but for rounding.
+constexpr double kAlike = 1e-11;
+/// Is a length beyond another by more than that?
+constexpr bool beyond(double length, double other) noexcept {
+  return length > other * (1 + kAlike);
+}
+
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
   std::int64_t words = 0;  ///< rows of intervals, and windows of wide ones
+  /// Whether another path may be as short, where that was looked for.
+  enum class Ties { unknown, none, some } ties = Ties::unknown;
 };
 }  // namespace exact
 
@@ -61,6 +73,11 @@ struct Counters {
 /// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
 /// pulled shorter than the optimum. Lengths are compared as computed, so the answer is the optimum
 /// up to exact::kRounding.
+///
+/// Where no gap is asked for and nobody looks on, a search without the weighted one goes first, and
+/// leaves out corners in whose cone there is neither goal nor corner (barren): no shortest path
+/// bends there. Of several shortest paths it may meet another one, so it notes ways as long as the
+/// one kept, and its path counts only where there is none: then any search finds that path.
 ///
 /// Start and goal may be any points. A corner's cone is scanned from the corner, a lattice point;
 /// of what it came from only the cone's one edge tells, a slope. Where that is no lattice direction
@@ -126,6 +143,10 @@ class ExactSearch {
   void search_weighted(std::int64_t steps, Poller& poller);
   void restore_default_weight();
   void run(const ExactOptions& options, const StopCondition& stop);
+  void run_plain(const StopCondition& stop, std::int64_t work, InterleavedWork* beside = nullptr);
+  bool search_only(const ExactOptions& options, const StopCondition& stop);
+  bool is_only() const noexcept;
+  bool given_up() const noexcept;
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
   /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
@@ -142,6 +163,13 @@ class ExactSearch {
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading, double length);
+  bool is_barren(int x, int y, exact::Heading heading) noexcept;
+  template <int S>
+  bool is_barren_towards(int x, int y, exact::Heading heading) const noexcept;
+  bool too_long(double length) const noexcept;
+  bool in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint at) const noexcept;
+  void note_tie(exact::Corner& corner, std::uint32_t parent, exact::Heading heading) noexcept;
+  void offer_goal(std::uint32_t index) noexcept;
   bool learn_limits(bool asked, bool cut_off) noexcept;
   std::int64_t work_done() const noexcept;
   bool lower_weight();
@@ -171,6 +199,11 @@ class ExactSearch {
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   int near_lines_ = exact::kLeastNear;  // to where scans ask for limits
+  int barren_tests_ = 0;                // that are still worth their time
+  bool only_ = false;                   // ways as long as the one kept are noted
+  bool goal_tied_ = false;              // another way to it is as short as the best
+  std::int64_t ties_ = 0;               // noted
+  int rest_ = 0, pause_ = 0;            // searches until that is tried again, and after a failure
   exact::Counters counters_;
 };
 

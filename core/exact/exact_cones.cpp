@@ -60,6 +60,43 @@ struct ExactSearch::Visitor {
   }
 };
 
+// Is there neither goal nor corner in the taut cone of a corner seen from the root in hand? Looks
+// at the two rows ahead (which end the rays at most steps of an outline) and at the block's own.
+template <int S>
+bool ExactSearch::is_barren_towards(int x, int y, Heading heading) const noexcept {
+  using B = kernels::Bits<S>;
+  const int down = heading.down();
+  const int to_goal = down * (goal_.near().y - 2 * y);  // in half cells
+  if (to_goal >= -1 && to_goal <= 5) return false;
+  const auto row = [&](int ahead) {
+    return B::window(kernels::bytes_of(map_.row(down > 0 ? y + ahead : y - 1 - ahead)), S * x);
+  };
+  const auto first = [](std::uint64_t cells) {  // kValid if it is farther
+    return cells == 0 ? B::kValid : std::min(B::first(cells), B::kValid);
+  };
+  const int dx = S * (2 * x - root_.x), dy = down * (2 * y - root_.y);
+  if (heading.towards_column()) {
+    if (dx == 0) return true;
+    const int shut = first(~row(1));
+    return shut > 0 && (dx < shut * dy || (shut < B::kValid && shut >= first(row(0))));
+  }
+  const int wall = first(row(0));
+  if (wall == B::kValid || first(~row(-1)) < wall) return false;
+  if (dx >= wall * dy) return true;
+  const std::uint64_t open = ~row(1) & B::to(wall - 1);
+  const int shut = open == 0 ? 0 : B::last(open) + 1;
+  return shut < wall && dx > shut * dy;
+}
+
+// Only where it is to be the only path. Where few corners are barren they are no longer looked at.
+[[gnu::noinline]] bool ExactSearch::is_barren(int x, int y, Heading heading) noexcept {
+  if (barren_tests_ == 0 || root_.index == CornerTable::kStart) return false;
+  const bool barren = heading.right() > 0 ? is_barren_towards<1>(x, y, heading)
+                                          : is_barren_towards<-1>(x, y, heading);
+  barren_tests_ += barren ? exact::kTestsForBarren : -1;
+  return barren;
+}
+
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
 // length of a shorter way there, or a negative number.
 double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
@@ -70,14 +107,20 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, d
   std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
+  bool barren = false;
   if (index != CornerTable::kStart) {
-    const Corner& known = corners_[index];
-    if (length >= known.length) return known.length;
+    Corner& known = corners_[index];
+    if (length >= known.length || (only_ && !exact::beyond(known.length, length))) {
+      if (only_ && !exact::beyond(length, known.length)) [[unlikely]]
+        note_tie(known, parent, heading);
+      return known.length;
+    }
     to_goal = known.to_goal;
+    barren = only_ && is_barren(x, y, heading);
   } else {
     if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
     to_goal = distance(2 * x, 2 * y, goal_.x, goal_.y);
-    if (length + to_goal >= upper_) return -1;
+    if (too_long(length + to_goal) || (only_ && is_barren(x, y, heading))) return -1;
     index = corners_.add(slot, x, y);
   }
   Corner& corner = corners_[index];
@@ -85,14 +128,58 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, d
   corner.to_goal = to_goal;
   corner.parent = parent;
   corner.heading = heading;
-  corner.expanded = false;
+  corner.expanded = barren;
+  corner.tied = false;
   corner.scans = 0;
-  if (length + to_goal < upper_) {
+  if (barren) {
+    corner.weighed = true;
+  } else if (!too_long(length + to_goal)) {
     if (!improving_) frontier_.push(index, length + to_goal);
     if (bounding_) corner.weighed = false;
     if (weighted_on_ && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
   }
   return -1;
+}
+
+// Is the way over one of two corners to a place that over the other, which it passes straight?
+bool ExactSearch::in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint at) const noexcept {
+  const bool ordered = corners_[a].length < corners_[b].length;
+  const std::uint32_t far = ordered ? a : b;
+  for (std::uint32_t near = ordered ? b : a; near != far; near = corners_[near].parent) {
+    if (near == CornerTable::kStart) return false;
+    const kernels::FinePoint from = place(corners_[near].parent), over = place(near);
+    const bool same_side = (from.x < at.x) == (over.x < at.x) && (from.y < at.y) == (over.y < at.y);
+    if (!same_side || kernels::turn_sign(from, over, at) != 0) return false;
+  }
+  return true;
+}
+
+// A corner is reached by another way about as short. Of corners in a line the nearest is kept: what
+// was noted of it counts, too.
+[[gnu::noinline]] void ExactSearch::note_tie(Corner& corner, std::uint32_t parent,
+                                             Heading heading) noexcept {
+  if (parent == corner.parent) return;
+  if (!in_line(parent, corner.parent, kernels::fine({corner.x, corner.y}))) {
+    corner.tied = true;
+    ++ties_;
+  } else if (corners_[parent].length > corners_[corner.parent].length) {
+    corner.parent = parent;
+    corner.heading = heading;
+  }
+}
+
+// The straight way from a corner to the goal, which it sees.
+void ExactSearch::offer_goal(std::uint32_t index) noexcept {
+  const double length = corners_[index].length + corners_[index].to_goal;
+  if (!only_ || exact::beyond(upper_, length)) {
+    goal_tied_ = false;
+  } else {
+    if (exact::beyond(length, upper_)) return;
+    if (!in_line(index, last_, goal_.fine())) goal_tied_ = true;
+    if (corners_[index].length < corners_[last_].length) return;
+  }
+  upper_ = length;
+  last_ = index;
 }
 
 // Where a path over the root in hand can be shorter than the horizon.
@@ -131,10 +218,10 @@ bool ExactSearch::scan_cone(std::uint32_t index) {
   const Heading heading = corner.heading;
   if (!passes_goal_ && goal_in_cone<S>(corner) &&
       goal_.sees(map_, kernels::HalfPoint{corner.x, corner.y})) {
-    upper_ = corner.length + corner.to_goal;
-    last_ = index;
+    offer_goal(index);
     return false;  // every other way on from here is longer
   }
+  if (only_ && corner.length + corner.to_goal >= upper_) return false;
   const kernels::FinePoint here = place(index), parent = place(corner.parent);
   const auto u = static_cast<double>(S * (here.x - parent.x));
   const auto depth = static_cast<double>(heading.down() * (here.y - parent.y));
@@ -176,6 +263,7 @@ bool ExactSearch::scan_around_start(int down) {
 
 // Looks at what paths up to the horizon may turn at first.
 void ExactSearch::look_around_start() {
+  root_ = {};
   const auto way = [this](int x, int y) { return distance(start_.x, start_.y, 2 * x, 2 * y); };
   const auto worth = [&](int x, int y) {
     return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < horizon_;

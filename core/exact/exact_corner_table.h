@@ -38,9 +38,10 @@ struct Corner {
   double to_goal = 0;  ///< straight distance
   std::uint32_t parent = 0;
   Heading heading = {};
-  bool expanded = false;   ///< its cone was scanned at this length
-  bool weighed = false;    ///< the weighted search has expanded it
-  std::uint8_t scans = 0;  ///< how often its cone was scanned and cut off, at this length
+  bool expanded = false;     ///< its cone was scanned at this length
+  bool weighed : 1 = false;  ///< the weighted search has expanded it
+  bool tied : 1 = false;     ///< another way is as short
+  std::uint8_t scans = 0;    ///< how often its cone was scanned and cut off, at this length
 };
 static_assert(sizeof(Corner) == 32);
 

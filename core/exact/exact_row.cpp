@@ -1,4 +1,6 @@
 // All corners near a question's ends, by the search that stores nothing of a map.
+#include <limits>
+
 #include "core/exact/exact.h"
 
 namespace lasius {
@@ -11,23 +13,15 @@ bool ExactSearch::row(const Grid& grid, Point from, Point to, double bound,
   begin(grid, from, to);
   row.corners.clear();
   upper_ = bound;
-  bounding_ = weighted_on_ = false;
   passes_goal_ = true;
-  Poller poller(stop, exact::kWordsPerPoll);
-  poller_ = &poller;
-  frontier_.reset(lower_, exact::kBucketWidth);
-  std::uint32_t index = CornerTable::kStart;
-  do {
-    expand(index);
-  } while (!poller.stop_after(exact::kWordsPerExpansion) && next_corner(index));
-  poller_ = nullptr;
+  run_plain(stop, std::numeric_limits<std::int64_t>::max());
   for (std::uint32_t i = 1; i < corners_.size(); ++i) {
     const exact::Corner& corner = corners_[i];
     const std::uint32_t parent =
         corner.parent == CornerTable::kStart ? TautRow::kEnd : corner.parent - 1;
     row.corners.push_back({corner.x / 2, corner.y / 2, corner.length, parent});
   }
-  return poller.stopped();
+  return cause_ != StopCondition::Cause::none;
 }
 
 }  // namespace lasius

@@ -219,7 +219,15 @@ class LASIUS_EXPORT Planner {
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 
-  /// What came of the visibility graph.
+  /// Where nothing is prepared, `exact` makes the visibility graph for itself once so many plans
+  /// of a point were asked for, without deadline, target gap or observer, that it pays: within one
+  /// of these calls, on its thread. No answer depends on it: the graph answers where the shortest
+  /// path is the only one, bit for bit as without. It holds at most 128 MiB, and 36 bytes a vertex
+  /// in each Workspace; this sets another limit, of all copies of this planner; 0: none is made or
+  /// asked. From any thread. Planners made by edited, exclude and allow begin anew.
+  void limit_own_graph(std::int64_t max_bytes) noexcept;
+
+  /// What came of the visibility graph that was asked for.
   const Preparation& preparation() const noexcept;
   /// Writes the visibility graph and its labels, if any, to a file, with the map's hash; under a
   /// temporary name first. @throws Error(output_failed); Error(invalid_parameter) where nothing is
@@ -238,7 +246,7 @@ class LASIUS_EXPORT Planner {
   struct Footprint {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
-    std::int64_t visibility_graph = 0;  ///< with labels, not of an older map; 0: none
+    std::int64_t visibility_graph = 0;  ///< with labels, or a planner's own; 0: none
     std::int64_t disc = 0;              ///< the map before it grew, a disc's free space, and
                                         ///< what widest_disc() keeps
   };

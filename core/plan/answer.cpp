@@ -74,13 +74,16 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
       map.stale->search({memory.labels, memory.prepared}, map.grid, places.from, places.to, options,
                         request.stop, answer))
     return result_of(answer);
-  if (map.sure.graph != nullptr && request.target_gap == 0) {
-    ++*map.sure.asked;
-    if (memory.prepared.search_only(map.grid, *map.sure.graph, places.from, places.to, request.stop,
-                                    answer)) {
-      ++*map.sure.told;
-      return result_of(answer);
-    }
+  // A deadline leaves no time for others, and who looks on sees the ordinary search.
+  OwnGraph* const own = map.graph == nullptr && request.target_gap == 0 && !observer &&
+                                request.stop.deadline == Clock::time_point::max()
+                            ? map.own
+                            : nullptr;
+  if (const exact::CornerGraph* const graph = own != nullptr ? own->graph() : nullptr) {
+    const bool told =
+        memory.prepared.search_only(map.grid, *graph, places.from, places.to, request.stop, answer);
+    own->count_asked(told);
+    if (told) return result_of(answer);
   }
   exact::Anytime anytime(memory.bounding, map.grid, places.from, places.to, options, request.stop);
   if (map.graph != nullptr) {
@@ -88,6 +91,7 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
                            request.stop, answer);
   } else {
     memory.exact.search(map.grid, places.from, places.to, anytime.options(), request.stop, answer);
+    if (own != nullptr) own->count_search(map.grid, memory.exact.counters(), request.stop);
   }
   anytime.merge(answer);
   return result_of(answer);

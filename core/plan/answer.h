@@ -14,6 +14,7 @@
 #include "core/exact/corner_graph.h"
 #include "core/exact/labels/corner_labels.h"
 #include "core/grid/nearest_free.h"
+#include "core/plan/own_graph.h"
 #include "core/plan/stale_answers.h"
 #include "lasius/planner.h"
 
@@ -43,14 +44,7 @@ struct PlanningMap {
   const cost::Terrain* terrain = nullptr;       ///< of a search over costs; of a colony's, too
   const StaleAnswers* stale = nullptr;          ///< of an older map; null if there are none
   bool from_file = false;                       ///< the graph: its edges are not proven here
-  /// Asked by `exact` first, in a map that is not prepared: it answers where the shortest path is
-  /// the only one, as the search would.
-  struct Sure {
-    const exact::CornerGraph* graph = nullptr;  ///< of `grid`
-    std::int64_t* asked = nullptr;              ///< how often it was, and answered
-    std::int64_t* told = nullptr;
-  };
-  Sure sure = {};
+  OwnGraph* own = nullptr;  ///< asked by `exact` first where `graph` is null; null: none is made
   /// The path is walked over cells: a disc that stands too near is refused and not led out, and a
   /// goal's tolerance leads to the centre of a cell.
   bool walked = false;

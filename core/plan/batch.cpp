@@ -10,7 +10,7 @@
 #include "core/params/parameter_table.h"
 #include "core/plan/alternatives.h"
 #include "core/plan/answer.h"
-#include "core/plan/batch_graph.h"
+#include "core/plan/planner_impl.h"
 
 namespace lasius {
 
@@ -26,23 +26,15 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
     check_goal_tolerance(request.goal_tolerance);
     check_alternatives(request, algorithm, planner.robot());
   }
-  const auto plans = static_cast<std::int64_t>(requests.size()) * options.seeds;
-  const bool unprepared = algorithm.kind == Algorithm::Kind::exact && planner.robot().radius == 0 &&
-                          planner.preparation().state == Preparation::State::none &&
-                          plans >= BatchGraph::kFewest && own.none();
-  // A query's own deadline leaves no time for others.
-  const bool timed = options.time_limit || std::ranges::any_of(requests, [](const Request& one) {
-                       return one.stop.deadline != Clock::time_point::max();
-                     });
-  std::optional<BatchGraph> graph;
-  if (unprepared && !timed) graph.emplace(planner, plans, options.token);
+  if (algorithm.kind == Algorithm::Kind::exact)
+    PlannerParts::of(planner).own.expect(static_cast<std::int64_t>(requests.size()) *
+                                         options.seeds);
   const auto make_plan = [&] {
     Params mine = params;
     mine.threads = 1;
-    return [&planner, &own, &graph, mine, workspace = std::make_shared<Workspace>()](
+    return [&planner, &own, mine, workspace = std::make_shared<Workspace>()](
                const Request& request, std::uint64_t seed) mutable {
       mine.seed = seed;
-      if (graph) return graph->plan(request, mine, *workspace);
       return planner.plan(request, mine, own, workspace.get());
     };
   };

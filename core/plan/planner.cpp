@@ -1,5 +1,6 @@
 #include "lasius/planner.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/poller.h"
@@ -140,6 +141,10 @@ Result Planner::plan(const Request& request, const Params& params, const OwnRule
   return answer(impl_->planning_map(request.stop), request, params, workspace, observer, own);
 }
 
+void Planner::limit_own_graph(std::int64_t max_bytes) noexcept {
+  impl_->own.limit(std::max<std::int64_t>(max_bytes, 0));
+}
+
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
 
 std::int64_t Planner::components(Corners corners) const {
@@ -149,7 +154,8 @@ std::int64_t Planner::components(Corners corners) const {
 Planner::Footprint Planner::footprint() const noexcept {
   return {.bitmap = bitmap_bytes(impl_->grid),
           .components = impl_->component_bytes(),
-          .visibility_graph = impl_->preparation.bytes + impl_->preparation.labels.bytes,
+          .visibility_graph =
+              impl_->preparation.bytes + impl_->preparation.labels.bytes + impl_->own.bytes(),
           .disc = (impl_->disc != nullptr ? disc_bytes(*impl_->disc) : 0) + impl_->region_bytes()};
 }
 

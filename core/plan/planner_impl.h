@@ -90,7 +90,8 @@ class Planner::Impl {
             .disc = disc.get(),
             .disc_graph = disc_graph.get(),
             .stale = stale.get(),
-            .from_file = from_file};
+            .from_file = from_file,
+            .own = disc == nullptr ? &own : nullptr};
   }
 
   /// The rule of corners, of a disc its own.
@@ -157,6 +158,7 @@ class Planner::Impl {
   const std::shared_ptr<const DiscMap> disc;          ///< null for a point
   std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared
   Preparation preparation;
+  mutable OwnGraph own;  ///< of `grid`
 
  private:
   mutable std::mutex regions_kept_;
@@ -164,6 +166,11 @@ class Planner::Impl {
   mutable std::once_flag eight_kept_;
   mutable std::optional<Components> made_eight_;
   mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept
+};
+
+/// What is internal of a Planner.
+struct PlannerParts {
+  static const Planner::Impl& of(const Planner& planner) noexcept { return *planner.impl_; }
 };
 
 }  // namespace lasius

@@ -64,6 +64,10 @@ struct Bits {
   static int first(std::uint64_t w) noexcept {
     return S > 0 ? std::countr_zero(w) : std::countl_zero(w);
   }
+  /// The largest.
+  static int last(std::uint64_t w) noexcept {
+    return 63 - (S > 0 ? std::countl_zero(w) : std::countr_zero(w));
+  }
 };
 
 /// The smallest mirrored column in [from, to] that is blocked (or free), to + 1 if there is none.

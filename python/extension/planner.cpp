@@ -196,6 +196,7 @@ void bind_planner(py::module_& module) {
       .def("clear", &Planner::clear)
       .def("widest_disc", &widest_disc)
       .def("prepared", &prepared)
+      .def("limit_own_graph", &Planner::limit_own_graph)
       .def("load_preparation", &load_preparation)
       .def("save_preparation",
            [](const Planner& planner, const std::string& file) {

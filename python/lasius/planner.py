@@ -411,6 +411,12 @@ class Planner:
         planner._grid = self._grid
         return planner
 
+    def limit_own_graph(self, max_bytes: int) -> None:
+        """Limits the visibility graph that `exact` makes for itself once so many plans were asked for that it pays, where
+        nothing is prepared: 128 MiB unless told; 0: none is made. No answer depends on it.
+        """
+        self._raw.limit_own_graph(whole("max_bytes", max_bytes))
+
     def save_preparation(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes visibility graph and labels to a file, for `load_preparation` of the same map."""
         self._raw.save_preparation(os.fspath(file))

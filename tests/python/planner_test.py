@@ -321,6 +321,14 @@ def test_alternatives(planner):
             planner.plan(START, GOAL, alternatives=1, **bad)
 
 
+def test_a_planner_without_a_graph_of_its_own(planner):
+    alone = lasius.Planner(planner.grid)
+    alone.limit_own_graph(0)
+    assert (alone.plan(START, GOAL).path == planner.plan(START, GOAL).path).all()
+    with pytest.raises(TypeError, match="max_bytes"):
+        alone.limit_own_graph("much")
+
+
 def test_prepared_and_edited(planner, tmp_path):
     prepared = planner.prepared(threads=1)
     assert prepared.preparation.state == "ready" and prepared.preparation.edges > 0

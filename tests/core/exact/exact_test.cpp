@@ -97,6 +97,38 @@ TEST(Exact, EqualsBruteForceInWideSparseGrids) {
   EXPECT_GT(expect_exact(60, 20260103, sparse).reachable, 40);
 }
 
+// The search that goes first answers where the shortest path is the only one, with that of the
+// other, which runs alone where somebody looks on.
+TEST(Exact, TheSearchThatGoesFirstChangesNoPath) {
+  std::mt19937 random(12);
+  ExactSearch whole;
+  const OnImproved look = [](const std::vector<Point>&, double, double) { return true; };
+  int only = 0, tied = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Grid grid = i % 3 == 0 ? random_large_grid(i, random) : random_small_grid(i, random);
+    const auto start = random_free(grid, random), goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    ExactSearch search;
+    const ExactAnswer answer = solve(search, grid, *start, *goal);
+    EXPECT_EQ(answer.path, solve(whole, grid, *start, *goal, {.improved = &look}).path);
+    EXPECT_EQ(whole.counters().ties, exact::Counters::Ties::unknown);
+    only += search.counters().ties == exact::Counters::Ties::none ? 1 : 0;
+    tied += search.counters().ties == exact::Counters::Ties::some ? 1 : 0;
+  }
+  EXPECT_GT(only, 500);
+  EXPECT_GT(tied, 20);
+}
+
+TEST(Exact, SaysWhereAnotherPathIsAsShort) {
+  const Grid grid = drawn({".......", "..###..", "..###..", "..###..", "......."});
+  ExactSearch search;
+  EXPECT_EQ(solve(search, grid, {1, 2}, {5, 2}).path.size(), 4);  // one way round of two
+  EXPECT_EQ(search.counters().ties, exact::Counters::Ties::some);
+  ExactSearch other;
+  EXPECT_EQ(solve(other, grid, {1, 1}, {5, 2}).path.size(), 4);
+  EXPECT_EQ(other.counters().ties, exact::Counters::Ties::none);
+}
+
 TEST(Exact, AnyPathWillDoWithAnUnboundedGap) {
   std::mt19937 random(8);
   ExactSearch search;

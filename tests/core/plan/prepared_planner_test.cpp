@@ -189,6 +189,27 @@ TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
   }
 }
 
+// So does a planner, after enough plans; unless it may not.
+TEST(PreparedPlanner, TheGraphOfAPlannerChangesNothing) {
+  const Grid grid = generate(MapKind::maze, {300, 300, -1, 2});
+  const Planner planner(grid);
+  Planner without(grid);
+  without.limit_own_graph(0);
+  std::mt19937 random(3);
+  Workspace workspace, other;
+  for (int i = 0; i < 400; ++i) {
+    const Request request{random_cell(grid, random), random_cell(grid, random)};
+    const Result with = planner.plan(request, {}, &workspace);
+    const Result alone = without.plan(request, {}, &other);
+    EXPECT_EQ(with.path, alone.path);
+    EXPECT_EQ(with.lower_bound, alone.lower_bound);
+    EXPECT_EQ(with.optimal, alone.optimal);
+  }
+  EXPECT_GT(planner.footprint().visibility_graph, 0);
+  EXPECT_EQ(without.footprint().visibility_graph, 0);
+  EXPECT_EQ(planner.preparation().state, Preparation::State::none);
+}
+
 TEST(PreparedPlanner, ThreadsChangeNothing) {
   const auto queries = some_queries(60);
   std::vector<std::vector<Point>> first;
