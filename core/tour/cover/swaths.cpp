@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/tour/cover/sweep_cells.h"
+#include "core/tour/tour_steps.h"
 
 namespace lasius::tour {
 
@@ -145,8 +146,7 @@ std::vector<Swath> SwathMaker::anywhere(const Heading& heading, Poller& poller) 
 
 std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
                                           const StopCondition& stop, bool must) const {
-  StopCondition token = stop;
-  token.deadline = Clock::time_point::max();
+  const StopCondition token = without_deadline(stop);
   const StopCondition& laying = must ? token : stop;
   Poller lays(laying), fills(stop);
   const auto stopped = [&] { return laying.poll() != StopCondition::Cause::none; };
@@ -195,8 +195,7 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
 // looked at, but for the first.
 void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads,
                             const StopCondition& stop) const {
-  StopCondition token = stop;
-  token.deadline = Clock::time_point::max();
+  const StopCondition token = without_deadline(stop);
   std::vector<char> apart(swaths.size(), 0);
   parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
     const StopCondition& until = i == 0 ? token : stop;
