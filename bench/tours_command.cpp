@@ -1,7 +1,9 @@
 // lasius_bench tours: how far above the best a tour is by time, against textbooks.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numeric>
 
 #include "bench/commands.h"
@@ -67,7 +69,7 @@ Marks textbook(const TourInstance& instance, peers::TourMethod method, std::uint
 // What the best tour is above the bound, which is given the time of a mark.
 void write_bound(const TourInstance& instance, std::int64_t best, const TourBenchOptions& options,
                  Table& table) {
-  constexpr int kRounds = 10;
+  constexpr int kRounds = 1000;
   std::vector<double> figures;
   for (const double share : kShares) {
     const TourTime time(share * options.seconds);
@@ -136,6 +138,25 @@ TourInstance tsplib_instance(const std::string& file) {
   return instance;
 }
 
+// The whole of plan_tour, on a map that nothing is known of.
+Marks from_nothing(const Grid& grid, const std::vector<Cell>& stops, std::uint64_t seed,
+                   const TourBenchOptions& options) {
+  Marks marks{};
+  TourRequest request;
+  request.stops = stops;
+  request.seed = seed;
+  request.threads = 1;
+  request.generations = std::numeric_limits<int>::max();
+  const TourTime time(options.seconds);
+  request.stop = {.deadline = deadline_in(std::chrono::duration<double>(2 * options.seconds), {}),
+                  .time = &time};  // of which a part is the bound's
+  (void)plan_tour(Planner(grid), request, [&](std::span<const int>, double length) {
+    time.tell(std::llround(length * tour::kGrains), marks);
+    return true;
+  });
+  return marks;
+}
+
 // Random stops of a map: lengths from a matrix that is ready, and priced as the search asks.
 void measure_stops(const QuerySource& source, const TourBenchOptions& options, Table& table,
                    std::string& notes) {
@@ -157,6 +178,10 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
   const double priced = pricing.seconds();
   for (const double length : *lengths) instance.matrix.push_back(tour::grains(length));
   auto runs = matrix_runs(instance, options);
+  runs.emplace_back("lasius, from nothing", std::vector<Marks>{});
+  for (int seed = 1; seed <= options.seeds; ++seed)
+    runs.back().second.push_back(
+        from_nothing(set.grid, stops, static_cast<std::uint64_t>(seed), options));
   runs.emplace_back("lasius, legs priced when asked for", std::vector<Marks>{});
   std::int64_t legs = 0;
   for (int seed = 1; seed <= options.seeds; ++seed) {

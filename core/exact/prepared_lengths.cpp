@@ -14,7 +14,7 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   grain_ = grain;
   begin(grid, graph, centre(start), poller);
   mode_ = Mode::flood;
-  reach_all();
+  reach_all(kInfinity);
   lengths.clear();
   lengths.reserve(graph.size());
   for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
@@ -24,12 +24,13 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   return poller.stopped();
 }
 
-void PreparedSearch::reach_all() {
+void PreparedSearch::reach_all(double limit) {
   horizon_ = kInfinity;
   straight_ = 0;
   lower_ = 0;
   scan_start_view();
   restart();
+  upper_ = limit;
   reach_start_corners();
   improvements_.begin({});
   run(0, kNoBudget);
@@ -79,15 +80,20 @@ bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Point poin
 
 bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Point start,
                                 std::span<const Target> targets, const StopCondition& stop,
-                                std::span<double> lengths) {
+                                std::span<double> lengths, double limit) {
   Poller poller(stop);
   begin(grid, graph, start, poller);
   mode_ = Mode::all;
-  reach_all();
+  reach_all(limit);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto& [at, corners] = targets[i];
-    lengths[i] =
-        start_.sees(map_, at) ? exact::distance(start_.x, start_.y, at.x, at.y) : kInfinity;
+    const double straight = exact::distance(start_.x, start_.y, at.x, at.y);
+    lengths[i] = kInfinity;
+    if (straight >= limit) continue;
+    if (start_.sees(map_, at)) {
+      lengths[i] = straight;
+      continue;
+    }
     for (const std::uint32_t index : corners) {
       const Node& node = nodes_[index];
       if (node.stamp != stamp_) continue;
@@ -95,6 +101,7 @@ bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Poin
       lengths[i] = std::min(
           lengths[i], node.length + exact::distance(2 * corner.x(), 2 * corner.y(), at.x, at.y));
     }
+    if (lengths[i] >= limit) lengths[i] = kInfinity;
     if (poller.stop_after(kWordsPerNode + static_cast<std::int64_t>(corners.size()))) break;
   }
   poller_ = nullptr;

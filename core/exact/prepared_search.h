@@ -72,11 +72,13 @@ class PreparedSearch {
   /// A point of a free cell or its border as a target. Returns true if stopped.
   bool view(const Grid& grid, const CornerGraph& graph, Point point, const StopCondition& stop,
             Target& target);
-  /// The lengths of shortest paths from such a point to targets, by one search of all corners;
-  /// infinite where there is none. Returns true if stopped.
+  /// The lengths of shortest paths from such a point to targets, by one search of all corners that
+  /// are nearer than `limit`; infinite where there is none that is shorter. Returns true if
+  /// stopped.
   bool lengths_to(const Grid& grid, const CornerGraph& graph, Point start,
                   std::span<const Target> targets, const StopCondition& stop,
-                  std::span<double> lengths);
+                  std::span<double> lengths,
+                  double limit = std::numeric_limits<double>::infinity());
 
   /// As ExactSearch::row.
   bool row(const Grid& grid, const CornerGraph& graph, Point from, Point to, double bound,
@@ -127,7 +129,7 @@ class PreparedSearch {
   void scan_goal_view();
   void scan_start_view();
   void restart();
-  void reach_all();
+  void reach_all(double limit);
   void reach_start_corners();
   void measure_landmarks();
   bool run(double target_gap, std::int64_t budget);

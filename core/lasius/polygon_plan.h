@@ -20,6 +20,11 @@
 #include "lasius/search_result.h"
 #include "lasius/stop.h"
 
+namespace lasius {
+struct TourRequest;  // see tour.h
+struct TourResult;
+}  // namespace lasius
+
 namespace lasius::polygon {
 
 /// How obstacles grow at their corners.
@@ -254,6 +259,7 @@ class LASIUS_POLYGON_EXPORT Planner {
   class Impl;
 
  private:
+  friend struct PlannerParts;  // internal
   explicit Planner(std::unique_ptr<const Impl> impl);
   std::unique_ptr<const Impl> impl_;
 };
@@ -279,5 +285,13 @@ LASIUS_POLYGON_EXPORT std::vector<BatchAnswer> plan_batch(const Planner& planner
                                                           std::span<const Request> requests,
                                                           const Params& parameters = {},
                                                           const BatchOptions& options = {});
+
+/// Plans a tour as lasius::plan_tour does, of at most 2000 stops, given as points in the world's
+/// unit: legs are shortest paths of `exact`. Once all of them are priced, deadlines count. Include
+/// lasius/tour.h.
+/// @throws Error(invalid_parameter) as that, and for coordinates that are not finite.
+LASIUS_POLYGON_EXPORT TourResult
+plan_tour(const Planner& planner, const TourRequest& request,
+          const std::function<bool(std::span<const int> order, double length)>& observer = {});
 
 }  // namespace lasius::polygon

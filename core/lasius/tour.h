@@ -16,6 +16,7 @@
 #include "lasius/status.h"
 #include "lasius/stop.h"
 #include "lasius/tour/ants.h"
+#include "lasius/tour/world.h"
 #include "lasius/tsplib.h"
 
 namespace lasius {
@@ -109,15 +110,15 @@ using TourObserver = std::function<bool(std::span<const int> order, double lengt
 /// Plans a tour. Up to 12 stops the order is a shortest; above, it is searched (tours of the same
 /// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to
 /// the others are left out: the tour is over the stops that are joined to the start or goal, else
-/// over the region that has most stops. Legs are priced when they are asked for; what is kept of
-/// them stays below 64 MB; up to 100 stops (500 of groups and robots), and on prepared maps where
-/// it is quick, all are priced at once. A planner for a point that is not prepared is prepared for
-/// 30 stops and more, in the memory that PrepareOptions allow. Of stops that are left out, what
-/// comes behind them still comes behind what is before them. Of a task with several stops those
-/// that cannot be visited are left out in silence, as long as there is another. With tasks of
-/// several stops or robots at most 2000 stops; up to 12 tasks (and 5e8 steps) the answer is a
-/// shortest one, where all are priced at once. Where no order keeps what is given the tour is
-/// unreachable (proven), or no_path (none was found).
+/// over the region that has most stops. Legs are priced when they are asked for, those to near
+/// stops before; what is kept of them stays below 110 MB; up to 100 stops (500 of groups and
+/// robots), and on prepared maps where it is quick, all are priced at once. A planner for a point
+/// that is not prepared is prepared for 30 stops and more, in the memory that PrepareOptions allow.
+/// Of stops that are left out, what comes behind them still comes behind what is before them. Of a
+/// task with several stops those that cannot be visited are left out in silence, as long as there
+/// is another. With tasks of several stops or robots at most 2000 stops; up to 12 tasks (and 5e8
+/// steps) the answer is a shortest one, where all are priced at once. Where no order keeps what is
+/// given the tour is unreachable (proven), or no_path (none was found).
 /// @throws Error(invalid_parameter) for start or goal that are no stops or the same one, for stops
 /// that come before themselves, where a number is out of range, and where groups or robots are
 /// asked for together with an order given in part or ants, several robots with a start or goal.
@@ -130,6 +131,11 @@ LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& re
 /// of the time to a deadline; the order is a shortest of those that are priced. An observer is told
 /// costs.
 LASIUS_EXPORT TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
+                                   const TourObserver& observer = {});
+
+/// The same in any world, of at most 2000 stops, given as points: all legs are priced first, which
+/// no deadline cuts short.
+LASIUS_EXPORT TourResult plan_tour(const TourWorld& world, const TourRequest& request,
                                    const TourObserver& observer = {});
 
 /// The same of a problem of TSPLIB: lengths are by its rounding, `request.stops` is not read, the

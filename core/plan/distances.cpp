@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -6,6 +8,8 @@
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/batch_graph.h"
+#include "core/plan/lengths_near.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
 #include "lasius/planner.h"
@@ -14,38 +18,61 @@ namespace lasius {
 
 namespace {
 
-// Edges of a graph that are searched in the time that a path from a place to a target takes.
-constexpr std::int64_t kEdgesPerTarget = 3000;
+// Vertices that one search of all of a graph reaches in the time that a path to a target takes.
+constexpr std::int64_t kVerticesPerTarget = 300;
+
+using exact::PreparedSearch;
+
+// Whether it is over, for threads that each poll.
+class Ended {
+ public:
+  explicit Ended(const StopCondition& stop) : stop_(stop) {}
+  explicit operator bool() const noexcept { return ended_; }
+  void set() noexcept { ended_ = true; }
+  /// Searches of small maps are over before they ask.
+  bool poll() {
+    if (stop_.poll() != StopCondition::Cause::none) ended_ = true;
+    return ended_;
+  }
+
+ private:
+  const StopCondition& stop_;
+  std::atomic<bool> ended_{false};
+};
+
+std::vector<PreparedSearch::Target> seen_from(const Planner::Impl& map,
+                                              std::span<const Point> targets,
+                                              std::span<PreparedSearch> searches,
+                                              const StopCondition& stop, Ended& ended) {
+  std::vector<PreparedSearch::Target> seen(targets.size());
+  parallel_for(static_cast<int>(targets.size()), static_cast<int>(searches.size()),
+               [&](int to, int thread) {
+                 if (!ended.poll() &&
+                     searches[thread].view(map.grid, *map.graph, targets[to], stop, seen[to]))
+                   ended.set();
+               });
+  return seen;
+}
 
 // By one search of all corners from each source.
 std::optional<std::vector<double>> searched(const Planner::Impl& map,
                                             std::span<const Point> sources,
                                             std::span<const Point> targets, bool same, int threads,
                                             const StopCondition& stop) {
-  using exact::PreparedSearch;
   std::vector<PreparedSearch> searches(static_cast<std::size_t>(threads));
-  std::vector<PreparedSearch::Target> seen(targets.size());
-  std::atomic<bool> stopped{false};
-  // Searches of small maps are over before they ask.
-  const auto over = [&] {
-    if (stop.poll() != StopCondition::Cause::none) stopped = true;
-    return stopped.load();
-  };
-  parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
-    if (!over() && searches[thread].view(map.grid, *map.graph, targets[to], stop, seen[to]))
-      stopped = true;
-  });
+  Ended ended(stop);
+  const auto seen = seen_from(map, targets, searches, stop, ended);
   const std::size_t columns = targets.size();
   std::vector<double> lengths(sources.size() * columns, 0);
   parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
     const std::size_t first = same ? row + 1 : 0;
-    if (first >= columns || over()) return;
+    if (first >= columns || ended.poll()) return;
     const std::span part(lengths.data() + row * columns + first, columns - first);
     if (searches[thread].lengths_to(map.grid, *map.graph, sources[row],
                                     std::span(seen).subspan(first), stop, part))
-      stopped = true;
+      ended.set();
   });
-  if (stopped) return std::nullopt;
+  if (ended) return std::nullopt;
   for (std::size_t row = 0; same && row < columns; ++row)
     for (std::size_t to = row + 1; to < columns; ++to)
       lengths[to * columns + row] = lengths[row * columns + to];
@@ -59,34 +86,74 @@ std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<co
   using exact::LabelSearch;
   std::vector<LabelSearch> searches(static_cast<std::size_t>(threads));
   std::vector<LabelSearch::View> seen(targets.size());
-  std::atomic<bool> stopped{false};
-  const auto over = [&] {
-    if (stop.poll() != StopCondition::Cause::none) stopped = true;
-    return stopped.load();
-  };
+  Ended ended(stop);
   parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
-    if (!over())
+    if (!ended.poll())
       seen[to] = searches[thread].view(map.grid, *map.graph, *map.labels, targets[to], stop);
   });
   const std::size_t columns = targets.size();
   std::vector<double> lengths(sources.size() * columns, 0);
   parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
     const std::size_t first = same ? row + 1 : 0;
-    if (first >= columns || over()) return;
+    if (first >= columns || ended.poll()) return;
     LabelSearch& search = searches[thread];
     const auto from = search.view(map.grid, *map.graph, *map.labels, sources[row], stop);
-    if (over()) return;
+    if (ended.poll()) return;
     search.lengths_to(map.grid, *map.graph, *map.labels, from, std::span(seen).subspan(first),
                       std::span(lengths).subspan(row * columns + first, columns - first));
   });
-  if (stopped) return std::nullopt;
+  if (ended) return std::nullopt;
   for (std::size_t row = 0; same && row < columns; ++row)
     for (std::size_t to = row + 1; to < columns; ++to)
       lengths[to * columns + row] = lengths[row * columns + to];
   return lengths;
 }
 
+// The straight distance to the place that so many others are nearer than.
+double straight_to_nearest(std::span<const Point> places, int from, int count) {
+  std::vector<double> squares;
+  squares.reserve(places.size());
+  for (const Point p : places) {
+    const double dx = p.x - places[from].x, dy = p.y - places[from].y;
+    squares.push_back(dx * dx + dy * dy);
+  }
+  const auto at = squares.begin() + count;
+  std::nth_element(squares.begin(), at, squares.end());
+  return std::sqrt(*at);
+}
+
 }  // namespace
+
+bool lengths_near(const Planner& planner, std::span<const Point> places,
+                  std::span<const int> nearest, int threads, const StopCondition& stop,
+                  const TakeLengths& take) {
+  constexpr double kFirstReach = 1.3, kFarther = 2;  // of the straight distance; of one before it
+  constexpr int kMostReaches = 8;
+  const Planner::Impl& map = PlannerParts::of(planner);
+  if (map.graph == nullptr || map.disc != nullptr) return false;
+  const int n = static_cast<int>(places.size());
+  std::vector<PreparedSearch> searches(static_cast<std::size_t>(thread_count(threads)));
+  std::vector<std::vector<double>> rows(searches.size(), std::vector<double>(places.size()));
+  Ended ended(stop);
+  const auto seen = seen_from(map, places, searches, stop, ended);
+  parallel_for(n, static_cast<int>(searches.size()), [&](int from, int thread) {
+    const int wanted = std::min(nearest[from], n - 1);
+    if (wanted <= 0 || ended.poll()) return;
+    std::vector<double>& lengths = rows[thread];
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    double reach = wanted == n - 1 ? kAll : kFirstReach * straight_to_nearest(places, from, wanted);
+    for (int reaches = 1;; ++reaches, reach = reaches < kMostReaches ? kFarther * reach : kAll) {
+      if (searches[thread].lengths_to(map.grid, *map.graph, places[from], seen, stop, lengths,
+                                      reach))
+        return ended.set();
+      const auto known = std::count_if(lengths.begin(), lengths.end(),
+                                       [](double length) { return length < kAll; });
+      if (known > wanted || reach == kAll) break;
+    }
+    take(from, lengths, reach);
+  });
+  return !ended;
+}
 
 std::optional<std::vector<double>> Planner::distances(std::span<const Cell> sources,
                                                       std::span<const Cell> targets, int threads,
@@ -115,7 +182,7 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Point> sou
   if (impl_->labels != nullptr)
     return merged(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
   if (impl_->graph != nullptr && impl_->disc == nullptr &&
-      impl_->preparation.edges <= kEdgesPerTarget * static_cast<std::int64_t>(targets.size()))
+      impl_->preparation.vertices <= kVerticesPerTarget * static_cast<std::int64_t>(targets.size()))
     return searched(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
   const int rows = static_cast<int>(sources.size());
   const std::size_t columns = targets.size();

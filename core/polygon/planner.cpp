@@ -9,6 +9,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/free_space.h"
+#include "core/polygon/lengths.h"
 #include "core/polygon/nearest.h"
 #include "core/polygon/regions.h"
 #include "core/polygon/route.h"
@@ -17,6 +18,7 @@
 #include "core/polygon/world/geometry_check.h"
 #include "core/polygon/world/rings.h"
 #include "lasius/polygon_plan.h"
+#include "lasius/tour.h"
 
 namespace lasius::polygon {
 namespace {
@@ -320,6 +322,52 @@ Result Planner::plan(const Request& request, const Params& parameters,
   }
   result.note = impl_->note(result, start, goal);
   return result;
+}
+
+struct PlannerParts {
+  static const Planner::Impl& of(const Planner& planner) noexcept { return *planner.impl_; }
+};
+
+namespace {
+
+class StopsAmongPolygons final : public TourWorld {
+ public:
+  explicit StopsAmongPolygons(const Planner& planner)
+      : planner_(planner), world_(PlannerParts::of(planner)) {}
+
+  bool inside(Point p) const override { return polygon::inside(world_.world.boundary.outer, p); }
+  std::vector<std::vector<int>> regions(std::span<const Point> points) const override {
+    std::vector<std::vector<int>> pieces(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (const int r : place_in(world_.regions, points[i]).regions)
+        pieces[i].push_back(world_.regions.piece(r));
+    return pieces;
+  }
+  std::optional<std::vector<double>> distances(std::span<const Point> points, int threads,
+                                               const StopCondition& stop) const override {
+    std::vector<Place> places;
+    for (const Point p : points) places.push_back(place_in(world_.regions, p));
+    return lengths_among(world_.regions, places, threads, stop);
+  }
+  std::vector<Point> leg(Point from, Point to) const override {
+    return planner_.plan({.start = from, .goal = to}).path;
+  }
+
+ private:
+  const Planner& planner_;
+  const Planner::Impl& world_;
+};
+
+}  // namespace
+
+TourResult plan_tour(const Planner& planner, const TourRequest& request,
+                     const TourObserver& observer) {
+  check_threads(request.threads);
+  for (const Point p : request.points)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y))
+      throw invalid_parameter("a stop is (" + number_text(p.x) + ", " + number_text(p.y) + ")",
+                              "give finite coordinates");
+  return lasius::plan_tour(StopsAmongPolygons(planner), request, observer);
 }
 
 }  // namespace lasius::polygon

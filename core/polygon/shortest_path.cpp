@@ -6,6 +6,7 @@
 
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
+#include "core/polygon/sight.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {
@@ -15,7 +16,7 @@ class VisibilitySearch {
  public:
   VisibilitySearch(const Regions& regions, const Place& start, const Place& goal,
                    const StopCondition& stop)
-      : regions_(regions), start_(start), goal_(goal), stop_(stop), poller_(stop) {
+      : regions_(regions), sight_(regions), start_(start), goal_(goal), stop_(stop), poller_(stop) {
     const std::size_t corners = regions.space().corners.size();
     length_.assign(corners + 2, kInfinity);
     before_.assign(corners + 2, -1);
@@ -53,13 +54,6 @@ class VisibilitySearch {
   }
 
  private:
-  /// What is seen through a link: the part of a region between two rays.
-  struct Cone {
-    int region;
-    int through;  // the link
-    LatticePoint left, right;
-  };
-
   int start_node() const { return static_cast<int>(regions_.space().corners.size()); }
   int goal_node() const { return start_node() + 1; }
   LatticePoint at(int node) const {
@@ -72,48 +66,12 @@ class VisibilitySearch {
   }
 
   void expand(int node) {
-    const LatticePoint eye = at(node);
-    for (const int r : node == start_node() ? start_.regions : regions_.around(node)) {
-      look_around(node, eye, r);
-    }
-    while (!cones_.empty() && !poller_.stopped()) {
-      const Cone cone = cones_.back();
-      cones_.pop_back();
-      look(node, eye, cone);
-    }
-    cones_.clear();
-  }
-
-  /// A region that the eye stands in: all of it is seen.
-  void look_around(int node, LatticePoint eye, int r) {
-    if (in_goal_[r] != 0) offer(node, goal_node());
-    const auto& sides = regions_.regions()[r].sides;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      offer(node, sides[i].corner);
-      const LatticePoint right = regions_.at(sides[i].corner);
-      const LatticePoint left = regions_.at(sides[i + 1 < sides.size() ? i + 1 : 0].corner);
-      if (sides[i].link < 0 || side(eye, right, left) <= 0) continue;
-      cones_.push_back({sides[i].across, sides[i].link, left, right});
-    }
-  }
-
-  void look(int node, LatticePoint eye, const Cone& cone) {
-    const auto seen = [&](LatticePoint p) {
-      return side(eye, cone.right, p) >= 0 && side(eye, cone.left, p) <= 0;
-    };
-    const auto& sides = regions_.regions()[cone.region].sides;
-    poller_.stop_after(static_cast<std::int64_t>(sides.size()));
-    if (in_goal_[cone.region] != 0 && seen(goal_.at)) offer(node, goal_node());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      LatticePoint right = regions_.at(sides[i].corner);
-      if (seen(right)) offer(node, sides[i].corner);
-      if (sides[i].link < 0 || sides[i].link == cone.through) continue;
-      LatticePoint left = regions_.at(sides[i + 1 < sides.size() ? i + 1 : 0].corner);
-      if (side(eye, cone.right, right) < 0) right = cone.right;
-      if (side(eye, cone.left, left) > 0) left = cone.left;
-      if (side(eye, right, left) <= 0) continue;
-      cones_.push_back({sides[i].across, sides[i].link, left, right});
-    }
+    sight_.from(
+        at(node), node == start_node() ? start_.regions : regions_.around(node), poller_,
+        [&](int corner) { offer(node, corner); },
+        [&](int region, const auto& seen) {
+          if (in_goal_[region] != 0 && seen(goal_.at)) offer(node, goal_node());
+        });
   }
 
   void offer(int from, int to) {
@@ -127,6 +85,7 @@ class VisibilitySearch {
   }
 
   const Regions& regions_;
+  Sight sight_;
   const Place& start_;
   const Place& goal_;
   const StopCondition& stop_;
@@ -134,7 +93,6 @@ class VisibilitySearch {
   std::vector<double> length_;
   std::vector<int> before_;
   std::vector<char> done_, in_goal_;
-  std::vector<Cone> cones_;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
       queue_;
 };

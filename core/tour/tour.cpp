@@ -1,14 +1,18 @@
 #include "lasius/tour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
 #include "core/tour/ants/ant_colony.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/exact_routes.h"
 #include "lasius/error.h"
+#include "lasius/path.h"
 
 namespace lasius {
 
@@ -20,6 +24,71 @@ using tour::Costs;
 using tour::PartialOrder;
 
 constexpr int kRoutedAtOnce = 500;  // of groups and robots, whose search and bound ask for most
+constexpr int kMostInWorld = 2000;  // stops, whose pairs are all priced
+
+// All lengths, as they are and as costs.
+class Priced {
+ public:
+  Priced() = default;
+  Priced(std::vector<double> lengths, double scale) : scale_(scale), lengths_(std::move(lengths)) {
+    matrix_.reserve(lengths_.size());
+    for (const double length : lengths_) matrix_.push_back(tour::grains(length, scale));
+  }
+  bool empty() const noexcept { return matrix_.empty(); }
+  Costs costs(int n) const { return {n, matrix_.data()}; }
+  const std::vector<double>& lengths() const noexcept { return lengths_; }
+  double scale() const noexcept { return scale_; }
+
+ private:
+  double scale_ = tour::kGrains;
+  std::vector<double> lengths_;
+  std::vector<Cost> matrix_;
+};
+
+// Grains of a length, a power of two of them: what is planned does not depend on the world's unit.
+double scale_of(std::span<const double> lengths) {
+  double most = 0;
+  for (const double length : lengths) most = std::max(most, length);
+  if (most == 0) return 1;
+  int exponent = 0;
+  std::frexp(0.5 * tour::kLargest / most, &exponent);
+  return std::ldexp(1, exponent - 1);
+}
+
+// The order, its legs' ends, and the bound, but where it is the tour's own length: then true.
+bool order_stops(const TourStops& stops, const Costs& costs, const Priced& priced,
+                 const TourRequest& request, const TourObserver& observer, TourResult& tour) {
+  const int n = stops.size();
+  if (!priced.empty()) tour.priced = std::int64_t{n} * (n - 1) / 2;
+  Orders found = orders_and_bound(costs, costs, stops, request, priced.scale(), observer, tour);
+  if (found.orders.empty()) return false;
+  bool proven = found.optimal && !priced.empty() && !by_ants(request);
+  if (proven && is_routed(request)) {  // not by whole numbers
+    Poller poller(request.stop);
+    auto exact = exact_routes(stops.routes, n, priced.lengths(), poller);
+    proven = exact.has_value();
+    if (exact) found.orders = std::move(*exact);
+  } else if (proven) {
+    found.orders = {tour::subset_order(n, priced.lengths(), stops.ends, stops.given)};
+  }
+  tour.status = status_after(found.cause, request.stop);
+  set_orders(request, stops, found, tour);
+  tour.lower_bound = static_cast<double>(found.bound) / priced.scale();
+  return proven;
+}
+
+// Once the legs are planned.
+void conclude(bool proven, TourResult& tour) {
+  if (tour.order.empty()) return;
+  sum_up(tour);
+  if (proven)
+    tour.lower_bound = tour.length;
+  else if (*tour.lower_bound > 0 || tour.length == 0)
+    tour.lower_bound = std::min(tour.length, *tour.lower_bound);
+  else
+    tour.lower_bound.reset();
+  settle_optimal(tour);
+}
 
 }  // namespace
 
@@ -46,41 +115,48 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   }
 
   tour::MapPricer pricer(planner, places, request.stop);
-  std::vector<Cost> matrix;
-  std::vector<double> exact_lengths;
+  Priced priced;
   const bool ants = by_ants(request);
   if (tour::priced_at_once(planner, n) || (is_routed(request) && n <= kRoutedAtOnce) ||
       (ants && n <= tour::kMostForAnts)) {
-    if (const auto lengths = planner.distances(places, places, request.threads, request.stop)) {
-      for (const double length : *lengths) matrix.push_back(tour::grains(length));
-      if (!ants && (n <= tour::kMostBySubsets || is_routed(request))) exact_lengths = *lengths;
-      tour.priced = std::int64_t{n} * (n - 1) / 2;
-    }
+    if (auto lengths = planner.distances(places, places, request.threads, request.stop))
+      priced = Priced(std::move(*lengths), tour::kGrains);
   }
-  const Costs costs = matrix.empty() ? Costs(n, pricer) : Costs(n, matrix.data());
-
-  Orders found = orders_and_bound(costs, costs, stops, request, tour::kGrains, observer, tour);
-  if (matrix.empty()) tour.priced = pricer.priced();
-  if (found.orders.empty()) return tour;
-  bool proven = found.optimal && !exact_lengths.empty();
-  if (proven && is_routed(request)) {  // not by whole numbers
-    Poller poller(request.stop);
-    auto exact = exact_routes(stops.routes, n, exact_lengths, poller);
-    proven = exact.has_value();
-    if (exact) found.orders = std::move(*exact);
-  } else if (proven) {
-    found.orders = {tour::subset_order(n, exact_lengths, stops.ends, stops.given)};
-  }
-
-  tour.status = status_after(found.cause, request.stop);
-  set_orders(request, stops, found, tour);
+  if (priced.empty() && n > tour::kMostBySubsets) pricer.price_near(request.threads);
+  const Costs costs = priced.empty() ? Costs(n, pricer) : priced.costs(n);
+  const bool proven = order_stops(stops, costs, priced, request, observer, tour);
+  if (priced.empty()) tour.priced = pricer.priced();
   plan_legs(planner, stops.points, request.threads, tour);
-  sum_up(tour);
-  if (proven)
-    tour.lower_bound = tour.length;
-  else if (found.bound > 0 || tour.length == 0)
-    tour.lower_bound = std::min(tour.length, static_cast<double>(found.bound) / tour::kGrains);
-  settle_optimal(tour);
+  conclude(proven, tour);
+  return tour;
+}
+
+TourResult plan_tour(const TourWorld& world, const TourRequest& request,
+                     const TourObserver& observer) {
+  TourResult tour;
+  const std::vector<Point> points = points_of(request);
+  check(request, static_cast<int>(points.size()));
+  const TourStops stops = stops_of(places_of(world, points), request, tour);
+  const int n = stops.size();
+  if (n == 0) return tour;
+  if (n > kMostInWorld)
+    throw Error(ErrorCode::invalid_parameter,
+                number_text(n) + " stops are too many for a tour in this world",
+                "give at most " + number_text(kMostInWorld));
+  auto lengths = world.distances(stops.places, request.threads, without_deadline(request.stop));
+  if (!lengths) {
+    tour.status = Status::interrupted;
+    return tour;
+  }
+  const double scale = scale_of(*lengths);
+  const Priced priced(std::move(*lengths), scale);
+  const bool proven = order_stops(stops, priced.costs(n), priced, request, observer, tour);
+  parallel_for(static_cast<int>(tour.legs.size()), thread_count(request.threads), [&](int i, int) {
+    TourLeg& leg = tour.legs[i];
+    leg.path = world.leg(points[leg.from], points[leg.to]);
+    leg.length = path_length(leg.path);
+  });
+  conclude(proven, tour);
   return tour;
 }
 

@@ -22,7 +22,7 @@ using tour::PartialOrder;
 
 namespace {
 
-constexpr int kBoundRounds = 10;
+constexpr int kBoundRounds = 40;
 constexpr double kGivenOrderShare = 0.8;  // of the time to a deadline
 
 std::vector<Before> relation_of(const std::vector<std::vector<int>>& after) {
@@ -214,17 +214,16 @@ void check(const TourRequest& request, int n) {
   check_routes(request, n);
 }
 
-TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour) {
+TourStops stops_of(const StopPlaces& places, const TourRequest& request, TourResult& tour) {
   TourStops stops{.points = points_of(request)};
   const std::vector<Point>& points = stops.points;
-  check(request, static_cast<int>(points.size()));
-  std::vector<int> indices = visited(planner, request, points, tour);
+  std::vector<int> indices = visited(places, request, tour);
   if (indices.empty() || !tour.error.empty()) {
-    const auto clear = [&](int end) { return planner.clear_at(points[end]); };
+    const auto clear = [&](int end) { return !places.regions[end].empty(); };
     const std::vector<int> ends = ends_of(request);
     const bool apart = !tour.error.empty() && std::all_of(ends.begin(), ends.end(), clear);
     tour.status = apart ? Status::unreachable : Status::invalid;
-    if (tour.error.empty()) tour.error = "no stop is a free cell of the map";
+    if (tour.error.empty()) tour.error = "no stop is free";
     return stops;
   }
   for (const int i : indices) stops.places.push_back(points[i]);
@@ -234,6 +233,12 @@ TourStops stops_of(const Planner& planner, const TourRequest& request, TourResul
   stops.ends = {request.open, inner(request.start), inner(request.goal)};
   if (is_routed(request)) add_routes(request, stops, tour);
   return stops;
+}
+
+TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour) {
+  const std::vector<Point> points = points_of(request);
+  check(request, static_cast<int>(points.size()));
+  return stops_of(places_of(planner, points), request, tour);
 }
 
 }  // namespace lasius

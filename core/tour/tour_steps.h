@@ -10,6 +10,7 @@
 #include "core/tour/order/partial_order.h"
 #include "core/tour/order/search.h"
 #include "core/tour/routes/routes.h"
+#include "core/tour/visited.h"
 #include "lasius/tour.h"
 
 namespace lasius {
@@ -22,6 +23,12 @@ std::vector<Point> points_of(const TourRequest& request);
 constexpr double kOrderShare = 0.6;  ///< of the time to a deadline, for the order
 /// A stop condition with this share of the time to its deadline.
 StopCondition earlier(StopCondition stop, double share);
+
+/// What only the token ends.
+inline StopCondition without_deadline(StopCondition stop) {
+  stop.deadline = Clock::time_point::max();
+  return stop;
+}
 
 /// What is short enough for a target gap, where a bound is known.
 std::int64_t target_of(std::int64_t bound, double gap);
@@ -76,6 +83,7 @@ struct TourStops {
   }
 };
 /// Where there is none to visit, or an end cannot be, `tour` says why. @throws as check
+TourStops stops_of(const StopPlaces& places, const TourRequest& request, TourResult& tour);
 TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour);
 
 }  // namespace lasius

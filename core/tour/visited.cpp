@@ -16,33 +16,6 @@ std::string stop_name(const TourRequest& request, int i) {
   return pair_text(request.stops[i].x, request.stops[i].y);
 }
 
-class Regions {
- public:
-  Regions(const Planner& planner, std::span<const Point> points) : of_(points.size()) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!planner.clear_at(points[i])) continue;
-      for (const Point at : anchors_of(planner, points[i])) {
-        const auto joined = [&](Point other) { return planner.joined_at(other, at); };
-        const auto found = std::find_if(anchors_.begin(), anchors_.end(), joined);
-        const int region = static_cast<int>(found - anchors_.begin());
-        if (found == anchors_.end()) anchors_.push_back(at);
-        if (!holds(static_cast<int>(i), region)) of_[i].push_back(region);
-      }
-    }
-  }
-
-  int size() const noexcept { return static_cast<int>(anchors_.size()); }
-  /// None of a stop that is outside or blocked.
-  const std::vector<int>& of(int stop) const { return of_[stop]; }
-  bool holds(int stop, int region) const {
-    return std::find(of_[stop].begin(), of_[stop].end(), region) != of_[stop].end();
-  }
-
- private:
-  std::vector<Point> anchors_;
-  std::vector<std::vector<int>> of_;
-};
-
 // The stops of each task.
 std::vector<std::vector<int>> tasks_of(const TourRequest& request, int stops) {
   std::map<int, std::size_t> known;
@@ -77,17 +50,49 @@ std::vector<int> ends_of(const TourRequest& request) {
   return ends;
 }
 
-std::vector<int> visited(const Planner& planner, const TourRequest& request,
-                         std::span<const Point> points, TourResult& tour) {
-  const int n = static_cast<int>(points.size());
-  const Regions regions(planner, points);
+StopPlaces places_of(const Planner& planner, std::span<const Point> points) {
+  StopPlaces places{std::vector<std::vector<int>>(points.size()), {}};
+  const Grid& map = planner.grid();
+  std::vector<Point> regions;  // a place of each
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point p = points[i];
+    const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
+    places.outside.push_back(!inside);
+    if (!planner.clear_at(p)) continue;
+    std::vector<int>& own = places.regions[i];
+    for (const Point at : anchors_of(planner, p)) {
+      const auto joined = [&](Point other) { return planner.joined_at(other, at); };
+      const auto found = std::find_if(regions.begin(), regions.end(), joined);
+      const int region = static_cast<int>(found - regions.begin());
+      if (found == regions.end()) regions.push_back(at);
+      if (std::find(own.begin(), own.end(), region) == own.end()) own.push_back(region);
+    }
+  }
+  return places;
+}
+
+StopPlaces places_of(const TourWorld& world, std::span<const Point> points) {
+  StopPlaces places{world.regions(points), {}};
+  for (const Point p : points) places.outside.push_back(!world.inside(p));
+  return places;
+}
+
+std::vector<int> visited(const StopPlaces& places, const TourRequest& request, TourResult& tour) {
+  const int n = static_cast<int>(places.regions.size());
+  int regions = 0;
+  for (const auto& own : places.regions)
+    for (const int region : own) regions = std::max(regions, region + 1);
+  const auto holds = [&](int stop, int region) {
+    const std::vector<int>& own = places.regions[stop];
+    return std::find(own.begin(), own.end(), region) != own.end();
+  };
   const std::vector<std::vector<int>> tasks = tasks_of(request, n);
   const std::vector<int> ends = ends_of(request);
   // The region that holds most ends, of these the first robot's or the start; then most tasks.
   int chosen = -1;
   std::vector<std::int64_t> most;
-  for (int region = 0; region < regions.size(); ++region) {
-    const auto in = [&](int stop) { return regions.holds(stop, region); };
+  for (int region = 0; region < regions; ++region) {
+    const auto in = [&](int stop) { return holds(stop, region); };
     std::vector<std::int64_t> worth{std::count_if(ends.begin(), ends.end(), in)};
     if (request.robots.empty()) worth[0] = 0;
     for (const auto& end : {request.start, request.goal})
@@ -98,15 +103,12 @@ std::vector<int> visited(const Planner& planner, const TourRequest& request,
     }));
     if (chosen < 0 || worth > most) chosen = region, most = std::move(worth);
   }
-  const auto in = [&](int stop) { return chosen >= 0 && regions.holds(stop, chosen); };
+  const auto in = [&](int stop) { return chosen >= 0 && holds(stop, chosen); };
   const auto why_not = [&](int i) {
-    const Point p = points[i];
-    const Grid& map = planner.grid();
-    const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
     return "stop " + number_text(i) + " at " + stop_name(request, i) +
-           (!inside                 ? " is outside the map"
-            : regions.of(i).empty() ? " is blocked"
-                                    : " cannot be reached from the others");
+           (places.outside[i]           ? " is outside the map"
+            : places.regions[i].empty() ? " is blocked"
+                                        : " cannot be reached from the others");
   };
   for (const std::vector<int>& stops : tasks) {
     const bool done = std::any_of(stops.begin(), stops.end(), in);

@@ -8,10 +8,17 @@
 
 namespace lasius {
 
+/// Where stops are, as a world tells it.
+struct StopPlaces {
+  std::vector<std::vector<int>> regions;  ///< of each; none of one that is outside or blocked
+  std::vector<char> outside;
+};
+StopPlaces places_of(const Planner& planner, std::span<const Point> points);
+StopPlaces places_of(const TourWorld& world, std::span<const Point> points);
+
 /// The stops that a tour can visit, by their index in the request; names the others in `tour`, but
 /// for those whose task can be done elsewhere.
-std::vector<int> visited(const Planner& planner, const TourRequest& request,
-                         std::span<const Point> points, TourResult& tour);
+std::vector<int> visited(const StopPlaces& places, const TourRequest& request, TourResult& tour);
 
 /// Places of the regions that a free point is of: a point where cells meet may be of two, which no
 /// path joins there; then the centres of these cells stand for it.

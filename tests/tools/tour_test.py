@@ -147,8 +147,7 @@ class Tour(ProgramTest):
                 (self.tour("--algorithm", "as", "--set", "local_search=lk"), "local_search is \"lk\"", "two-edges"),
                 (self.tour("--goal-tolerance", "2"), "leaves out what it cannot reach"),
                 (self.tour("--seed", "1-3"), "one tour has one seed"), (self.tour("--generations", "-1"), "--generations"),
-                (self.tour("--start", "1"), "--start"), (self.tour("-o", "a.gif"), ".gif"),
-                (self.tour(map_file="a.geojson"), "tours are on bitmaps only")):
+                (self.tour("--start", "1"), "--start"), (self.tour("-o", "a.gif"), ".gif")):
             with self.subTest(words):
                 self.refused(run, 2, *words)
         self.ended(self.tour("--gap"), 0, "--gap has no effect")
@@ -241,7 +240,7 @@ class Tour(ProgramTest):
                 self.assertEqual((result["status"], result["order"], result["legs"], result["length"]),
                                  (words[0], None, None, None))
         self.write("s.tsv", "x y\n3 2\n")
-        self.ended(self.tour(stops="s.tsv", map_file="small.map"), 4, "no stop is a free cell")
+        self.ended(self.tour(stops="s.tsv", map_file="small.map"), 4, "no stop is free")
 
     def many(self):
         cells = [[7 * i % 29, (5 * i + i // 20) % 19] for i in range(70)]

@@ -33,11 +33,11 @@ constexpr std::array<Aspect, 3> kViews{Aspect{"from above", 0, 1}, Aspect{"from 
                                        Aspect{"from the side", 1, 2}};
 
 /// One view's place on the page, in metres, both axes alike.
-struct Frame {
+struct View3 {
   const Aspect& view;
   Axes axes;
 
-  Frame(const Aspect& seen, const Box& box, const Eigen::AlignedBox3d& bounds)
+  View3(const Aspect& seen, const Box& box, const Eigen::AlignedBox3d& bounds)
       : view(seen), axes{.box = box, .x = {}, .y = {}} {
     const double room = 0.53 * std::max(bounds.sizes().maxCoeff(), 0.01);
     const auto around = [&](int axis) {
@@ -51,7 +51,7 @@ struct Frame {
   double scale() const { return axes.box.width / (axes.x.high - axes.x.low); }
 };
 
-void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Colour colour,
+void draw_solid(Canvas& canvas, const View3& frame, const arm::Solid& solid, Colour colour,
                 double opacity) {
   if (solid.shape == arm::Solid::Shape::capsule) {
     const Point ends[] = {frame.at(solid.pose.translation()), frame.at(solid.pose * solid.size)};
@@ -64,7 +64,7 @@ void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Col
 }
 
 /// What moves of it.
-void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
+void draw_arm(Canvas& canvas, const View3& frame, const arm::Robot& robot,
               const arm::JointVector& q, Colour colour, double opacity) {
   for (const arm::Link& link : arm::place_links(robot, q)) {
     if (link.body == 0) continue;
@@ -73,7 +73,7 @@ void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
 }
 
 /// A line through the joints and the tip.
-void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
+void draw_bones(Canvas& canvas, const View3& frame, const arm::Robot& robot,
                 const arm::JointVector& q, Colour colour) {
   std::vector<Point> bones;
   const auto bodies = body_poses(robot, q);
@@ -108,7 +108,7 @@ bool in_lattice(const ArmAnswer& answer) { return !answer.plan.direct && !answer
 
 void draw_view(Canvas& canvas, const Box& box, const Aspect& view,
                const Eigen::AlignedBox3d& bounds, const ArmAnswer& answer) {
-  const Frame frame(view, box, bounds);
+  const View3 frame(view, box, bounds);
   static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
   draw_axes(canvas, frame.axes, kNames[view.across], kNames[view.up], true);
   canvas.clip(box);

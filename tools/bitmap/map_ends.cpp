@@ -201,7 +201,8 @@ End recorded_end(const Json& result, const Json& in_cells, const Json& told,
 }
 
 bool in_metres(const Json& result) {
-  return recorded<std::string>(result, "parameters/frame") == kFrames[1];
+  return value_at(result, "parameters").contains("frame") &&  // a polygon world has none
+         recorded<std::string>(result, "parameters/frame") == kFrames[1];
 }
 /// The key of what a place was given as.
 std::string as_given(const Json& result, const std::string& key) {

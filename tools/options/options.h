@@ -162,11 +162,24 @@ struct TourStops {
   std::vector<std::string> groups = {};  ///< of which one stop is visited; empty text: none
 };
 
+/// A polygon world, and what the command line says in place of what it holds.
+struct WorldOptions {
+  static constexpr double kMostMargin = 1e12;  ///< as polygon::GrowOptions has it
+  std::string file;
+  bool repair = false;
+  std::optional<double> margin;
+  int join = 1;      ///< index in kJoins
+  int boundary = 0;  ///< index in kBoundaries
+  friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
+};
+
 struct TourCommand {
   static constexpr int kMostGenerations = 1'000'000;
   static constexpr int kMostLoad = 1'000'000;  ///< of a stop; of the capacity
 
-  RunOptions run = {};        ///< its map may be a problem of TSPLIB; its `params` are of legs
+  /// Its map may be a problem of TSPLIB, or a polygon world; its `params` are of legs.
+  RunOptions run = {};
+  WorldOptions world = {};    ///< a polygon world's
   tour::AntParams ants = {};  ///< who finds the order
   std::string stops_file = {};
   TourStops stops = {};  ///< without a file
@@ -219,17 +232,6 @@ struct TuneCommand {
 inline constexpr std::array<std::string_view, 4> kJoins{"mitre", "round", "bevel", "chords"};
 /// What the margin does to the boundary, in the order of polygon::Boundary.
 inline constexpr std::array<std::string_view, 2> kBoundaries{"shrink", "keep"};
-
-/// A polygon world, and what the command line says in place of what it holds.
-struct WorldOptions {
-  static constexpr double kMostMargin = 1e12;  ///< as polygon::GrowOptions has it
-  std::string file;
-  bool repair = false;
-  std::optional<double> margin;
-  int join = 1;      ///< index in kJoins
-  int boundary = 0;  ///< index in kBoundaries
-  friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
-};
 
 /// `plan` and `batch` on a polygon world.
 struct PolygonCommand : SearchOptions {

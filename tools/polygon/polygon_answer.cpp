@@ -4,7 +4,9 @@
 
 #include "lasius/error.h"
 #include "tools/console/elapsed.h"
+#include "tools/console/parameters.h"
 #include "tools/console/values.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -75,6 +77,56 @@ PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& com
   const auto begin = Clock::now();
   polygon::Result result = world.planner.plan(asked, parameters, observer);
   return to_answer(parameters, asked, std::move(result), Clock::now() - begin);
+}
+
+void note_world(const LoadedWorld& world, const Algorithm& algorithm, SearchOptions& options) {
+  const std::string& file = world.options.file;
+  for (const auto& note : world.planner.world().notes) options.notes.push_back(file + ": " + note);
+  if (!options.messages.verbose) return;
+  const polygon::Maklink& graph = world.planner.maklink();
+  options.notes.push_back(
+      file + ": " + counted(world.planner.world().obstacles.size(), "obstacle") + ", " +
+      counted(graph.lines.size(), "line") + ", " + counted(graph.regions.size(), "region") +
+      printed(", hash %s, read in %.1f ms, ready after %.1f ms", hash_text(world.hash).c_str(),
+              world.read_ms, world.ready_ms));
+  options.notes.push_back(algorithm_text(options, algorithm, false));
+}
+
+Json inputs_json(const LoadedWorld& world) {
+  const Point low = world.low(), high = world.high();
+  return {{"map",
+           {{"file", world.options.file},
+            {"hash", hash_text(world.hash)},
+            {"width", number(high.x - low.x)},
+            {"height", number(high.y - low.y)}}}};
+}
+
+Json parameters_of(const LoadedWorld& world, const SearchOptions& options,
+                   const Algorithm& algorithm) {
+  Json json = parameters_json(algorithm, options);
+  add_limits(json, options);
+  json["margin"] = number(world.planner.margin());
+  const WorldOptions& made = world.options;
+  json["join"] = kJoins[made.join];
+  json["boundary"] = kBoundaries[made.boundary];
+  json["repair"] = made.repair;
+  if (options.goal_tolerance > 0) json["goal_tolerance"] = number(options.goal_tolerance);
+  return json;
+}
+
+WorldOptions recorded_world(const Recorded& from) {
+  const Json& result = from.result;
+  WorldOptions world;
+  world.file = from.map_file();
+  world.repair = recorded<bool>(result, "parameters/repair");
+  world.margin = recorded<double>(result, "parameters/margin");
+  const auto choice = [&](const char* name, std::span<const std::string_view> names) {
+    const auto key = std::string("parameters/") + name;
+    return static_cast<int>(choice_value(name, recorded<std::string>(result, key), names));
+  };
+  world.join = choice("join", kJoins);
+  world.boundary = choice("boundary", kBoundaries);
+  return world;
 }
 
 }  // namespace lasius::tool

@@ -8,6 +8,7 @@
 
 #include "lasius/polygon_plan.h"
 #include "tools/options/options.h"
+#include "tools/record/problem.h"
 
 namespace lasius::tool {
 
@@ -26,6 +27,16 @@ struct LoadedWorld {
 
 /// @throws Error for a file that is missing or broken, or leaves no free space.
 LoadedWorld load_world(const WorldOptions& options);
+
+/// Notes what reading the world said and, with -v, what it holds.
+void note_world(const LoadedWorld& world, const Algorithm& algorithm, SearchOptions& options);
+/// What a result tells of its world: {map: {file, hash, width, height}}.
+Json inputs_json(const LoadedWorld& world);
+/// And among its parameters.
+Json parameters_of(const LoadedWorld& world, const SearchOptions& options,
+                   const Algorithm& algorithm);
+/// The world of a result. @throws UsageError
+WorldOptions recorded_world(const Recorded& from);
 
 /// All that a plan on a polygon world was asked and found.
 struct PolygonAnswer {

@@ -11,17 +11,18 @@
 #include "tools/draw/text.h"
 
 namespace lasius::tool {
+
+Axes axes_of(const LoadedWorld& world, const Box& box) {
+  const Point low = world.low(), high = world.high();
+  return {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
+}
+
 namespace {
 
 constexpr Colour kSolid{0.36, 0.39, 0.44};
 constexpr Colour kLine{0.26, 0.57, 0.78};
 constexpr Colour kMidpoint{0.03, 0.19, 0.42};
 constexpr Colour kDijkstra{0.55, 0.3, 0.65};
-
-Axes axes_of(const LoadedWorld& world, const Box& box) {
-  const Point low = world.low(), high = world.high();
-  return {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
-}
 
 /// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one; the
 /// axes around it.
@@ -70,12 +71,9 @@ std::string path_caption(const PolygonAnswer& answer) {
   return text;
 }
 
-void draw_ends(Canvas& canvas, const Axes& axes, Point start, Point goal) {
-  canvas.diamond(axes.at(goal.x, goal.y), 11, kGoal);
-  canvas.ring(axes.at(start.x, start.y), 8, kStart);
-}
+}  // namespace
 
-Page page_of(const LoadedWorld& world, std::string title) {
+Page world_page(const LoadedWorld& world, std::string title) {
   const Point low = world.low(), high = world.high();
   const double margin = world.planner.margin();
   const std::string near = "nearer than " + fixed(margin, 2) + " to that, or outside";
@@ -87,7 +85,17 @@ Page page_of(const LoadedWorld& world, std::string title) {
           .cells = false};
 }
 
-}  // namespace
+Axes draw_ground(Canvas& canvas, const Box& box, const LoadedWorld& world) {
+  const Axes axes = axes_of(world, box);
+  draw_world(canvas, axes, world, world.planner.free_space());
+  return axes;
+}
+
+void draw_ends(Canvas& canvas, const Axes& axes, std::optional<Point> start,
+               std::optional<Point> goal) {
+  if (goal) canvas.diamond(axes.at(goal->x, goal->y), 11, kGoal);
+  if (start) canvas.ring(axes.at(start->x, start->y), 8, kStart);
+}
 
 void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                            const PolygonAnswer& answer) {
@@ -102,7 +110,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                         draw(canvas, axes);
                       }});
   };
-  Page page = page_of(world, polygon_title(world, answer.parameters));
+  Page page = world_page(world, polygon_title(world, answer.parameters));
   if (result.dijkstra) {
     page.legend.push_back(dashed_key("MAKLINK line", kLine));
     page.legend.push_back({"its midpoint",
@@ -146,11 +154,10 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
 
 void write_paths_picture(const std::string& file, const LoadedWorld& world,
                          const std::vector<std::vector<Point>>& paths, const std::string& caption) {
-  Page page = page_of(world, "batch on " + file_name(world.options.file));
+  Page page = world_page(world, "batch on " + file_name(world.options.file));
   page.legend.push_back(line_key("path", kPath, 1.5));
   page.bands = {{{{{caption, [&](Canvas& canvas, const Box& box) {
-                      const Axes axes = axes_of(world, box);
-                      draw_world(canvas, axes, world, world.planner.free_space());
+                      const Axes axes = draw_ground(canvas, box, world);
                       for (const auto& path : paths)
                         draw_ends(canvas, axes, path.front(), path.back());
                       for (const auto& path : paths) canvas.polyline(axes.at(path), kPath, 1.5);

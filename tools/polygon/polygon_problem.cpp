@@ -14,7 +14,6 @@
 #include "tools/record/batch.h"
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
-#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -37,44 +36,8 @@ void check_ends(const PolygonCommand& command, const polygon::World& world) {
 
 using SharedWorld = std::shared_ptr<const LoadedWorld>;
 
-/// What reading the world said and, with -v, what it holds.
-void note_world(const LoadedWorld& world, const Algorithm& algorithm, SearchOptions& options) {
-  const std::string& file = world.options.file;
-  for (const auto& note : world.planner.world().notes) options.notes.push_back(file + ": " + note);
-  if (!options.messages.verbose) return;
-  const polygon::Maklink& graph = world.planner.maklink();
-  options.notes.push_back(
-      file + ": " + counted(world.planner.world().obstacles.size(), "obstacle") + ", " +
-      counted(graph.lines.size(), "line") + ", " + counted(graph.regions.size(), "region") +
-      printed(", hash %s, read in %.1f ms, ready after %.1f ms", hash_text(world.hash).c_str(),
-              world.read_ms, world.ready_ms));
-  options.notes.push_back(algorithm_text(options, algorithm, false));
-}
-
 std::int64_t iterations_in(const polygon::Params& params) {
   return std::int64_t{iterations_of(params)} * params.routes;
-}
-
-Json inputs_json(const LoadedWorld& world) {
-  const Point low = world.low(), high = world.high();
-  return {{"map",
-           {{"file", world.options.file},
-            {"hash", hash_text(world.hash)},
-            {"width", number(high.x - low.x)},
-            {"height", number(high.y - low.y)}}}};
-}
-
-Json parameters_of(const LoadedWorld& world, const SearchOptions& options,
-                   const Algorithm& algorithm) {
-  Json json = parameters_json(algorithm, options);
-  add_limits(json, options);
-  json["margin"] = number(world.planner.margin());
-  const WorldOptions& made = world.options;
-  json["join"] = kJoins[made.join];
-  json["boundary"] = kBoundaries[made.boundary];
-  json["repair"] = made.repair;
-  if (options.goal_tolerance > 0) json["goal_tolerance"] = number(options.goal_tolerance);
-  return json;
 }
 
 /// What the graph gave: sizes, the lines crossed, and the optima that bound the path.
@@ -167,22 +130,6 @@ class PolygonProblem : public Problem {
   std::optional<PolygonFrames> frames_;
   PolygonAnswer answer_;
 };
-
-/// The world of a result.
-WorldOptions recorded_world(const Recorded& from) {
-  const Json& result = from.result;
-  WorldOptions world;
-  world.file = from.map_file();
-  world.repair = recorded<bool>(result, "parameters/repair");
-  world.margin = recorded<double>(result, "parameters/margin");
-  const auto choice = [&](const char* name, std::span<const std::string_view> names) {
-    const auto key = std::string("parameters/") + name;
-    return static_cast<int>(choice_value(name, recorded<std::string>(result, key), names));
-  };
-  world.join = choice("join", kJoins);
-  world.boundary = choice("boundary", kBoundaries);
-  return world;
-}
 
 /// The command's queries: a file's, or its own one.
 std::vector<QueryFile::Line> queries_of(const PolygonCommand& command,

@@ -11,7 +11,7 @@
 #include "tools/record/problem.h"
 #include "tools/record/recorded.h"
 #include "tools/tour/cover_problem.h"
-#include "tools/tour/tsplib_problem.h"
+#include "tools/tour/tour_problem.h"
 
 namespace lasius::tool {
 namespace {
@@ -28,7 +28,8 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   RunOptions asked;
   read_recorded(from, algorithm, asked);
   const bool tsplib = is_tsplib(recorded<std::string>(result, "map/file"));
-  if (tsplib) {
+  const bool polygons = is_polygon_file(recorded<std::string>(result, "map/file"));
+  if (tsplib || polygons) {
     command.run = asked;
     command.run.map.file = from.map_file();
   } else {
@@ -37,6 +38,9 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   }
   choose_ants(command);
   if (tsplib) return tsplib_problem(std::move(command));
+#ifdef LASIUS_WITH_POLYGON
+  if (polygons) read_recorded_world(from, command);
+#endif
   for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
     if (!value_at(result, key).is_null()) *end = recorded_end(result, key);
   if (result.contains("cover")) {
@@ -69,7 +73,7 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
 const ProblemKind& tour_kind() {
   static const ProblemKind kKind{
       .key = "tour_algorithms",
-      .title = "Stops, by `lasius tour MAP` and `lasius tour PROBLEM.tsp`",
+      .title = "Stops, by `lasius tour MAP`, `WORLD.geojson` or `PROBLEM.tsp`",
       .plans = "over stops",
       .advice = "; ask it with lasius tour",
       .commands = {"tour"},

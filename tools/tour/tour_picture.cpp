@@ -17,31 +17,32 @@ constexpr Colour kLeftOut{0.45, 0.47, 0.5};
 constexpr std::size_t kMostNumbered = 150;
 constexpr std::size_t kMostKeys = 8;  // of robots
 
-std::string caption(const Sheet& sheet, const TourAnswer& answer) {
+std::string caption(const TourGround& ground, const TourAnswer& answer) {
   const TourResult& tour = answer.tour;
   if (tour.order.empty()) return no_path_text(tour.status);
   std::string text =
       (tour.tours.empty() ? "tour of "
                           : counted(static_cast<std::int64_t>(tour.tours.size()), "robot") + ", ") +
       counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", length " +
-      sheet.length(tour.length);
+      ground.length(tour.length);
   if (tour.optimal)
     text += ", proven shortest";
   else if (tour.lower_bound)
-    text += against(tour.length, *tour.lower_bound, "lower bound", sheet.length(*tour.lower_bound));
+    text +=
+        against(tour.length, *tour.lower_bound, "lower bound", ground.length(*tour.lower_bound));
   if (!tour.left_out.empty())
     text += "; " + counted(static_cast<std::int64_t>(tour.left_out.size()), "stop") + " left out";
   return text;
 }
 
-void draw_stops(Canvas& canvas, const Box& box, const Sheet& sheet, const TourAnswer& answer) {
-  const Axes axes = sheet.axes(box);
+void draw_stops(Canvas& canvas, const Axes& axes, const TourGround& ground,
+                const TourAnswer& answer) {
   const auto at = [&](int stop) {
     const Point p = answer.stops[static_cast<std::size_t>(stop)].at();
     return axes.at(p.x, p.y);
   };
   for (const LeftOut& out : answer.tour.left_out)
-    if (sheet.grid.contains(answer.stops[static_cast<std::size_t>(out.stop)].cell))
+    if (ground.shows(answer.stops[static_cast<std::size_t>(out.stop)]))
       canvas.disc(at(out.stop), 4, kLeftOut);
   for (const int stop : answer.tour.order) canvas.disc(at(stop), 4, kStop);
   if (answer.tour.order.size() > kMostNumbered) return;
@@ -58,10 +59,10 @@ void draw_stops(Canvas& canvas, const Box& box, const Sheet& sheet, const TourAn
 // That of the first robot is the colour of all paths.
 Colour colour_of(std::size_t robot) { return robot == 0 ? kPath : palette(robot); }
 
-void draw_legs(Canvas& canvas, const Box& box, const Sheet& sheet, const TourResult& tour) {
+void draw_legs(Canvas& canvas, const Box& box, const TourGround& ground, const TourResult& tour) {
   const auto draw = [&](int first, int count, Colour colour) {
     for (int i = first; i < first + count; ++i)
-      draw_path(canvas, box, sheet, tour.legs[static_cast<std::size_t>(i)].path, 2.5, 1, colour);
+      ground.path(canvas, box, tour.legs[static_cast<std::size_t>(i)].path, colour);
   };
   if (tour.tours.empty()) return draw(0, static_cast<int>(tour.legs.size()), kPath);
   for (std::size_t r = 0; r < tour.tours.size(); ++r)
@@ -70,23 +71,15 @@ void draw_legs(Canvas& canvas, const Box& box, const Sheet& sheet, const TourRes
 
 }  // namespace
 
-void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
+void write_tour_picture(const std::string& file, Page page, const TourGround& ground,
                         const TourAnswer& answer) {
-  std::vector<Cell> cells;
-  for (const Place& stop : answer.stops) cells.push_back(stop.cell);
-  const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, cells)};
-  const auto marked = [&](const std::optional<int>& end) {
-    return end ? cells[static_cast<std::size_t>(*end)] : Cell{-1, -1};
-  };
   const auto draw = [&](Canvas& canvas, const Box& box) {
-    paint_map(canvas, box, sheet, free_ground);
-    draw_legs(canvas, box, sheet, answer.tour);
-    draw_marks(canvas, box, sheet, marked(answer.start), marked(answer.goal), false);
-    for (const int robot : answer.robots)
-      draw_marks(canvas, box, sheet, marked(robot), marked({}), false);
-    draw_stops(canvas, box, sheet, answer);
+    const Axes axes = ground.paint(canvas, box);
+    draw_legs(canvas, box, ground, answer.tour);
+    ground.marks(canvas, box, answer.start, answer.goal);
+    for (const int robot : answer.robots) ground.marks(canvas, box, robot, {});
+    draw_stops(canvas, axes, ground, answer);
   };
-  Page page = sheet.page("tour, " + map_title(answer.map, run, algorithm));
   if (!answer.goal) page.legend.erase(page.legend.begin() + 1);
   if (!answer.start && answer.robots.empty()) page.legend.erase(page.legend.begin());
   if (!answer.tour.order.empty()) {
@@ -98,8 +91,34 @@ void write_tour_picture(const std::string& file, std::string_view algorithm, con
     page.legend.push_back(disc_key(numbered ? "stop, by its place in the tour" : "stop", kStop));
   }
   if (!answer.tour.left_out.empty()) page.legend.push_back(disc_key("stop left out", kLeftOut));
-  page.bands = {{{{{caption(sheet, answer), draw}}}}};
+  page.bands = {{{{{caption(ground, answer), draw}}}}};
   write_page(file, page);
+}
+
+void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
+                        const TourAnswer& answer) {
+  std::vector<Cell> cells;
+  for (const Place& stop : answer.stops) cells.push_back(stop.cell);
+  const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, cells)};
+  const auto marked = [&](const std::optional<int>& end) {
+    return end ? cells[static_cast<std::size_t>(*end)] : Cell{-1, -1};
+  };
+  const TourGround ground{
+      .paint =
+          [&](Canvas& canvas, const Box& box) {
+            paint_map(canvas, box, sheet, free_ground);
+            return sheet.axes(box);
+          },
+      .path = [&](Canvas& canvas, const Box& box, const std::vector<Point>& path,
+                  Colour colour) { draw_path(canvas, box, sheet, path, 2.5, 1, colour); },
+      .marks =
+          [&](Canvas& canvas, const Box& box, std::optional<int> start, std::optional<int> goal) {
+            draw_marks(canvas, box, sheet, marked(start), marked(goal), false);
+          },
+      .length = [&](double length) { return sheet.length(length); },
+      .shows = [&](const Place& place) { return sheet.grid.contains(place.cell); }};
+  write_tour_picture(file, sheet.page("tour, " + map_title(answer.map, run, algorithm)), ground,
+                     answer);
 }
 
 }  // namespace lasius::tool

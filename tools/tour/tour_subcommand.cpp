@@ -44,6 +44,21 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
                      ": pictures, poses and pages are of tours on maps; give .json or .csv");
 }
 
+/// @throws UsageError where an option of bitmaps is given with a polygon world.
+void check_polygons(const OptionTable& table, const RunOptions& run) {
+  refuse_radius(table);
+  for (const char* option : {"--cover", "--frame", "--unknown-free", "--prepare", "--prepared",
+                             "--corners", "--cost", "--inflation", "--spacing"})
+    if (table.given(option))
+      throw UsageError(std::string(option) + " is for bitmaps, and " + run.map.file +
+                       " is a polygon world; leave it out");
+  const auto other = std::ranges::find_if(
+      run.outputs, [](const auto& file) { return is_yaml(file) || is_page(file); });
+  if (other != run.outputs.end())
+    throw UsageError("-o " + *other +
+                     ": poses and pages are of tours on bitmaps; give .json, .csv, .svg or .png");
+}
+
 /// @throws UsageError for what does not go with the number of robots.
 void check_robots(const OptionTable& table, const TourCommand& tour) {
   if (tour.robots.size() < 2) {
@@ -119,9 +134,10 @@ Subcommand add_tour(CLI::App& app) {
                 "Generations of tours that recombine, above 12 stops (default 20)", "N");
   table
       .file("MAP", text->run.map.file,
-            "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; or a problem of TSPLIB, .tsp or .sop",
+            "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; a polygon world; or a problem of TSPLIB, "
+            ".tsp or .sop",
             [] {
-              auto endings = map_endings(false);
+              auto endings = map_endings(true);
               endings.emplace_back(".tsp");
               endings.emplace_back(".sop");
               return endings;
@@ -135,6 +151,7 @@ Subcommand add_tour(CLI::App& app) {
                    .outputs = kTourOutputs,
                    .endings = kTourEndings});
   add_cost_options(table, text->run.map.costs);
+  add_world_options(table, text->world);
   table["--gap"]->description("No effect: a tour always tells its certified gap");
   table["--goal-tolerance"]->group(kRefused);
   return table.command(
@@ -164,8 +181,11 @@ Subcommand add_tour(CLI::App& app) {
         TourCommand& tour = *text;
         RunOptions& run = tour.run;
         run.called = call.line;
-        if (is_polygon_file(run.map.file))
-          throw UsageError(run.map.file + ": tours are on bitmaps only");
+        const bool polygons = is_polygon_file(run.map.file);
+        if (polygons)
+          check_polygons(table, run);
+        else
+          refuse_world_options(table);
         if (table.given("--goal-tolerance"))
           throw UsageError(
               "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
@@ -202,9 +222,10 @@ Subcommand add_tour(CLI::App& app) {
           run.map.prepare = false;
           run.notes.emplace_back("--prepare has no effect over costs");
         }
+        const Frame frame = polygons ? Frame::world : run.frame;  // any numbers
         for (const std::string& start : text->starts)
-          tour.robots.push_back(point_value("--start", start, run.frame));
-        if (!text->goal_text.empty()) tour.goal = point_value("--goal", text->goal_text, run.frame);
+          tour.robots.push_back(point_value("--start", start, frame));
+        if (!text->goal_text.empty()) tour.goal = point_value("--goal", text->goal_text, frame);
         check_robots(table, tour);
         if (tour.robots.size() == 1) tour.start = std::exchange(tour.robots, {}).front();
         return run_command(tour);

@@ -145,9 +145,8 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   }
   found.status = Status::interrupted;
   const tour::ToolLines lines(unprepared.grid(), unprepared.robot().radius);
-  StopCondition token = request.stop;
-  token.deadline = Clock::time_point::max();
-  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start, token);
+  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start,
+                                        without_deadline(request.stop));
   if (!ground) return result;
   result.resolution = ground->spacing();
   if (ground->free_samples() > 0)

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/tour/cover/sweep_cells.h"
+#include "core/tour/tour_steps.h"
 
 namespace lasius::tour {
 
@@ -147,8 +148,7 @@ std::vector<Swath> SwathMaker::anywhere(const Heading& heading, Poller& poller) 
 
 std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
                                           const StopCondition& stop, bool must) const {
-  StopCondition token = stop;
-  token.deadline = Clock::time_point::max();
+  const StopCondition token = without_deadline(stop);
   const StopCondition& laying = must ? token : stop;
   Poller lays(laying), fills(stop);
   const auto stopped = [&] { return laying.poll() != StopCondition::Cause::none; };
@@ -235,8 +235,7 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
 // looked at, but for the first. Swaths that are joined are looked at once.
 void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads,
                             const StopCondition& stop) const {
-  StopCondition token = stop;
-  token.deadline = Clock::time_point::max();
+  const StopCondition token = without_deadline(stop);
   const std::vector<int> first = joined_swaths(swaths);
   std::vector<char> apart(swaths.size(), 0);
   parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/tour/order/blossoms.h"
 #include "core/tour/order/one_more.h"
 
 namespace lasius::tour {
@@ -18,11 +19,21 @@ constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
 constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
 constexpr int kBoundCandidates = 10;
 constexpr int kMostTurns = 300;
-// Trees without gain before steps are halved: so many stops in all, within limits; half as many in
-// later rounds. In corridors a bound is lost where steps become short too soon.
+// Trees without gain before steps are halved: so many stops in all, within limits, or a share.
 constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
-constexpr Sum kGapNotWorth = 100'000;  // of the tour: a gap that no round is worth
-constexpr Sum kLeastGain = 20;         // a round that closes less of the gap is the last
+struct Pace {
+  int share;
+  double first, last;  // steps
+};
+// In corridors a bound is lost where steps become short too soon: where the quick pace leaves a
+// wide gap the slow one follows. With blossoms small steps do.
+constexpr Pace kQuick{4, 2, 1e-3}, kSlow{1, 2, 1e-3}, kSmall{8, 0.3, 0.02};
+constexpr Sum kWide = 60;  // of the tour
+constexpr Sum kLeastGain =
+    50;  // a round with small steps that closes less of the gap is a poor one
+constexpr int kMostPoor = 6;
+constexpr Sum kGapNotWorth = 100'000;                // of the tour: a gap that no round is worth
+constexpr double kNewShare = 0.02, kNoShare = 0.01;  // of a tree, in the mean of all; of a leg
 
 class Ascent {
  public:
@@ -43,10 +54,14 @@ class Ascent {
   // The greatest valid bound, scaled; 0 if stopped before there was one.
   Sum run(Sum upper, int rounds) {
     Sum bound = 0;
+    int poor = 0;
+    Pace pace = rounds > 1 ? kQuick : kSlow;
     for (int round = 0; round < rounds && !poller_.stopped(); ++round) {
       const Sum earlier = bound;
-      ascend(upper * kScale, round);
+      number_legs();
+      ascend(upper * kScale, pace);
       price_ = best_;
+      for (Cut& cut : cuts_) set_price(cut, cut.best);
       std::vector<std::pair<int, int>> more;
       bound = std::max(bound, dense_tree(more));
       // Where legs wind, the prices of the ascent belie bounds that are straight: the legs of the
@@ -62,8 +77,14 @@ class Ascent {
       }
       if ((bound + kScale - 1) / kScale >= upper) break;
       if (upper * kScale - bound <= upper * kScale / kGapNotWorth) break;
-      if (more.empty() && (upper * kScale - bound) / kLeastGain > bound - earlier) break;
-      candidates_.add(costs_, more);
+      const Sum gap = upper * kScale - bound;
+      poor = pace.share == kSmall.share && gap / kLeastGain > bound - earlier ? poor + 1 : 0;
+      const bool slow = pace.share == kQuick.share && gap > upper * kScale / kWide;
+      pace = slow ? kSlow : kSmall;
+      if (slow) std::fill(price_.begin(), price_.end(), 0);
+      const bool cut = !slow && separate();
+      if (poor == kMostPoor || (more.empty() && !cut && !slow && cuts_.empty())) break;
+      if (!more.empty()) candidates_.add(costs_, more);
     }
     return bound;
   }
@@ -72,9 +93,87 @@ class Ascent {
   struct Waiting {
     Sum key;
     int to, from;
+    std::size_t leg;
     bool operator<(const Waiting& o) const { return key != o.key ? key > o.key : to > o.to; }
   };
+  // A blossom with its price, which its legs cost more.
+  struct Cut {
+    Blossom blossom;
+    Sum price = 0, best = 0;
+    std::vector<std::size_t> legs = {};  // candidates, both directions
+    Sum taken = 0;                       // of the tree
+  };
   Sum priced(Sum cost, int a, int b) const { return cost * kScale + price_[a] + price_[b]; }
+  std::size_t index(const Candidates::Leg& leg) const { return &leg - candidates_.of(0).data(); }
+
+  // Which legs are the same in the other direction, and which each blossom has.
+  void number_legs() {
+    const int n = costs_.size();
+    const auto last = candidates_.of(n - 1);
+    const std::size_t count = last.data() + last.size() - candidates_.of(0).data();
+    back_.assign(count, 0);
+    share_.assign(count, 0);
+    extra_.assign(count, 0);
+    shares_ = 0;
+    for (int v = 0; v < n; ++v)
+      for (const auto& leg : candidates_.of(v))
+        for (const auto& other : candidates_.of(leg.to))
+          if (other.to == v) back_[index(leg)] = index(other);
+    of_leg_.assign(count, {});
+    std::vector<char> in(n, 0);
+    for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      Cut& cut = cuts_[c];
+      cut.legs.clear();
+      for (const int v : cut.blossom.handle) in[v] = 1;
+      for (const int v : cut.blossom.handle)
+        for (const auto& leg : candidates_.of(v))
+          if (in[leg.to]) cut.legs.push_back(index(leg));
+      for (const int v : cut.blossom.handle) in[v] = 0;
+      for (const auto& [a, b] : cut.blossom.teeth)
+        for (const auto& leg : candidates_.of(a))
+          if (leg.to == b) cut.legs.push_back(index(leg)), cut.legs.push_back(back_[index(leg)]);
+      for (const std::size_t leg : cut.legs) {
+        of_leg_[leg].push_back(static_cast<int>(c));
+        extra_[leg] += cut.price;
+      }
+    }
+  }
+
+  void set_price(Cut& cut, Sum price) {
+    for (const std::size_t leg : cut.legs) extra_[leg] += price - cut.price;
+    cut.price = price;
+  }
+
+  // What the tree takes: of each blossom, and of each leg on average.
+  void count_legs() {
+    shares_ = shares_ * (1 - kNewShare) + kNewShare;
+    weight_ /= 1 - kNewShare;
+    for (Cut& cut : cuts_) cut.taken = 0;
+    for (const std::size_t leg : tree_) {
+      share_[std::min(leg, back_[leg])] += weight_;
+      for (const int c : of_leg_[leg]) ++cuts_[c].taken;
+    }
+    if (weight_ < 1e100) return;
+    for (double& share : share_) share /= weight_;
+    weight_ = 1;
+  }
+
+  // Drops blossoms that cost nothing, and finds others; false where there are none.
+  bool separate() {
+    std::erase_if(cuts_, [](const Cut& cut) { return cut.price == 0; });
+    std::vector<SharedLeg> legs;
+    for (int v = 0; v < costs_.size(); ++v)
+      for (const auto& leg : candidates_.of(v)) {
+        const double share = std::min(1.0, share_[index(leg)] * kNewShare / weight_ / shares_);
+        if (share > kNoShare) legs.push_back({v, leg.to, share});
+      }
+    const std::size_t before = cuts_.size();
+    for (Blossom& blossom : blossoms_of(costs_.size(), legs))
+      if (std::none_of(cuts_.begin(), cuts_.end(),
+                       [&](const Cut& cut) { return cut.blossom == blossom; }))
+        cuts_.push_back({std::move(blossom)});
+    return cuts_.size() > before;
+  }
 
   // The 1-tree over the candidates: a spanning tree, and the second leg of the leaf that has the
   // dearest one. Its scaled value; kFar where the candidates do not join all.
@@ -88,7 +187,8 @@ class Ascent {
                                                              std::move(heap_));
     Sum value = 0;
     int count = 0;
-    queue.push({0, 0, -1});
+    queue.push({0, 0, -1, 0});
+    tree_.clear();
     while (!queue.empty() && count < n) {
       const Waiting now = queue.top();
       queue.pop();
@@ -98,68 +198,94 @@ class Ascent {
       parent_[now.to] = now.from;
       if (now.from >= 0) {
         value += now.key;
+        tree_.push_back(now.leg);
         ++degree_[now.to];
         ++degree_[now.from];
       }
       for (const auto& leg : candidates_.of(now.to)) {
-        const Sum key = priced(leg.cost, now.to, leg.to);
-        if (in[leg.to] || key >= key_[leg.to]) continue;
+        if (in[leg.to]) continue;
+        const std::size_t at = index(leg);
+        const Sum key = priced(leg.cost, now.to, leg.to) + extra_[at];
+        if (key >= key_[leg.to]) continue;
         key_[leg.to] = key;
-        queue.push({key, leg.to, now.to});
+        queue.push({key, leg.to, now.to, at});
       }
     }
     heap_.clear();
     if (count < n) return kFar;
     Sum second = -kFar;
     int leaf = -1, leaf_to = -1;
+    std::size_t leaf_leg = 0;
     for (int v = 0; v < n; ++v) {
       if (degree_[v] != 1) continue;
       Sum least = kFar;
-      int to = -1;
+      const Candidates::Leg* by = nullptr;
       for (const auto& leg : candidates_.of(v)) {
         if (parent_[v] == leg.to || parent_[leg.to] == v) continue;
-        const Sum key = priced(leg.cost, v, leg.to);
-        if (key < least) least = key, to = leg.to;
+        const Sum key = priced(leg.cost, v, leg.to) + extra_[index(leg)];
+        if (key < least) least = key, by = &leg;
       }
-      if (to >= 0 && least > second) second = least, leaf = v, leaf_to = to;
+      if (by != nullptr && least > second)
+        second = least, leaf = v, leaf_to = by->to, leaf_leg = index(*by);
     }
     if (leaf < 0) return kFar;
     ++degree_[leaf];
     ++degree_[leaf_to];
-    value += second;
-    for (const Sum price : price_) value -= 2 * price;
-    return value;
+    tree_.push_back(leaf_leg);
+    return value + second - told();
+  }
+
+  // What all prices are worth to a tour.
+  Sum told() const {
+    Sum sum = 0;
+    for (const Sum price : price_) sum += 2 * price;
+    for (const Cut& cut : cuts_) sum += cut.price * cut.blossom.most();
+    return sum;
   }
 
   // Steps of lambda (upper - value) / |g|^2 along g; lambda is halved after some without gain.
-  void ascend(Sum upper, int round) {
+  void ascend(Sum upper, const Pace& pace) {
     const int n = costs_.size();
-    const int patience = std::clamp(kIdleStops / n, kLeastIdle, kMostIdle) / (round == 0 ? 1 : 2);
+    const int patience = std::clamp(kIdleStops / n, kLeastIdle, kMostIdle) / pace.share;
     Sum greatest = -kFar;
     int idle = 0;
     best_ = price_;
-    for (double lambda = round == 0 ? 2 : 1; lambda > 1e-3;) {
+    for (Cut& cut : cuts_) cut.best = cut.price;
+    for (double lambda = pace.first; lambda > pace.last;) {
       const Sum value = sparse_tree();
       if (value >= kFar || poller_.stop_after(16 * static_cast<Sum>(n))) return;
       if (value > greatest) {
         greatest = value;
         best_ = price_;
+        for (Cut& cut : cuts_) cut.best = cut.price;
         idle = 0;
       } else if (++idle >= patience) {
         idle = 0;
         lambda /= 2;
         price_ = best_;
+        for (Cut& cut : cuts_) set_price(cut, cut.best);
       }
+      count_legs();
       double squares = 0;
       for (int v = 0; v < n; ++v) {
         const int g = degree_[v] - 2;
         squares += g * g;
+      }
+      for (const Cut& cut : cuts_) {
+        const Sum g = cut.taken - cut.blossom.most();
+        if (g > 0 || cut.price > 0) squares += static_cast<double>(g * g);
       }
       if (squares == 0 || value >= upper) return;
       const double step = lambda * static_cast<double>(upper - value) / squares;
       for (int v = 0; v < n; ++v) {
         const int g = degree_[v] - 2;
         price_[v] += static_cast<Sum>(step * g);
+      }
+      for (Cut& cut : cuts_) {
+        const Sum g = cut.taken - cut.blossom.most();
+        if (g != 0)
+          set_price(cut,
+                    std::max<Sum>(0, cut.price + static_cast<Sum>(step * static_cast<double>(g))));
       }
     }
   }
@@ -168,7 +294,7 @@ class Ascent {
   // `more`: its legs that are no candidates.
   Sum dense_tree(std::vector<std::pair<int, int>>& more) {
     const int n = costs_.size();
-    std::vector<Sum> key(n, kFar);
+    std::vector<Sum> key(n, kFar), more_of(n, 0);  // what cuts cost more, from one stop
     std::vector<int> from(n, -1), degree(n, 0);
     std::vector<char> in(n, 0);
     Sum value = 0;
@@ -183,11 +309,13 @@ class Ascent {
         let_in(now, from[now], more);
       }
       in[now] = 1;
+      for (const auto& leg : candidates_.of(now)) more_of[leg.to] = extra_[index(leg)];
       for (int v = 0; v < n; ++v) {
         if (in[v]) continue;
-        const Sum to = priced(costs_.lower(now, v), now, v);
+        const Sum to = priced(costs_.lower(now, v), now, v) + more_of[v];
         if (to < key[v]) key[v] = to, from[v] = now;
       }
+      for (const auto& leg : candidates_.of(now)) more_of[leg.to] = 0;
     }
     Sum second = -kFar;
     int leaf = -1, leaf_to = -1;
@@ -195,17 +323,18 @@ class Ascent {
       if (degree[v] != 1) continue;
       Sum least = kFar;
       int to = -1;
+      for (const auto& leg : candidates_.of(v)) more_of[leg.to] = extra_[index(leg)];
       for (int w = 0; w < n; ++w) {
         if (w == v || from[v] == w || from[w] == v) continue;
-        const Sum leg = priced(costs_.lower(v, w), v, w);
+        const Sum leg = priced(costs_.lower(v, w), v, w) + more_of[w];
         if (leg < least) least = leg, to = w;
       }
+      for (const auto& leg : candidates_.of(v)) more_of[leg.to] = 0;
       if (least > second) second = least, leaf = v, leaf_to = to;
     }
     let_in(leaf, leaf_to, more);
     value += second;
-    for (const Sum price : price_) value -= 2 * price;
-    return value;
+    return value - told();
   }
 
   void let_in(int a, int b, std::vector<std::pair<int, int>>& more) const {
@@ -223,6 +352,14 @@ class Ascent {
   std::vector<int> degree_;
   std::vector<char> in_;
   std::vector<Waiting> heap_;
+  std::vector<Cut> cuts_;
+  // By leg, as the candidates have them: what cuts cost more, the same leg in the other direction,
+  // and which cuts have it.
+  std::vector<Sum> extra_;
+  std::vector<std::size_t> back_, tree_;
+  std::vector<std::vector<int>> of_leg_;
+  std::vector<double> share_;  // times weight_: the mean of the trees, of the lower leg
+  double weight_ = 1, shares_ = 0;
 };
 
 }  // namespace

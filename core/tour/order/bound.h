@@ -1,4 +1,5 @@
-// What no tour can be cheaper than: the bound of Held & Karp (1970), by ascent over 1-trees.
+// What no tour can be cheaper than: the bound of Held & Karp (1970), by ascent over 1-trees, with
+// blossoms.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,10 @@ namespace lasius::tour {
 
 /// A whole number that no tour with these ends is cheaper than; `upper` is the cost of one. The
 /// ascent is over 10 candidates a stop, each tree that is asserted over all legs, at their lower
-/// bounds where they are not priced: legs that such a tree takes are let in (and priced), and the
-/// ascent goes on, at most `rounds` times, until stopped, or until the bound meets `upper`. Stopped
-/// before the first such tree, it is 0. Deterministic but for that.
+/// bounds where they are not priced: legs that such a tree takes are let in (and priced), blossoms
+/// that the mean of the last trees exceeds get prices as stops have (Lagrange's), and the ascent
+/// goes on, at most `rounds` times, until stopped, or until the bound meets `upper` or gains
+/// little. Stopped before the first such tree, it is 0. Deterministic but for that.
 std::int64_t tour_bound(const Costs& costs, const Ends& ends, std::span<const Point> places,
                         std::int64_t upper, int rounds, Poller& poller);
 

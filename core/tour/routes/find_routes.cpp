@@ -22,6 +22,16 @@ constexpr double kLog2 = 0.69314718055994531;
 constexpr int kGenerationsOfOne = 5;  // of the tour that robots share
 constexpr int kStepsOfGeneration = 2000, kStepsOfTask = 20;
 
+// The costs between some of the stops.
+struct Among final : Pricer {
+  Among(const Costs& all, const std::vector<int>& some) : costs(all), stops(some) {}
+  Cost price(int a, int b) override { return costs(stops[a], stops[b]); }
+  Cost lower(int a, int b) const override { return costs.lower(stops[a], stops[b]); }
+  Cost largest() const override { return costs.largest(); }
+  const Costs& costs;
+  const std::vector<int>& stops;
+};
+
 class RouteSearch {
  public:
   RouteSearch(const RouteProblem& problem, const Costs& costs, const RouteOptions& options)
@@ -208,12 +218,16 @@ class RouteSearch {
   // An order of these stops, by their places.
   std::vector<int> ordered(const std::vector<int>& stops, const Ends& ends, int generations) const {
     const int n = static_cast<int>(stops.size());
+    const OrderOptions options{
+        .seed = options_.seed, .generations = generations, .stop = options_.stop};
+    if (costs_.priced_late()) {  // a matrix would price all legs
+      Among among(costs_, stops);
+      return find_order({n, among}, ends, {}, options).order;
+    }
     std::vector<Cost> matrix(static_cast<std::size_t>(n) * n, 0);
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < a; ++b)
         matrix[a * n + b] = matrix[b * n + a] = costs_(stops[a], stops[b]);
-    const OrderOptions options{
-        .seed = options_.seed, .generations = generations, .stop = options_.stop};
     return find_order({n, matrix.data()}, ends, {}, options).order;
   }
 

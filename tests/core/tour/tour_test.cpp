@@ -68,6 +68,39 @@ TEST(Distances, OfAPreparedMapAreByOneSearchASource) {
   }
 }
 
+TEST(Distances, ThatArePricedNearByAreTheSame) {
+  // The last has more corners than a search for all legs is for.
+  for (const auto& [kind, side] :
+       {std::pair(MapKind::blobs, 80), {MapKind::maze, 80}, {MapKind::random, 300}}) {
+    const Planner planner = Planner(generate(kind, {.width = side, .height = side, .seed = 5}))
+                                .prepared({.threads = 1});
+    std::vector<Point> stops;
+    for (int i = 0; i < side * side && stops.size() < 170; i += (side * side / 389) | 1) {
+      const Point p = centre({i % side, i / side});
+      if (planner.clear_at(p) && (stops.empty() || planner.joined_at(stops.front(), p)))
+        stops.push_back(p);
+    }
+    const int n = static_cast<int>(stops.size());
+    ASSERT_GT(n, 60);
+    const auto all = planner.distances(stops, stops, 2);
+    ASSERT_TRUE(all);
+    tour::MapPricer one(planner, stops, {}), three(planner, stops, {});
+    one.price_near(1);
+    three.price_near(3);
+    EXPECT_EQ(one.priced(), three.priced());
+    EXPECT_EQ(one.priced() < n * (n - 1) / 2, side == 300) << n << " " << one.priced();
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b) {
+        const tour::Cost cost = tour::grains((*all)[a * n + b]);
+        EXPECT_LE(one.lower(a, b), cost + 1);
+        EXPECT_EQ(one.lower(a, b), three.lower(a, b));
+        if ((a * n + b) % 97 != 0 || a == b) continue;
+        EXPECT_NEAR(one.price(a, b), cost, 1);
+        EXPECT_EQ(three.price(b, a), one.price(a, b));
+      }
+  }
+}
+
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
   const Planner planner(rooms());
   int cases = 0;

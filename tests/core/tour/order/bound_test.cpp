@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/tour/order/blossoms.h"
+#include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
+#include "kernels/base/random_stream.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -95,6 +98,65 @@ TEST(TourBound, IsWithinAPerCentInCorridors) {
     EXPECT_LE(bound, best);
     EXPECT_GE(100 * bound, 99 * best) << "seed " << seed;
   }
+}
+
+// Two triangles of halves, joined by three whole legs: a solution of Held & Karp's bound that is no
+// tour. Either triangle is a handle with three teeth: 1.5 + 3 of its legs, where tours take 4.
+TEST(Blossoms, AreFoundWhereTrianglesAreTakenHalf) {
+  std::vector<SharedLeg> legs;
+  for (int i = 0; i < 3; ++i) {
+    legs.push_back({i, (i + 1) % 3, 0.5});
+    legs.push_back({3 + i, 3 + (i + 1) % 3, 0.5});
+    legs.push_back({i, 3 + i, 1});
+  }
+  const std::vector<Blossom> found = blossoms_of(6, legs);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].handle, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(found[0].teeth, (std::vector<std::pair<int, int>>{{0, 3}, {1, 4}, {2, 5}}));
+  EXPECT_EQ(found[0].most(), 4);
+}
+
+TEST(Blossoms, AreKeptByEveryTour) {
+  constexpr int kStops = 7;
+  kernels::RandomStream random(1, 0, 0, 1);
+  int found = 0;
+  for (int draw = 0; draw < 300; ++draw) {
+    std::vector<SharedLeg> legs;
+    for (int a = 0; a < kStops; ++a)
+      for (int b = a + 1; b < kStops; ++b)
+        if (random.below(2) == 0) legs.push_back({a, b, 0.25 * random.below(5)});
+    for (const Blossom& blossom : blossoms_of(kStops, legs)) {
+      ++found;
+      std::vector<int> tour{0, 1, 2, 3, 4, 5, 6};
+      const auto in = [&](int v) {
+        return std::count(blossom.handle.begin(), blossom.handle.end(), v) > 0;
+      };
+      do {
+        std::int64_t taken = 0;
+        for (int i = 0; i < kStops; ++i) {
+          const std::pair leg(tour[i], tour[(i + 1) % kStops]);
+          taken += in(leg.first) && in(leg.second);
+          for (const auto& tooth : blossom.teeth)
+            taken += tooth == leg || tooth == std::pair(leg.second, leg.first);
+        }
+        ASSERT_LE(taken, blossom.most());
+      } while (std::next_permutation(tour.begin() + 1, tour.end()));
+    }
+  }
+  EXPECT_GT(found, 10);
+}
+
+// What the bound of trees alone leaves of stops in the plane is mostly what blossoms close.
+TEST(TourBound, IsWithinHalfAPerCentInThePlane) {
+  const Instance stops = random_instance(150, 3, false);
+  OrderOptions options;
+  options.generations = 40;
+  const auto best = find_order(stops.costs(), {}, stops.places, options).cost;
+  const StopCondition never;
+  Poller poller(never);
+  const auto bound = tour_bound(stops.costs(), {}, stops.places, best, 40, poller);
+  EXPECT_LE(bound, best);
+  EXPECT_GE(1000 * bound, 995 * best);
 }
 
 }  // namespace
