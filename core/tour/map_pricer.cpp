@@ -117,6 +117,7 @@ void MapPricer::price_near(int threads) {
 }
 
 Cost MapPricer::lower(int a, int b) const {
+  if (a == b) return 0;
   const Cost* const cost = known(a, b);
   return cost != nullptr ? *cost : bound(a, b);
 }
