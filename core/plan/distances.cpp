@@ -8,7 +8,6 @@
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "core/params/parameter_table.h"
-#include "core/plan/batch_graph.h"
 #include "core/plan/lengths_near.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
