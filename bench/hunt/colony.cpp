@@ -23,12 +23,17 @@ Params draw_colony(HuntDraw& draw) {
   // What is drawn is there for every algorithm, so that a problem cut down draws the same.
   const int neighbours = draw.between(0, 5), corners = draw.between(0, 1);
   const int polish = draw.between(0, 3), cut = draw.between(0, 2);
+  const int islands = draw.between(1, 5), every = draw.between(1, 3);
   if (algorithm->has("neighbours") && neighbours < 2)
     params.neighbours = neighbours == 0 ? Neighbours::four : Neighbours::eight;
   if (algorithm->has("corners"))
     params.corners = corners == 0 ? Corners::forbid : Corners::one_side;
   if (algorithm->has("polish") && polish < 3) params.polish = static_cast<Polish>(polish);
   if (algorithm->has("walk_cut")) params.walk_cut = static_cast<WalkCut>(cut);
+  if (algorithm->has("islands") && islands <= params.ants && islands > 1) {
+    params.islands = islands;
+    params.exchange_every = every;
+  }
   return params;
 }
 

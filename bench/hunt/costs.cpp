@@ -51,7 +51,7 @@ HuntVerdict judge_costs(const HuntCase& problem) {
     verdict.expect(got.lower_bound.value_or(0) <= limit * (1 + 1e-9), [&] {
       return sentence(who, ": bound ", *got.lower_bound, " above a path of ", reached);
     });
-    if (request.target_gap > 0)
+    if (request.target_gap > 0 && any_angle)
       verdict.expect(got.gap().value_or(1) <= request.target_gap * (1 + 1e-9),
                      [&] { return sentence(who, ": gap ", got.gap().value_or(1)); });
   };

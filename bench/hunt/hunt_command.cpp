@@ -1,5 +1,11 @@
 // lasius_bench hunt: random problems for hours, each answer judged; goes on where it was ended.
-#include <chrono>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -23,6 +29,24 @@ struct HuntOptions {
   std::uint64_t seed = 1;
   std::string state;
 };
+
+// What is judged just now, for whoever finds the program dead.
+std::array<char, 64> at_work{};
+
+void tell_at_work(int signal) {
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, at_work.data(), at_work.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// What throws is wrong, too.
+HuntVerdict judged(const HuntKind& kind, const HuntCase& problem) {
+  try {
+    return kind.judge(problem);
+  } catch (const std::exception& error) {
+    return {.answers = 1, .fault = std::string("throws: ") + error.what()};
+  }
+}
 
 // How far a hunt has come with a kind.
 struct Bag {
@@ -98,8 +122,11 @@ class Hunt {
   void one(const HuntKind& kind) {
     Bag& bag = bags_[kind.name];
     const ThreadStopwatch watch;
-    const HuntCase problem = kind.make(problem_seed(options_.seed, bag.problems++));
-    const HuntVerdict verdict = kind.judge(problem);
+    const std::uint64_t seed = problem_seed(options_.seed, bag.problems++);
+    std::snprintf(at_work.data(), at_work.size(), "died at %s %" PRIu64 "\n", kind.name.data(),
+                  seed);
+    const HuntCase problem = kind.make(seed);
+    const HuntVerdict verdict = judged(kind, problem);
     bag.answers += verdict.answers;
     bag.seconds += watch.seconds();
     if (verdict.fault.empty()) return;
@@ -108,7 +135,7 @@ class Hunt {
               << "\nas a test of tests/bench/hunt/hunt_test.cpp:\n\n"
               << as_test(kind, reduced(problem,
                                        [&](const HuntCase& smaller) {
-                                         return !kind.judge(smaller).fault.empty();
+                                         return !judged(kind, smaller).fault.empty();
                                        }))
               << std::endl;
   }
@@ -149,6 +176,8 @@ class Hunt {
 };
 
 void run_hunt(const HuntOptions& options) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
+    std::signal(signal, tell_at_work);
   Hunt hunt(options);
   const std::int64_t wrong = hunt.run();
   hunt.print();

@@ -96,9 +96,13 @@ std::string contradiction(const PartialOrder& given, const tour::Ends& ends,
   if (ends.goal >= 0 && !given.next(ends.goal).empty())
     return stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
            " comes after it";
+  std::int64_t least = 0;  // that may be carried
+  for (int v = 0; v < static_cast<int>(named.size()); ++v) least += std::min(given.load(v), 0);
   for (int v = 0; v < static_cast<int>(named.size()); ++v)
-    if (given.load(v) > given.capacity())
-      return stop(v) + " alone exceeds the capacity of " + number_text(given.capacity());
+    if (given.load(v) > 0 && least + given.load(v) > given.capacity())
+      return stop(v) +
+             (least < 0 ? " exceeds the capacity of " : " alone exceeds the capacity of ") +
+             number_text(given.capacity()) + (least < 0 ? ", whatever comes before it" : "");
   return {};
 }
 

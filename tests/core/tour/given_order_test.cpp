@@ -80,6 +80,7 @@ TEST(Tours, TellWhyNoOrderKeepsWhatIsGiven) {
   EXPECT_EQ(why({{}, {3}, {}, {}}, {}), "stop 3 is the goal, but stop 1 comes after it");
   request.capacity = 2;
   EXPECT_EQ(why({}, {0, 3, 0, 0}), "stop 1 alone exceeds the capacity of 2");
+  EXPECT_EQ(why({}, {0, 4, -1, 0}), "stop 1 exceeds the capacity of 2, whatever comes before it");
   EXPECT_EQ(why({}, {0, 2, 2, 0}), "no order keeps the capacity of 2");
   // What is left out still parts what comes before it from what comes behind.
   request.stops[1] = {30, 0};
