@@ -12,6 +12,7 @@ namespace lasius::vehicle {
 namespace {
 
 using Offset = std::array<double, 3>;  // x, y, yaw
+constexpr std::int64_t kWork = 64;     // of a piece in a round: motions of it and beside it
 
 /// One piece of a part driven in one gear: an arc or a line, as long as it is up to the middles of
 /// the clothoids at its ends.
@@ -45,10 +46,11 @@ class Stretch {
   }
 
   /// Whether lengths and curvatures are found that lead to its end.
-  bool fit() {
+  bool fit(Poller& poller) {
     if (!make_room()) return false;
     constexpr int kRounds = 40;
     for (int round = 0; round < kRounds; ++round) {
+      if (poller.stop_after(kWork * static_cast<std::int64_t>(pieces_.size()))) return false;
       const Course whole = course(0, pieces_.size(), begin_);
       const Offset off{whole.end.x - end_.x, whole.end.y - end_.y,
                        half_turned(whole.end.yaw - end_.yaw)};
@@ -183,8 +185,8 @@ class Stretch {
 /// Parts of a path, each from rest to rest.
 class Blender {
  public:
-  Blender(const Space::Impl& space, const Vehicle& asked, std::int64_t& checked)
-      : space_(space), asked_(asked), checked_(checked) {}
+  Blender(const Space::Impl& space, const Vehicle& asked, std::int64_t& checked, Poller& poller)
+      : space_(space), asked_(asked), checked_(checked), poller_(poller) {}
 
   std::vector<Segment> run(std::span<const Segment> path) {
     halve(path);
@@ -214,7 +216,9 @@ class Blender {
 
   void halve(std::span<const Segment> path) {
     std::vector<Segment> motions;
-    if (fit(path, motions)) {
+    const bool stopped = poller_.stopped();
+    if (stopped) motions.assign(path.begin(), path.end());
+    if (stopped || fit(path, motions)) {
       parts_.push_back({path, std::move(motions)});
       return;
     }
@@ -228,7 +232,7 @@ class Blender {
       return true;
     }
     Stretch part(path, asked_);
-    if (!part.fit()) return false;
+    if (!part.fit(poller_)) return false;
     motions = part.motions();
     return space_.all_free(motions, Space::Impl::kCoarse, false, checked_);
   }
@@ -236,6 +240,7 @@ class Blender {
   const Space::Impl& space_;
   const Vehicle& asked_;
   std::int64_t& checked_;
+  Poller& poller_;
   std::vector<Told> parts_;
 };
 
@@ -247,12 +252,13 @@ Vehicle with_room(Vehicle vehicle) {
 }
 
 std::vector<Segment> blended(const Space::Impl& space, const Vehicle& asked,
-                             const std::vector<Segment>& path, std::int64_t& checked) {
+                             const std::vector<Segment>& path, std::int64_t& checked,
+                             Poller& poller) {
   std::vector<Segment> made;
   for (std::size_t i = 0; i < path.size();) {
     std::size_t next = i + 1;
     while (path[i].gear != 0 && next < path.size() && path[next].gear == path[i].gear) ++next;
-    Blender blender(space, asked, checked);
+    Blender blender(space, asked, checked, poller);
     const std::vector<Segment> part = blender.run(std::span(path).subspan(i, next - i));
     made.insert(made.end(), part.begin(), part.end());
     i = next;

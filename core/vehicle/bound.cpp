@@ -101,6 +101,11 @@ double Bound::least(const Request& request) const {
   return std::max(0.0, least);
 }
 
+std::optional<double> Bound::told(double bound, double reached, bool weighted) noexcept {
+  const double allowed = (weighted ? 1e-3 : 1e-6) * (1 + reached);
+  return bound <= reached + allowed ? std::optional(std::min(bound, reached)) : std::nullopt;
+}
+
 bool Bound::cut_off(const Request& request) const {
   const disc::DiscSpace* disc = space(request.stop);
   const Point start{request.start.x, request.start.y};

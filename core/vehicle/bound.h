@@ -26,6 +26,10 @@ class Bound {
   /// Of the length of the way to any of the goals, cells, or over weights of what Prices has it
   /// cost. There is one. Stopped: a smaller one.
   double least(const Request& request) const;
+  /// The bound as it is told of a path: at most what the path has, which it may be above by
+  /// rounding, and over weights by what the chords are beside the arcs. None where it is above by
+  /// more: then one of both is wrong.
+  static std::optional<double> told(double bound, double reached, bool weighted) noexcept;
   /// Proves that no goal can be reached. False says nothing.
   bool cut_off(const Request& request) const;
 

@@ -1,8 +1,7 @@
 #include "core/vehicle/flood.h"
 
 #include <algorithm>
-
-#include "core/base/poller.h"
+#include <cmath>
 
 namespace lasius::vehicle {
 namespace {
@@ -40,7 +39,7 @@ FreeHeadings::FreeHeadings(const Space::Impl& space, const Lattice& lattice, Pol
 }
 
 Flood::Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& prices, bool squeeze,
-             Memory& memory)
+             Memory& memory, Poller& poller)
     : free_(free),
       prices_(prices),
       clearance_(space.field().squared_half_cells),
@@ -49,7 +48,8 @@ Flood::Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& p
       width_(space.width()),
       height_(space.height()),
       buckets_(prices.weighted() ? kWeighted * kBuckets : kBuckets),
-      memory_(memory) {
+      memory_(memory),
+      poller_(poller) {
   memory_.buckets.resize(buckets_);
   memory_.distance.resize(clearance_.size(), kFar);
   for (const std::uint32_t cell : memory_.touched) memory_.distance[cell] = kFar;
@@ -68,7 +68,7 @@ Flood::Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& p
 }
 
 void Flood::add_source(int x, int y, double cells) {
-  sources_.push_back({static_cast<std::int32_t>(cells * kUnits),
+  sources_.push_back({std::floor(cells * kUnits),
                       static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width_ + x)});
   ++waiting_;
 }
@@ -82,10 +82,17 @@ void Flood::put(std::size_t cell, std::int32_t distance) {
   ++waiting_;
 }
 
-// One level.
+void Flood::begin() {
+  std::ranges::sort(sources_);
+  first_ = sources_.front().first;
+  for (auto& source : sources_) source.first = std::min<double>(source.first - first_, kLast);
+}
+
+// One level: the next one where anything is.
 void Flood::advance() {
-  if (level_ < 0) std::ranges::sort(sources_);
-  ++level_;
+  if (level_ < 0) begin();
+  const auto none_before = static_cast<std::int64_t>(sources_.size() - next_source_) == waiting_;
+  level_ = none_before ? static_cast<std::int32_t>(sources_[next_source_].first) : level_ + 1;
   for (; next_source_ < sources_.size() && sources_[next_source_].first <= level_; ++next_source_) {
     --waiting_;
     put(sources_[next_source_].second, level_);
@@ -104,7 +111,7 @@ void Flood::advance() {
       if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
       const std::size_t next = static_cast<std::size_t>(ny) * width_ + nx;
       std::int32_t length = (step & 1) != 0 ? 41 : kUnits;
-      if (level_ + length >= memory_.distance[next]) continue;
+      if (std::min(level_ + length, kLast) >= memory_.distance[next]) continue;
       if ((here & near_[step] & free_[next]) == 0) {
         if (!squeeze_ || clearance_[next] < needed_) continue;
         length *= kUnfit;
@@ -113,10 +120,11 @@ void Flood::advance() {
         const double mean = (prices_.weight(x, y) + prices_.weight(nx, ny)) / 2;
         length = static_cast<std::int32_t>(std::min(buckets_ - 1.0, length * mean));
       }
-      put(next, level_ + length);
+      put(next, std::min(level_ + length, kLast));
     }
   }
   waiting_ -= static_cast<std::int64_t>(bucket.size());
+  poller_.stop_after(1 + 8 * static_cast<std::int64_t>(bucket.size()));
   bucket.clear();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/vehicle/lattice.h"
 #include "core/vehicle/prices.h"
 #include "core/vehicle/sweep.h"
@@ -29,7 +30,7 @@ class FreeHeadings {
 /// Distances over eight neighbours, told as far as they are asked for. A step is one where the
 /// vehicle is free at both ends at a heading near the step's direction. Of a step along a row or
 /// column 29 units, along a diagonal 41: never more than its length. Over weights a step is that
-/// times the mean of both, at most kBuckets.
+/// times the mean of both, at most 16 * kBuckets.
 class Flood {
  public:
   static constexpr int kUnits = 29;
@@ -43,16 +44,18 @@ class Flood {
 
   /// @param squeeze  where only the disc in the footprint fits, a step counts fourfold; else there
   /// is none
+  /// @param poller  once it stopped, cells that are not known yet are infinitely far
   Flood(const FreeHeadings& free, const Space::Impl& space, const Prices& prices, bool squeeze,
-        Memory& memory);
-  /// A cell from which a goal is so far; before the first question.
+        Memory& memory, Poller& poller);
+  /// A cell from which a goal is so far, any number of at least 0; before the first question.
   void add_source(int x, int y, double cells);
-  /// Cells to the goals; infinite where there is no way.
+  /// Cells to the goals; infinite where there is no way. Beyond 3e7 more than the nearest source
+  /// has it is that much.
   double at(int x, int y) {
     const std::size_t cell = static_cast<std::size_t>(y) * width_ + x;
-    while (memory_.distance[cell] > level_ && waiting_ > 0) advance();
+    while (memory_.distance[cell] > level_ && waiting_ > 0 && !poller_.stopped()) advance();
     const std::int32_t distance = memory_.distance[cell];
-    return distance == kFar ? kInfinite : distance * (1.0 / kUnits);
+    return distance == kFar ? kInfinite : (first_ + distance) * (1.0 / kUnits);
   }
 
  private:
@@ -60,7 +63,9 @@ class Flood {
   static constexpr int kWeighted = 16;  ///< times as many, over weights
   static constexpr int kUnfit = 4;      ///< times the length of a step that does not fit
   static constexpr std::int32_t kFar = 1 << 30;
+  static constexpr std::int32_t kLast = kFar - 1;  ///< what is farther has this level
   static constexpr double kInfinite = 1e30;
+  void begin();
   void advance();
   void put(std::size_t cell, std::int32_t distance);
 
@@ -73,7 +78,9 @@ class Flood {
   std::int32_t buckets_;
   std::array<std::uint16_t, 8> near_{};  ///< headings for a step
   Memory& memory_;
-  std::vector<std::pair<std::int32_t, std::uint32_t>> sources_;  ///< sorted at the first question
+  Poller& poller_;
+  std::vector<std::pair<double, std::uint32_t>> sources_;  ///< units; by cell then
+  double first_ = 0;  ///< units of the least source, which has level 0: levels are of 32 bits
   std::size_t next_source_ = 0;
   std::int32_t level_ = -1;
   std::int64_t waiting_ = 0;

@@ -277,15 +277,21 @@ Result Planner::plan(const Request& asked) const {
           holds(space, impl_->asked, request, found.goal, shorter))
         result.segments = std::move(shorter);
     }
-    if (found.goal >= 0 && impl_->asked.curvature_rate > 0) {
+    if (found.goal >= 0 && impl_->asked.curvature_rate > 0 && !poller.stopped()) {
       std::vector<Segment> steady =
-          blended(space.impl(), impl_->asked, result.segments, result.checked);
+          blended(space.impl(), impl_->asked, result.segments, result.checked, poller);
       if (holds(space, impl_->asked, request, found.goal, steady))
         result.segments = std::move(steady);
     }
     if (found.goal < 0) result.segments.clear();
   }
-  if (found.goal >= 0 && request.bound) result.lower_bound = impl_->bound.least(request);
+  if (found.goal >= 0 && request.bound) {
+    const double unit = impl_->over_costs ? prices.unit() : 1;
+    const double reached =
+        impl_->over_costs ? cost(result.segments) : driven_length(result.segments);
+    result.lower_bound =
+        Bound::told(unit * impl_->bound.least(request), reached, prices.weighted());
+  }
   // What shortens the path, and its bound, may be cut short, too.
   StopCondition::Cause cause = poller.cause();
   if (cause == StopCondition::Cause::none && found.goal >= 0) cause = request.stop.poll();
@@ -298,8 +304,6 @@ Result Planner::plan(const Request& asked) const {
     result.goal = found.goal;
     result.length = driven_length(result.segments);
     result.cost = cost(result.segments);
-    if (impl_->over_costs && result.lower_bound)
-      result.lower_bound = std::min(result.cost, prices.unit() * *result.lower_bound);
     result.cusps = cusps(result.segments);
     if (impl_->asked.curvature_rate > 0) result.corners = corners(result.segments);
     return result;

@@ -72,9 +72,11 @@ EdgePrices::EdgePrices(const Prices& prices, const Vehicle& vehicle, const Latti
       const double longer = walk_cells(s, s.length, sum) * price(vehicle, s.gear);
       for (std::size_t i = begin; i < parts_.size(); ++i) parts_[i].price *= longer;
     }
-    // One entry a cell.
+    // One entry a cell, summed as it is driven.
     const auto mine = parts_.begin() + first_.back();
-    std::ranges::sort(mine, parts_.end(), {}, [](const Part& p) { return std::pair(p.dy, p.dx); });
+    std::stable_sort(mine, parts_.end(), [](const Part& a, const Part& b) {
+      return a.dy != b.dy ? a.dy < b.dy : a.dx < b.dx;
+    });
     auto last = mine;
     for (auto it = mine; it != parts_.end(); ++it) {
       if (it == last) continue;

@@ -34,7 +34,7 @@ class Search {
         steering_(vehicle_),
         prices_(prepared.prices),
         edges_(prepared.edges),
-        flood_(prepared.free, space_, prices_, options.wide, memory.flood),
+        flood_(prepared.free, space_, prices_, options.wide, memory.flood, poller),
         planes_(prepared.planes),
         lattice_flood_(memory.lattice_flood),
         reached_(memory.reached),

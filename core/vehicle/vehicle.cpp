@@ -113,8 +113,8 @@ void validate(const Vehicle& vehicle) {
   require_parameter(in(vehicle.reverse_cost, 1, 1000), "reverse_cost", vehicle.reverse_cost,
                     "give 1 to 1000");
   const double radius = vehicle.turning_radius;
-  require_parameter(vehicle.curvature_rate == 0 || radius == 0 ||
-                        in(vehicle.curvature_rate, 0.01 / (radius * radius), 1e6),
+  const double slowest = radius > 0 ? 0.01 / (radius * radius) : 0;
+  require_parameter(vehicle.curvature_rate == 0 || in(vehicle.curvature_rate, slowest, 1e6),
                     "curvature_rate", vehicle.curvature_rate,
                     "give 0 for no limit, or at least a hundredth of 1 / turning_radius^2");
   require_parameter(in(vehicle.cusp_cost, 0, 1e5), "cusp_cost", vehicle.cusp_cost,

@@ -47,6 +47,7 @@ class OmplVehiclePlanner final : public ompl::base::Planner {
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ends) override {
     using Answer = ompl::base::PlannerStatus;
     checkValidity();
+    pis_.restart();  // each question is asked from its beginning
     vehicle::Request request;
     const ompl::base::State* const start = pis_.nextStart();
     if (start == nullptr) return Answer::INVALID_START;
@@ -93,7 +94,9 @@ class OmplVehiclePlanner final : public ompl::base::Planner {
     ompl::base::ScopedState<ompl::base::SE2StateSpace> state(si_->getStateSpace());
     state->setXY(pose.x * unit_, pose.y * unit_);
     state->setYaw(pose.yaw);
-    si_->enforceBounds(state.get());  // yaw in one turn
+    // The yaw in one turn, and no more: a point that is moved into bounds is not on the path.
+    const auto& space = *si_->getStateSpace()->as<ompl::base::SE2StateSpace>();
+    space.getSubspace(1)->enforceBounds((*state)[1]);
     path.append(state.get());
   }
 

@@ -59,7 +59,8 @@ struct Result {
   /// No way of this vehicle, on this map, from the start to any of the goals is shorter, cells: the
   /// greatest of that of the disc inside the footprint around the obstacles and that of the vehicle
   /// without obstacles. Over costs none costs less: the greatest of what the disc's cheapest path
-  /// costs, and of the vehicle's length without obstacles times the least weight.
+  /// costs, and of the vehicle's length without obstacles times the least weight. None where it was
+  /// not asked for, or does not agree with the path.
   std::optional<double> lower_bound;
   bool over_costs = false;  ///< lower_bound and gap() are of the cost
   /// (length - lower_bound) / lower_bound, over costs of the cost; 0 where both are 0.

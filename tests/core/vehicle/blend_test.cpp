@@ -53,6 +53,7 @@ TEST(VehicleBlend, ATurnHasItsEndsAndNoJump) {
   const Space space(Grid(80, 80), slow_hand());
   const double radius = with_room(slow_hand()).turning_radius;
   EXPECT_DOUBLE_EQ(radius, 4.4);
+  Poller poller(kGoesOn);
   for (const double angle : {0.3, 0.8, kPi / 2, 2.5, 4.0}) {
     for (const int gear : {1, -1}) {
       std::vector<Segment> path{{.begin = {40, 40, 1}, .length = 6, .gear = gear}};
@@ -62,7 +63,7 @@ TEST(VehicleBlend, ATurnHasItsEndsAndNoJump) {
                       .gear = gear});
       path.push_back({.begin = path[1].end(), .length = 6, .gear = gear});
       std::int64_t checked = 0;
-      const std::vector<Segment> made = blended(space.impl(), slow_hand(), path, checked);
+      const std::vector<Segment> made = blended(space.impl(), slow_hand(), path, checked, poller);
       EXPECT_EQ(corners(path), 2);
       ASSERT_EQ(corners(made), 0) << angle;
       Pose at = path[0].begin;
@@ -84,29 +85,81 @@ TEST(VehicleBlend, ATurnHasItsEndsAndNoJump) {
 TEST(VehicleBlend, WhatHasNoRoomStays) {
   const Vehicle vehicle = slow_hand();
   const Space open(Grid(80, 80), vehicle);
+  Poller poller(kGoesOn);
   std::int64_t checked = 0;
   // An arc between arcs that is too short to steer to and fro.
   std::vector<Segment> path{{.begin = {40, 40, 0}, .curvature = 1 / 6.0, .length = 1}};
   path.push_back({.begin = path[0].end(), .curvature = -1 / 6.0, .length = 1});
-  EXPECT_EQ(blended(open.impl(), vehicle, path, checked), path);
+  EXPECT_EQ(blended(open.impl(), vehicle, path, checked, poller), path);
   // A corner that the arc passes and what is in its place does not.
   std::vector<Segment> turn{{.begin = {20, 20, 0}, .length = 10}};
   turn.push_back({.begin = turn[0].end(), .curvature = 1 / 6.0, .length = 6 * 0.4});
   turn.push_back({.begin = turn[1].end(), .length = 10});
-  ASSERT_EQ(corners(blended(open.impl(), vehicle, turn, checked)), 0);
+  ASSERT_EQ(corners(blended(open.impl(), vehicle, turn, checked, poller)), 0);
   Grid tight(80, 80);
   tight.fill({28, 18, 1, 1}, true);
   tight.fill({28, 21, 1, 1}, true);
   const Space narrow(tight, vehicle);
-  EXPECT_EQ(blended(narrow.impl(), vehicle, turn, checked), turn);
+  EXPECT_EQ(blended(narrow.impl(), vehicle, turn, checked, poller), turn);
   // It rests there if it is to.
   const SpeedLimits limits{.speed = 2, .acceleration = 1, .braking = 1};
   SpeedLimits steady = limits;
   steady.steady_curvature = true;
-  EXPECT_GT(Profile(turn, steady).state(1, 0).speed + 1, 1 - 1e-12);
   EXPECT_EQ(Profile(turn, steady).state(1, 0).speed, 0);
   EXPECT_GT(Profile(turn, limits).state(1, 0).speed, 1);
   EXPECT_THROW(Planner(Grid(20, 20), slow_hand(1e-5)), Error);
+}
+
+/// Ends a blend when it polled so often.
+struct Ends final : InterleavedWork {
+  explicit Ends(int after) : left(after) {}
+  StopCondition::Cause turn(std::int64_t) override {
+    return left-- > 0 ? StopCondition::Cause::none : StopCondition::Cause::deadline;
+  }
+  int left;
+};
+
+// A turn that has no room, and others that have: stopped early all corners stay, later some.
+TEST(VehicleBlend, KeepsTheCornersThatAreLeftOnceStopped) {
+  const Vehicle vehicle = slow_hand();
+  Grid grid(120, 80);
+  grid.fill({28, 28, 1, 1}, true);
+  grid.fill({28, 31, 1, 1}, true);
+  std::vector<Segment> path{{.begin = {20, 30, 0}, .length = 10}};
+  for (int i = 0; i < 6; ++i) {
+    const double radius = i == 0 ? 6 : i % 2 == 0 ? 5 : -5;
+    path.push_back({.begin = path.back().end(),
+                    .curvature = 1 / radius,
+                    .length = std::fabs(radius) * (i == 0 ? 0.4 : 0.8)});
+    path.push_back({.begin = path.back().end(), .length = 10});
+  }
+  const Space space(grid, vehicle);
+  int before = corners(path), some = 0;
+  EXPECT_EQ(before, 12);
+  for (int after = 0;; ++after) {
+    Ends ends(after);
+    Poller poller(kGoesOn, 1, &ends);
+    std::int64_t checked = 0;
+    const std::vector<Segment> made = blended(space.impl(), vehicle, path, checked, poller);
+    if (after == 0) {
+      EXPECT_EQ(made, path);
+    }
+    EXPECT_LE(corners(made), before);
+    before = corners(made);
+    Pose at = path[0].begin;
+    for (const Segment& s : made) {
+      EXPECT_NEAR(s.begin.x, at.x, 1e-8);
+      EXPECT_NEAR(s.begin.y, at.y, 1e-8);
+      at = s.end();
+    }
+    EXPECT_NEAR(at.x, path.back().end().x, 1e-8);
+    EXPECT_NEAR(at.y, path.back().end().y, 1e-8);
+    if (!poller.stopped()) break;
+    some += before < 12 && before > 2;
+  }
+  EXPECT_GE(some, 2);
+  EXPECT_GT(before, 0);
+  EXPECT_LE(before, 2);
 }
 
 TEST(VehicleBlend, PlansKeepTheRate) {
@@ -117,16 +170,7 @@ TEST(VehicleBlend, PlansKeepTheRate) {
   oracle::FootprintJudge judge(grid, vehicle.footprint);
   int found = 0, jumps = 0, joints = 0;
   for (int i = 0; i < 20; ++i) {
-    const auto draw = [&] {
-      Pose pose;
-      do {
-        pose = {static_cast<double>(random() % kSide), static_cast<double>(random() % 120),
-                static_cast<double>(random() % 6)};
-      } while (!planner.space().free(pose));
-      return pose;
-    };
-    Request request{.start = draw(), .goals = {}};
-    request.goals.push_back(draw());
+    const Request request = random_request(planner.space(), random);
     const Result result = planner.plan(request);
     if (result.goal < 0) continue;
     ++found;

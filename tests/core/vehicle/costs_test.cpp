@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <random>
 
 #include "core/vehicle/angle.h"
+#include "core/vehicle/bound.h"
+#include "core/vehicle/flood.h"
 #include "core/vehicle/prices.h"
 #include "lasius/error.h"
 #include "lasius/vehicle/planner.h"
@@ -92,6 +96,43 @@ TEST(VehicleCosts, OfTheLatticeAreThoseOfItsMotions) {
   }
 }
 
+// What is driven in a cell is summed as it is driven, whatever the library's sort does.
+TEST(VehicleCosts, OfTheLatticeAreSummedInOrder) {
+  const Grid grid(200, 200);
+  const CostField costs = hilly(grid, 5);
+  for (const double radius : {6.0, 30.0}) {
+    Vehicle vehicle = truck();
+    vehicle.turning_radius = radius;
+    const Prices prices(grid, vehicle, &costs);
+    const Lattice lattice(vehicle, Outline(vehicle));
+    const EdgePrices edges(prices, vehicle, lattice);
+    for (std::size_t e = 0; e < lattice.edges().size(); ++e) {
+      const Edge& edge = lattice.edges()[e];
+      if (edge.gear == 0) continue;
+      std::vector<Segment> motions;
+      lattice.append(edge, 0, 0, motions);
+      std::map<std::pair<int, int>, double> driven;
+      for (const Segment& s : motions) {
+        std::vector<std::pair<std::pair<int, int>, double>> parts;
+        Point from{s.begin.x, s.begin.y};
+        const auto even = [](int, int) { return 1.0; };
+        const auto take = [&](Cell cell, Point to) {
+          parts.push_back({{cell.y, cell.x}, cost::distance(from, to)});
+          from = to;
+        };
+        cost::PathCost sum(even, take);
+        const double longer =
+            walk_cells(s, s.length, sum) * (edge.gear < 0 ? vehicle.reverse_cost : 1);
+        for (const auto& [cell, length] : parts) driven[cell] += length * longer;
+      }
+      double sum = 0;
+      for (const auto& [cell, price] : driven)
+        sum += price * prices.weight(100 + cell.second, 100 + cell.first);
+      EXPECT_EQ(edges.at(static_cast<int>(e), 100, 100), sum) << radius << ' ' << e;
+    }
+  }
+}
+
 TEST(VehicleCosts, OfOneWeightGiveThePathsWithout) {
   const Grid grid = blobs(11, 25);
   CostField costs(grid.width(), grid.height());
@@ -134,26 +175,24 @@ TEST(VehicleCosts, AreAboveTheirBound) {
     Vehicle vehicle = truck();
     vehicle.cusp_cost = cusp_cost;
     const Planner plain(grid, vehicle), planner(grid, vehicle, costs);
+    const Prices prices(grid, vehicle, &costs);
+    const Bound bound(grid, vehicle, prices);
     std::mt19937_64 random(4);
     for (int i = 0; i < 7; ++i) {
-      const auto draw = [&] {
-        Pose pose;
-        do {
-          pose = {static_cast<double>(random() % kSide), static_cast<double>(random() % 120),
-                  static_cast<double>(random() % 6)};
-        } while (!planner.space().free(pose));
-        return pose;
-      };
-      Request request{.start = draw(), .goals = {}};
-      request.goals.push_back(draw());
+      Request request = random_request(planner.space(), random);
       const Result cheap = planner.plan(request), brief = plain.plan(request);
       request.smooth = false;
       const Result raw = planner.plan(request);
       if (cheap.goal < 0 || brief.goal < 0) continue;
       ++found;
       EXPECT_TRUE(cheap.over_costs);
-      EXPECT_GT(*cheap.lower_bound, 0);
-      EXPECT_LE(*cheap.lower_bound, std::min(cheap.cost, planner.cost(brief.segments)));
+      ASSERT_TRUE(cheap.lower_bound);
+      // The bound itself, as it is before it is told.
+      const double least = bound.least(request);
+      EXPECT_EQ(*cheap.lower_bound, prices.unit() * least);
+      for (const Result* path : {&cheap, &brief, &raw}) {
+        EXPECT_LE(least, (1 + 1e-9) * prices.of(path->segments));
+      }
       EXPECT_LE(cheap.cost, raw.cost);
       EXPECT_NEAR(cheap.cost, summed(costs, vehicle, cheap.segments), 1e-3 * cheap.cost);
       EXPECT_EQ(planner.plan(request).segments, raw.segments);
@@ -163,6 +202,85 @@ TEST(VehicleCosts, AreAboveTheirBound) {
   }
   EXPECT_GE(found, 11);
   EXPECT_LT(over, 0.97 * without);
+}
+
+TEST(VehicleCosts, TellNoBoundThatIsAbovePaths) {
+  EXPECT_EQ(Bound::told(7, 8, true), 7.0);
+  EXPECT_EQ(Bound::told(8.005, 8, true), 8.0);
+  EXPECT_EQ(Bound::told(8.01, 8, true), std::nullopt);
+  EXPECT_EQ(Bound::told(8.005, 8, false), std::nullopt);
+  EXPECT_EQ(Bound::told(8 + 1e-9, 8, false), 8.0);
+  EXPECT_EQ(Bound::told(std::numeric_limits<double>::infinity(), 8, true), std::nullopt);
+}
+
+/// Counts the work that it is told of.
+struct Counts final : InterleavedWork {
+  StopCondition::Cause turn(std::int64_t work) override {
+    done += work;
+    return StopCondition::Cause::none;
+  }
+  std::int64_t done = 0;
+};
+
+// Sources over weights may cost more than 32 bits have levels for, and have much between them.
+TEST(VehicleCosts, OfSourcesMayBeAnyNumber) {
+  Grid grid(60, 30);
+  grid.fill({40, 0, 8, 30}, true);
+  const Vehicle vehicle = omni(rectangle(1, 1, 1));
+  const CostField costs = hilly(grid, 2);
+  const Prices prices(grid, vehicle, &costs);
+  const Space space(grid, vehicle);
+  const Lattice lattice(vehicle, space.impl().outline());
+  Counts counts;
+  Poller poller(kGoesOn, 1, &counts);
+  const FreeHeadings free(space.impl(), lattice, poller);
+  Flood::Memory memory;
+  const auto flooded = [&](double first, double far, Poller& by) {
+    Flood flood(free, space.impl(), prices, false, memory, by);
+    flood.add_source(30, 20, first + 7);
+    flood.add_source(5, 6, first);
+    flood.add_source(55, 6, first + far);
+    std::vector<double> told;
+    for (int y = 0; y < 30; ++y)
+      for (int x = 0; x < 60; ++x) told.push_back(flood.at(x, y));
+    return told;
+  };
+  const std::vector<double> near = flooded(0, 500, poller);
+  EXPECT_NEAR(near[6 * 60 + 5], 0, 1e-12);
+  EXPECT_NEAR(near[6 * 60 + 55], 500, 1e-12);
+  for (const double first : {1e6, 7.4e7, 1e12}) {
+    counts.done = 0;
+    const std::vector<double> told = flooded(first, 3e7, poller);
+    EXPECT_LT(counts.done, 200'000);  // of levels where nothing is there are 870 million
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      if (near[i] > 1e29) {
+        EXPECT_EQ(told[i], near[i]);
+      } else {
+        ASSERT_NEAR(told[i], first + near[i] + (i % 60 > 44 ? 3e7 - 500 : 0), 1e-6 + first * 1e-15)
+            << i;
+      }
+    }
+  }
+  // Beyond the last level all is as far.
+  const std::vector<double> last = flooded(1e12, 1e11, poller);
+  EXPECT_NEAR(last[6 * 60 + 55], 1e12 + 3.7e7, 1e6);
+  EXPECT_EQ(last[20 * 60 + 55], last[6 * 60 + 55]);
+  const StopCondition past{.deadline = Clock::time_point::min()};
+  Poller late(past, 1);
+  EXPECT_GT(flooded(0, 500, late)[29 * 60 + 39], 1e29);
+}
+
+TEST(VehicleCosts, MayDifferByAsMuchAsTheyMay) {
+  const Grid grid(160, 80);
+  std::vector<double> weights(160 * 80, 1e-6);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (i % 160 >= 60) weights[i] = 1e4;
+  const CostField costs(160, 80, weights);
+  const Planner planner(grid, car(rectangle(1, 3, 1.5), 4), costs);
+  const Result result =
+      planner.plan({.start = {20, 40, 0}, .goals = {{130, 40, 1}}, .bound = false});
+  ASSERT_EQ(result.status, Status::solved) << result.error;
+  EXPECT_LE(result.cost, 72e4);
 }
 
 TEST(VehicleCosts, AreOfTheMapsSize) {

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "lasius/grid.h"
-#include "lasius/vehicle/vehicle.h"
+#include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
 
 inline constexpr int kSide = 160;
+inline const StopCondition kGoesOn;
 
 inline Grid blobs(std::uint64_t seed, int count) {
   Grid grid(kSide, kSide - 30);
@@ -26,6 +27,21 @@ inline Grid blobs(std::uint64_t seed, int count) {
               true);
   }
   return grid;
+}
+
+/// A free pose, and a request from one to another.
+inline Pose random_whole(const Space& space, std::mt19937_64& random) {
+  Pose pose;
+  do {
+    pose = {static_cast<double>(random() % kSide), static_cast<double>(random() % 120),
+            static_cast<double>(random() % 6)};
+  } while (!space.free(pose));
+  return pose;
+}
+inline Request random_request(const Space& space, std::mt19937_64& random) {
+  Request request{.start = random_whole(space, random), .goals = {}};
+  request.goals.push_back(random_whole(space, random));
+  return request;
 }
 
 using Part = std::vector<Point>;

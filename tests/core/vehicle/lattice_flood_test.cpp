@@ -18,8 +18,6 @@
 namespace lasius::vehicle {
 namespace {
 
-const StopCondition kGoesOn;
-
 std::vector<Vehicle> flooded() {
   Vehicle forward = car(rectangle(3, 5, 2), 5);
   forward.reverse = false;

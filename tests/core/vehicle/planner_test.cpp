@@ -153,6 +153,21 @@ TEST(VehiclePlanner, DrivesToAnySide) {
   EXPECT_THROW(validate(both), Error);
 }
 
+TEST(VehiclePlanner, RefusesRatesOfCurvatureOutOfRange) {
+  for (const double radius : {0.0, 4.0}) {
+    Vehicle vehicle = differential(rectangle(6, 6, 3.5));
+    vehicle.turning_radius = radius;
+    for (const double rate : {0.0, 0.1, 1e6}) {
+      vehicle.curvature_rate = rate;
+      EXPECT_NO_THROW(validate(vehicle));
+    }
+    for (const double rate : {-0.1, -1e-300, std::nan(""), 1e300, HUGE_VAL}) {
+      vehicle.curvature_rate = rate;
+      EXPECT_THROW(validate(vehicle), Error) << radius << ' ' << rate;
+    }
+  }
+}
+
 // A car of 128 cells: several words a row.
 TEST(VehiclePlanner, LargeVehicle) {
   Grid grid(700, 420);

@@ -87,6 +87,43 @@ TEST(OmplVehiclePlanner, AnswersOnTheSpacesOfPoses) {
   }
 }
 
+// The way leads through the gap, which is out of the space's bounds.
+TEST(OmplVehiclePlanner, MovesNoPointIntoBounds) {
+  const Grid grid = room();
+  const vehicle::Vehicle car = vehicle::car(vehicle::rectangle(2, 5, 2), 5);
+  const auto space = std::make_shared<ob::ReedsSheppStateSpace>(5 * kUnit);
+  Question question(space);
+  ob::RealVectorBounds bounds(2);
+  bounds.setLow(2.0);
+  bounds.setHigh(5);
+  bounds.setLow(0, 0.0);
+  space->setBounds(bounds);
+  question.setup.setStartAndGoalStates(question.state(10, 50, 0), question.state(88, 45, 1));
+  question.setup.setPlanner(
+      std::make_shared<OmplVehiclePlanner>(question.setup.getSpaceInformation(), grid, car, kUnit));
+  ASSERT_EQ(question.setup.solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+  check(question, grid, car, {10, 50, 0}, {88, 45, 1});
+  for (const ob::State* state : question.setup.getSolutionPath().getStates()) {
+    EXPECT_LE(std::fabs(state->as<ob::SE2StateSpace::StateType>()->getYaw()), 3.1415927);
+  }
+}
+
+TEST(OmplVehiclePlanner, AnswersAgainWithoutClear) {
+  const Grid grid = room();
+  Question question(std::make_shared<ob::SE2StateSpace>());
+  question.setup.setStartAndGoalStates(question.state(10, 50, 0), question.state(88, 45, 1));
+  const auto planner = std::make_shared<OmplVehiclePlanner>(
+      question.setup.getSpaceInformation(), grid,
+      vehicle::differential(vehicle::rectangle(2, 5, 2)), kUnit);
+  question.setup.setPlanner(planner);
+  ASSERT_EQ(question.setup.solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+  const std::vector<vehicle::Segment> first = planner->result().segments;
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_EQ(question.setup.solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(planner->result().segments, first);
+  }
+}
+
 TEST(OmplVehiclePlanner, OneOfSeveralGoals) {
   const Grid grid = room();
   const vehicle::Vehicle car = vehicle::car(vehicle::rectangle(2, 5, 2), 5);
