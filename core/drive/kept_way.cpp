@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/poller.h"
 #include "core/drive/vehicle_window.h"
+#include "core/grid/cell_set.h"
 #include "core/vehicle/angle.h"
 #include "core/vehicle/outline.h"
 #include "core/vehicle/steering.h"
@@ -115,38 +117,31 @@ std::vector<Segment> KeptWay::rest() const {
 }
 
 bool meets(const Vehicle& vehicle, std::span<const Segment> way, std::span<const Cell> cells) {
-  if (cells.empty() || way.empty()) return false;
-  Cell low = cells[0], high = cells[0];
-  for (const Cell c : cells) {
-    low = {std::min(low.x, c.x), std::min(low.y, c.y)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y)};
-  }
-  constexpr double kPiece = 2;  // cells
+  if (cells.empty()) return false;
+  const auto by_rows = [](Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+  std::vector<Cell> sorted(cells.begin(), cells.end());
+  std::ranges::sort(sorted, by_rows);
+  const auto any_in = [&](const Rectangle& part) {
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      const auto next = std::ranges::lower_bound(sorted, Cell{part.x, y}, by_rows);
+      if (next != sorted.end() && next->y == y && next->x < part.x + part.width) return true;
+    }
+    return false;
+  };
+  // Each piece has a window of its own: ways and news may be as wide as a map can be.
+  constexpr double kPiece = 8;  // cells
   const double around = circumscribed_radius(vehicle);
-  const double near = around + kPiece + 1;
-  // A piece that begins near holds its footprint within the window.
-  const int margin = static_cast<int>(std::ceil(near + kPiece + around)) + 2;
-  Grid there(high.x - low.x + 1, high.y - low.y + 1);
-  for (const Cell c : cells) there.set_blocked({c.x - low.x, c.y - low.y});
-  const Window window(
-      vehicle,
-      {low.x - margin, low.y - margin, there.width() + 2 * margin, there.height() + 2 * margin},
-      [&](Cell c) {
-        const Cell of{c.x - low.x, c.y - low.y};
-        return there.contains(of) && there.blocked(of);
-      });
   for (const Segment& s : way) {
     const double extent = s.extent();
-    const double by = moved_by(s, around);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(by / kPiece)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(moved_by(s, around) / kPiece)));
     for (int i = 0; i < pieces; ++i) {
-      const double from = extent * i / pieces;
-      const Pose at = s.pose(from);
-      if (at.x < low.x - near || at.y < low.y - near || at.x > high.x + 1 + near ||
-          at.y > high.y + 1 + near)
-        continue;
-      const double to = extent * (i + 1) / pieces;
-      if (window.first_contact(begin_of(rest_of(s, from), to - from))) return true;
+      const double from = extent * i / pieces, to = extent * (i + 1) / pieces;
+      const Segment piece = begin_of(rest_of(s, from), to - from);
+      const Rectangle part = Window::around(piece.begin, piece.length + around + 2);
+      if (!any_in(part)) continue;
+      const Window window(vehicle, part,
+                          [&](Cell c) { return std::ranges::binary_search(sorted, c, by_rows); });
+      if (window.first_contact(piece)) return true;
     }
   }
   return false;
@@ -162,16 +157,20 @@ std::vector<Cell> met_cells(const Vehicle& vehicle, const Pose& pose) {
   return cells;
 }
 
-std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pose& pose) {
+std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pose& pose,
+                              const StopCondition& stop) {
   constexpr double kStep = 0.25;  // cells
   const double around = circumscribed_radius(vehicle);
   const double most = around + 8;
   const Rectangle part = Window::around(pose, 2 * around + most + 2);
   const Window all(vehicle, part, [&](Cell c) { return map.blocked(c); });
-  const std::vector<Cell> met = met_cells(vehicle, pose);
-  const Window others(vehicle, part, [&](Cell c) {
-    return map.blocked(c) && std::ranges::find(met, c) == met.end();
-  });
+  const auto in_part = [&](Cell c) { return Cell{c.x - part.x, c.y - part.y}; };
+  const std::vector<Cell> cells = met_cells(vehicle, pose);
+  CellSet met;
+  met.reset(cells.size());
+  for (const Cell c : cells) met.add(in_part(c));
+  const Window others(vehicle, part,
+                      [&](Cell c) { return map.blocked(c) && !met.has(in_part(c)); });
 
   std::vector<Segment> motions;
   const Segment still{.begin = pose, .length = 0};
@@ -201,9 +200,11 @@ std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pos
     motions.push_back(motion);
   }
   std::vector<Segment> out;
+  Poller poller(stop);
+  const auto work = static_cast<std::int64_t>(cells.size());  // at a pose
   for (const Segment& motion : motions) {
     const double step = kStep * motion.extent() / moved_by(motion, std::max(1.0, around));
-    for (double at = step; at <= motion.extent(); at += step) {
+    for (double at = step; at <= motion.extent() && !poller.stop_after(work); at += step) {
       if (!all.free(motion.pose(at))) continue;
       const Segment part_of_it = begin_of(motion, at);
       if (!others.first_contact(part_of_it)) out.push_back(part_of_it);
@@ -222,6 +223,7 @@ std::vector<Segment> rejoined(const Vehicle& vehicle, const Grid& map, const Pos
   if (!(off <= kFarthest)) return {};
   const double around = circumscribed_radius(vehicle);
   Steering steering(vehicle);
+  const double most = cost(vehicle, rest) + 4 * off + 1;
   double ahead = 2 + 2 * off;
   for (int i = 0; i < kTries; ++i, ahead *= 2) {
     // The place so far ahead, or the end.
@@ -232,23 +234,24 @@ std::vector<Segment> rejoined(const Vehicle& vehicle, const Grid& map, const Pos
     const Segment& to = rest[segment];
     const double by = moved_by(to, around);
     const double at = by > left ? to.extent() * (left / by) : to.extent();
-    const double price =
-        cost(vehicle, rest.first(segment)) + cost(vehicle, std::vector<Segment>{begin_of(to, at)});
     steering.aim(pose, to.pose(at), kWays);
     for (int way = 0; way < steering.size(); ++way) {
-      // What winds about to get there is no better than a new plan.
-      if (steering.cost(way) > price + 4 * off + 1) break;
       std::vector<Segment> found;
       if (!steering.append(way, found)) continue;
-      const Window window(vehicle, Window::around(pose, steering.cost(way) + around + 4),
-                          [&](Cell c) { return map.blocked(c); });
-      const bool clear = std::ranges::none_of(
-          found, [&](const Segment& s) { return window.first_contact(s).has_value(); });
-      if (!clear) continue;
-      back = static_cast<int>(found.size());
+      const double length = driven_length(found);
+      const auto leading = static_cast<std::ptrdiff_t>(found.size());
       if (at < to.extent()) found.push_back(rest_of(to, at));
       found.insert(found.end(), rest.begin() + static_cast<std::ptrdiff_t>(segment) + 1,
                    rest.end());
+      // What winds about to get there, however cheaply, is no better than a new plan.
+      if (cost(vehicle, found) > most || length > 2 * ahead + 4 * off + 1) continue;
+      const Window window(vehicle, Window::around(pose, length + around + 4),
+                          [&](Cell c) { return map.blocked(c); });
+      const bool clear =
+          std::none_of(found.begin(), found.begin() + leading,
+                       [&](const Segment& s) { return window.first_contact(s).has_value(); });
+      if (!clear) continue;
+      back = static_cast<int>(leading);
       return found;
     }
     if (segment + 1 == rest.size() && at == to.extent()) break;

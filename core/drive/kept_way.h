@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 #include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/vehicle.h"
 
@@ -47,8 +48,9 @@ Segment begin_of(const Segment& motion, double extent) noexcept;
 bool meets(const Vehicle& vehicle, std::span<const Segment> way, std::span<const Cell> cells);
 
 /// Ways out of what the vehicle meets where it stands, the shortest first: single motions, over
-/// which it meets no cell but those, to a pose where it meets none.
-std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pose& pose);
+/// which it meets no cell but those, to a pose where it meets none. Those found so far if stopped.
+std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pose& pose,
+                              const StopCondition& stop = {});
 
 /// The cells that the footprint meets at a pose, outside the map, too; some twice.
 std::vector<Cell> met_cells(const Vehicle& vehicle, const Pose& pose);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "core/drive/drive_loop.h"
 #include "core/drive/kept_way.h"
 #include "core/drive/vehicle_window.h"
+#include "core/grid/cell_set.h"
 #include "core/vehicle/angle.h"
 #include "core/vehicle/outline.h"
 #include "kernels/base/random_stream.h"
@@ -25,11 +27,23 @@ class VehiclePilot final : public Pilot {
  public:
   VehiclePilot(const Grid& map, const Vehicle& vehicle, std::vector<Pose> goals,
                const NavigatorOptions& options)
-      : navigator_(map, vehicle, std::move(goals), options) {}
+      : navigator_(map, vehicle, std::move(goals), options), options_(options) {}
 
   void stand_at(const Pose& pose) { pose_ = pose; }
   const Way& way() const { return *own_; }
-  Navigator& navigator() { return navigator_; }
+  /// What its Navigator asks, from where it stands.
+  Request request(const StopCondition& stop) const {
+    const std::span<const Pose> goals = navigator_.goals();
+    return {.start = pose_,
+            .goals = {goals.begin(), goals.end()},
+            .goal_tolerance = options_.goal_tolerance,
+            .heading_tolerance = options_.heading_tolerance,
+            .weight = options_.weight,
+            .smooth = false,
+            .bound = false,
+            .max_states = options_.max_states,
+            .stop = stop};
+  }
 
   void observe(const Rectangle& part, bool blocked) override { navigator_.observe(part, blocked); }
   void observe(std::span<const Cell> cells, bool blocked) override {
@@ -57,6 +71,7 @@ class VehiclePilot final : public Pilot {
 
  private:
   Navigator navigator_;
+  NavigatorOptions options_;
   Pose pose_;
   const Way* own_ = nullptr;
   lasius::Way way_;
@@ -89,18 +104,26 @@ class VehicleDrive final : public DriveLoop {
     poses_.push_back(pose);
     vehicles_pilot_.stand_at(pose);
     covered_ = met_cells(vehicle_, pose);
-    held_.insert(held_.end(), covered_.begin(), covered_.end());
+    swept_.insert(swept_.end(), covered_.begin(), covered_.end());
+    gather(covered_, covers_);
+    gather(swept_, holds_);
+  }
+  void gather(const std::vector<Cell>& cells, CellSet& set) const {
+    set.reset(cells.size());
+    for (const Cell c : cells)
+      if (map_.contains(c)) set.add(c);
   }
 
   bool holds(const Rectangle& part) const override {
-    return std::ranges::any_of(held_, [&](Cell c) {
-      return c.x >= part.x && c.y >= part.y && c.x < part.x + part.width &&
-             c.y < part.y + part.height;
-    });
+    const Rectangle near = Window::around(pose_, around_ + 3);
+    const int right = std::min(part.x + part.width, near.x + near.width);
+    const int bottom = std::min(part.y + part.height, near.y + near.height);
+    for (int y = std::max(part.y, near.y); y < bottom; ++y)
+      for (int x = std::max(part.x, near.x); x < right; ++x)
+        if (holds_.has({x, y})) return true;
+    return false;
   }
-  bool covers(Cell cell) const override {
-    return std::ranges::find(covered_, cell) != covered_.end();
-  }
+  bool covers(Cell cell) const override { return covers_.has(cell); }
   double reach() const override { return vehicle::circumscribed_radius(vehicle_) + 1.5; }
 
   bool blocked_at_start() override {
@@ -131,34 +154,32 @@ class VehicleDrive final : public DriveLoop {
            (way_->status == Status::unreachable || way_->status == Status::invalid ||
             way_->status == Status::no_path);
   }
+  /// Walls that it knows may not be there: only what is there proves anything.
   void give_up() override {
-    const bool is_proven = way_->status == Status::unreachable;
-    result_.fault = way_->fault;
-    end(is_proven ? Status::unreachable : Status::no_path, "as far as is known: " + way_->error);
+    const Result& truth = *asked_[static_cast<std::size_t>(World::Without::all_obstacles)].way;
+    const bool is_proven = truth.status == Status::unreachable;
+    result_.fault = truth.fault;
+    end(is_proven ? Status::unreachable : Status::no_path, truth.error);
   }
 
+  /// Where it is stopped there may be a way.
   bool joined(World::Without without) override {
-    const bool still = without == World::Without::all_obstacles;
-    if (still && joined_at_ == world_.still_changed_at() && joined_from_ == pose_) return joined_;
-    const Grid walls = world_.walls(without);
-    const StopCondition stop{.token = stop_.token};
-    std::optional<Planner> planner =
-        truths_ ? truths_->on(walls, stop) : Planner::make(walls, vehicle_, stop);
-    if (!planner) return true;
-    truths_ = std::move(planner);
-    const std::span<const Pose> goals = vehicles_pilot_.navigator().goals();
-    const Result way = truths_->plan({.start = pose_,
-                                      .goals = {goals.begin(), goals.end()},
-                                      .smooth = false,
-                                      .bound = false,
-                                      .stop = stop});
-    const bool found = !way.segments.empty() || way.status == Status::interrupted;
-    if (still) {
-      joined_at_ = world_.still_changed_at();
-      joined_from_ = pose_;
-      joined_ = found;
+    Asked& asked = asked_[static_cast<std::size_t>(without)];
+    Grid walls = world_.walls(without);
+    if (!asked.way || asked.from != pose_ || asked.walls != walls) {
+      asked.way.reset();
+      if (!truths_ || truths_walls_ != walls) {
+        std::optional<Planner> planner =
+            truths_ ? truths_->on(walls, stop_) : Planner::make(walls, vehicle_, stop_);
+        if (!planner) return true;
+        truths_ = std::move(planner);
+        truths_walls_ = walls;
+      }
+      Result way = truths_->plan(vehicles_pilot_.request(stop_));
+      if (way.segments.empty() && stop_.poll() != StopCondition::Cause::none) return true;
+      asked = {std::move(walls), pose_, std::move(way)};
     }
-    return found;
+    return !asked.way->segments.empty();
   }
 
   /// The next of the way, of at most a cell.
@@ -173,23 +194,24 @@ class VehicleDrive final : public DriveLoop {
 
   void follow() override {
     const std::optional<Segment> motion = next_motion();
-    if (!motion || !go(*motion)) stand();
+    // What it knows is not looked at: the way keeps clear of that, by less than pieces of it show.
+    const auto news = [&](Cell c) { return world_.now().blocked(c) && pilot_.map().free(c); };
+    if (!motion || !go(*motion, news)) stand();
   }
   void stand() override {
-    held_ = covered_;
+    holds_ = covers_;
     poses_.push_back(pose_);
     arrive(robot_, false, 0, 0);
   }
-  /// False where something is in the way, which then is felt. Of what it knows the way keeps clear:
-  /// so only the rest is looked at, and what is felt is news.
-  bool go(const Segment& motion) {
-    const Window window(vehicle_, Window::around(motion.begin, around_ + 3),
-                        [&](Cell c) { return world_.now().blocked(c) && pilot_.map().free(c); });
+  /// False where what bars it is in the way, which then is felt.
+  template <class Bars>
+  bool go(const Segment& motion, const Bars& bars) {
+    const Window window(vehicle_, Window::around(motion.begin, around_ + 3), bars);
     if (const auto contact = window.first_contact(motion)) {
-      learn({contact->cell}, true);
+      if (pilot_.map().free(contact->cell)) learn({contact->cell}, true);
       return false;
     }
-    held_.clear();
+    swept_.clear();
     sweep(motion);
     moves_.push_back(motion);
     stand_at(motion.end());
@@ -206,7 +228,7 @@ class VehicleDrive final : public DriveLoop {
     for (int i = 0; i < kPieces; ++i) {
       const Pose middle = motion.pose(extent * (i + 0.5) / kPieces);
       (void)outline_.visit_cells(middle, reach / kPieces / 2, [&](int row, int first, int last) {
-        for (int x = first; x <= last; ++x) held_.push_back({x, row});
+        for (int x = first; x <= last; ++x) swept_.push_back({x, row});
         return false;
       });
     }
@@ -243,7 +265,8 @@ class VehicleDrive final : public DriveLoop {
   void go_aside() override {
     const bool any = aside_ && aside_->extent() > 1e-9;
     const std::optional<Segment> motion = any ? std::optional(piece(*aside_)) : std::nullopt;
-    if (motion && go(*motion)) {
+    // It may have learned of walls since it set out.
+    if (motion && go(*motion, [&](Cell c) { return world_.now().blocked(c); })) {
       aside_ = rest_of(*aside_, motion->extent());
       return;
     }
@@ -259,11 +282,16 @@ class VehicleDrive final : public DriveLoop {
   Pose pose_;
   std::vector<Pose> poses_;
   std::vector<Segment> moves_;
-  std::vector<Cell> covered_, held_;  ///< where it stands; and what it swept in its last move
-  std::optional<Planner> truths_;     ///< on what is there
-  std::int64_t joined_at_ = -1;
-  Pose joined_from_;
-  bool joined_ = false;
+  std::vector<Cell> covered_, swept_;  ///< where it stands; and what it swept in its last move
+  CellSet covers_, holds_;             ///< the same, on the map
+  struct Asked {
+    Grid walls{1, 1};
+    Pose from;
+    std::optional<Result> way;
+  };
+  std::array<Asked, 3> asked_;     ///< without what, of what is there
+  std::optional<Planner> truths_;  ///< on what was asked of last
+  Grid truths_walls_{1, 1};
   std::optional<Segment> aside_;
 };
 
@@ -274,6 +302,8 @@ DriveResult drive(const Grid& map, const Grid& truth, const Vehicle& vehicle, co
                   const NavigatorOptions& navigator, const StopCondition& stop,
                   const DriveObserver& observer) {
   check_drive(map, truth, options);
+  require_pose(start, "a coordinate of the start");
+  for (const Pose& goal : goals) require_pose(goal, "a coordinate of a goal");
   NavigatorOptions how = navigator;
   how.doubt_after = 0;
   VehiclePilot pilot(map, vehicle, std::move(goals), how);

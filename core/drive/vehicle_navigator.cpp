@@ -6,6 +6,9 @@
 #include "core/base/invalid_parameter.h"
 #include "core/drive/doubts.h"
 #include "core/drive/kept_way.h"
+#include "core/drive/vehicle_window.h"
+#include "core/loop/run_status.h"
+#include "core/vehicle/angle.h"
 #include "lasius/vehicle/navigator.h"
 
 namespace lasius::vehicle {
@@ -49,19 +52,22 @@ class Navigator::Impl {
   }
 
   const Way& step(const Pose& robot, const StopCondition& stop) {
-    for (const double value : {robot.x, robot.y, robot.yaw}) {
-      require_parameter(std::fabs(value) <= 1e5, "a coordinate of the vehicle", value,
-                        "give finite numbers of at most 100000");
-    }
+    require_pose(robot, "a coordinate of the vehicle");
     const int goal = way_.goal;
     way_ = {};
     if (const auto rest = left_from(robot); !rest.empty()) {
-      const bool tempted = shortens(robot, cost(vehicle(), rest));
+      tempted_ = tempted_ || shortens(robot, cost(vehicle(), rest));
       news_.clear();
-      if (!tempted || !shorter(robot, cost(vehicle(), rest), stop)) tell(rest, goal);
+      if (const int there = reached(robot); there >= 0 && !leads_out()) {
+        way_.rejoined = 0;
+        tell({{.begin = robot, .length = 0, .gear = 1}}, there);
+      } else if (!tempted_ || !shorter(robot, cost(vehicle(), rest), stop)) {
+        tell(rest, goal);
+      }
       return way_;
     }
     news_.clear();
+    tempted_ = false;
     plan(robot, stop);
     if (!way_.segments.empty() || stop.poll() != StopCondition::Cause::none) return way_;
     if (const std::vector<Cell> doubtful = doubts_.wait(map_); !doubtful.empty()) {
@@ -124,12 +130,21 @@ class Navigator::Impl {
              left + 2 * around_ + kSlack;
     });
   }
+  /// The goal that it is at within the tolerances; or -1.
+  int reached(const Pose& robot) const {
+    const auto at = std::ranges::find_if(goals_, [&](const Pose& goal) {
+      return apart(robot.x, robot.y, goal) <= options_.goal_tolerance &&
+             std::fabs(half_turned(goal.yaw - robot.yaw)) <= options_.heading_tolerance + 1e-9;
+    });
+    return at == goals_.end() ? -1 : static_cast<int>(at - goals_.begin());
+  }
   /// Plans anew; true where that is cheaper than what is left, which else stays.
   bool shorter(const Pose& robot, double left, const StopCondition& stop) {
     Way before = std::exchange(way_, {});
     KeptWay kept = kept_;
     const bool led_out = led_out_;
     plan(robot, stop);
+    tempted_ = stop.poll() != StopCondition::Cause::none;
     if (!way_.segments.empty() && way_.cost < left - kOnWay) return true;
     way_ = std::move(before);
     kept_ = std::move(kept);
@@ -155,12 +170,7 @@ class Navigator::Impl {
     kept_.drop();
     if (changed_) {
       std::optional<Planner> planner = planner_.on(map_, stop);
-      if (!planner) {
-        way_.status =
-            stop.poll() == StopCondition::Cause::token ? Status::interrupted : Status::limit;
-        way_.error = "stopped before a path was found";
-        return;
-      }
+      if (!planner) return tell_stopped(stop.poll());
       planner_ = std::move(*planner);
       changed_ = false;
     }
@@ -174,25 +184,32 @@ class Navigator::Impl {
 
   /// Out of what the vehicle meets where it stands, and on from there.
   void lead_out(const Pose& robot, const StopCondition& stop) {
-    for (const Segment& out : ways_out(vehicle(), map_, robot)) {
-      if (stop.poll() != StopCondition::Cause::none) return;
+    for (const Segment& out : ways_out(vehicle(), map_, robot, stop)) {
+      if (stop.poll() != StopCondition::Cause::none) break;
       Result on = planner_.plan(request(out.end(), stop));
       if (on.segments.empty()) continue;
       on.segments.insert(on.segments.begin(), out);
       static_cast<Result&>(way_) = std::move(on);
       way_.way_out = 1;
-      measure();
-      return;
+      return measure();
     }
+    if (const auto cause = stop.poll(); cause != StopCondition::Cause::none) tell_stopped(cause);
+  }
+  void tell_stopped(StopCondition::Cause cause) {
+    way_ = {};
+    way_.replanned = true;
+    way_.status = status_after(cause, Status::limit);
+    way_.error = "stopped before a path was found";
   }
 
   void tell(std::vector<Segment> rest, int goal) {
     way_.segments = std::move(rest);
     way_.status = Status::solved;
     way_.goal = goal;
-    way_.way_out = led_out_ && kept_.in_first() ? 1 : 0;
+    way_.way_out = leads_out() ? 1 : 0;
     measure();
   }
+  bool leads_out() const noexcept { return led_out_ && kept_.in_first(); }
   void measure() {
     way_.length = driven_length(way_.segments);
     way_.cost = cost(vehicle(), way_.segments);
@@ -209,6 +226,7 @@ class Navigator::Impl {
   double around_;
   std::vector<Pose> goals_;
   std::vector<Cell> news_;  ///< cells that changed since the last step
+  bool tempted_ = false;    ///< a shorter way was not looked for to the end
   Way way_;
 };
 

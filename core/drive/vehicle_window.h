@@ -5,10 +5,19 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/invalid_parameter.h"
 #include "lasius/grid.h"
 #include "lasius/vehicle/space.h"
 
 namespace lasius::vehicle {
+
+/// Refuses what Request does. @param name  of what a number of the pose is, as in "a coordinate"
+inline void require_pose(const Pose& pose, const char* name) {
+  for (const double value : {pose.x, pose.y, pose.yaw}) {
+    require_parameter(std::fabs(value) <= 1e5, name, value,
+                      "give finite numbers of at most 100000");
+  }
+}
 
 /// Beyond its cells all is blocked.
 class Window {

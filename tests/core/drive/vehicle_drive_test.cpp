@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
+#include "kernels/base/random_stream.h"
 #include "lasius/error.h"
 #include "lasius/vehicle/drive.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
@@ -13,6 +17,7 @@
 namespace lasius::vehicle {
 namespace {
 
+constexpr double kPi = std::numbers::pi;
 const std::vector<Point> kTruck = rectangle(1.2, 3.4, 1.3);
 
 /// What a drive showed, tick by tick.
@@ -140,20 +145,147 @@ TEST(VehicleDrive, EndsWhereNoWayIsLeft) {
   EXPECT_THROW((void)drive(Grid(9, 9), truth, vehicle, {5, 5, 0}, {{7, 7, 0}}), Error);
 }
 
+/// A room, and a lane from it that turns down and ends, 6 cells wide.
+Grid room_and_lane() {
+  Grid truth(70, 50);
+  truth.fill({0, 0, 70, 50}, true);
+  truth.fill({0, 0, 26, 50}, false);
+  truth.fill({26, 8, 30, 6}, false);
+  truth.fill({50, 8, 6, 22}, false);
+  return truth;
+}
+
 TEST(VehicleDrive, ADeadEndThatItCannotLeaveForwards) {
-  // Sight ends at the mouth of a lane that is closed behind a bend, one way alone.
-  Grid truth(60, 40);
-  truth.fill({0, 0, 60, 40}, true);
-  truth.fill({4, 17, 50, 6}, false);
+  // On the map the lane leads back to the room; that it ends shows behind the bend.
+  const Grid truth = room_and_lane();
+  Grid map = truth;
+  map.fill({50, 30, 6, 12}, false);
+  map.fill({26, 36, 30, 6}, false);
   Vehicle forward = car(kTruck, 4);
   forward.reverse = false;
-  const Grid map(60, 40);
+  for (const Vehicle& vehicle : {forward, car(kTruck, 4)}) {
+    Watched watched;
+    const DriveResult run = drive(map, truth, vehicle, {32, 11, 0}, {{20, 39, kPi}}, {},
+                                  {.sense = 5, .max_ticks = 1000}, {}, {}, watched.observer());
+    judge_drive(vehicle, run, watched);
+    if (HasFatalFailure()) return;
+    if (vehicle.reverse) {
+      EXPECT_EQ(run.status, Status::solved) << run.error;
+      continue;
+    }
+    EXPECT_EQ(run.status, Status::no_path);  // a disc would get there
+    EXPECT_EQ(run.fault, Fault::none);
+    EXPECT_FALSE(run.error.empty());
+    EXPECT_GT(run.poses.back().y, 14);  // beyond the bend
+  }
+}
+
+// It learns of posts as it goes aside, tick after tick.
+TEST(VehicleDrive, GoesAsideAroundWhatItLearnsOnTheWay) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Grid map(80, 40);
+    map.fill({50, 0, 2, 40}, true);
+    Grid truth = map;
+    for (std::uint32_t i = 0; i < 14; ++i) {
+      const auto words = kernels::random_words(seed, {i, 0, 0, 7});
+      const Cell post{static_cast<int>(words[0] % 44) + 3, static_cast<int>(words[1] % 38) + 1};
+      if (std::abs(post.x - 12) > 8 || std::abs(post.y - 20) > 5) truth.set_blocked(post);
+    }
+    Changes changes;
+    changes.cells.push_back({96, {50, 10, 2, 20}, false});
+    const Vehicle vehicle = car(kTruck, 4);
+    Watched watched;
+    const DriveResult run =
+        drive(map, truth, vehicle, {12, 20, 0}, {{70, 20, 0}}, changes,
+              {.sense = 8, .max_ticks = 500, .seed = seed}, {}, {}, watched.observer());
+    judge_drive(vehicle, run, watched);
+    if (HasFatalFailure()) return;
+    EXPECT_GT(run.moves.size(), 60U);
+    EXPECT_EQ(run.status, Status::solved) << run.error;
+  }
+}
+
+// A wall of the map that is not there proves nothing, nor does the lattice.
+TEST(VehicleDrive, OnlyWhatIsThereProvesThatThereIsNoWay) {
+  const Grid truth = room_and_lane();
+  Grid map = truth;
+  map.fill({30, 0, 2, 50}, true);
+  Vehicle forward = car(kTruck, 4);
+  forward.reverse = false;
+  // Nose first into the lane's end, and out of it again: no turn fits.
+  const Pose out{53, 26, -kPi / 2};
+  const DriveResult run = drive(map, truth, forward, {10, 11, 0}, {out}, {}, {.sense = 4});
+  EXPECT_EQ(run.status, Status::no_path);
+  EXPECT_EQ(run.fault, Fault::none);
+  Grid closed = truth;
+  closed.fill({40, 0, 2, 50}, true);
+  EXPECT_EQ(drive(map, closed, forward, {10, 11, 0}, {out}, {}, {.sense = 4}).status,
+            Status::unreachable);
+}
+
+TEST(VehicleDrive, AsksWhatIsThereWithItsTolerances) {
+  Grid truth(80, 40);
+  truth.fill({68, 14, 4, 12}, true);  // about the goal
+  Grid map = truth;
+  map.fill({40, 0, 2, 40}, true);  // a wall that is not there
+  const Vehicle vehicle = car(kTruck, 4);
+  Watched watched;
   const DriveResult run =
-      drive(map, truth, forward, {8, 20, 0}, {{30, 35, 1}}, {}, {.sense = 5, .max_ticks = 1000});
-  EXPECT_TRUE(run.status == Status::no_path || run.status == Status::unreachable ||
-              run.status == Status::invalid)
-      << to_string(run.status);
-  EXPECT_FALSE(run.error.empty());
+      drive(map, truth, vehicle, {5, 20, 0}, {{70, 20, 0}}, {}, {.sense = 8, .max_ticks = 500},
+            {.goal_tolerance = 12, .heading_tolerance = kPi}, {}, watched.observer());
+  EXPECT_EQ(run.status, Status::solved) << run.error;
+  judge_drive(vehicle, run, watched);
+}
+
+/// A clock that is `late` from one reading on.
+class Readings final : public TimeSource {
+ public:
+  explicit Readings(int most) : most_(most) {}
+  Clock::time_point now() const noexcept override {
+    return Clock::time_point(std::chrono::hours(count_++ < most_ ? 1 : 3));
+  }
+  int count() const { return count_; }
+
+ private:
+  int most_;
+  mutable std::atomic<int> count_ = 0;
+};
+
+// What is there is asked within the drive's time; what is stopped is no answer.
+TEST(VehicleDrive, AsksWhatIsThereWithinItsTime) {
+  const Grid truth = room_and_lane();
+  Grid map = truth;
+  map.fill({30, 0, 2, 50}, true);
+  Vehicle forward = car(kTruck, 4);
+  forward.reverse = false;
+  const auto go = [&](const Readings& clock) {
+    const StopCondition stop{.deadline = Clock::time_point(std::chrono::hours(2)), .time = &clock};
+    return drive(map, truth, forward, {10, 11, 0}, {{53, 26, -kPi / 2}}, {}, {.sense = 4}, {}, stop)
+        .status;
+  };
+  const Readings endless(1 << 30);
+  ASSERT_EQ(go(endless), Status::no_path);
+  EXPECT_EQ(go(Readings(endless.count() - 1)), Status::limit);
+}
+
+TEST(VehicleDrive, RefusesEndsThatAreNoPlaces) {
+  const Grid grid(40, 40);
+  const Vehicle vehicle = car(kTruck, 4);
+  const Pose good{20, 20, 0};
+  const auto no_place = [&](const Pose& from, const Pose& to) {
+    try {
+      (void)drive(grid, grid, vehicle, from, {good, to});
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::invalid_parameter;
+    }
+    return false;
+  };
+  for (const double bad : {std::nan(""), 1e300, -1e300, HUGE_VAL}) {
+    for (const Pose& pose : {Pose{bad, 20, 0}, Pose{20, bad, 0}, Pose{20, 20, bad}}) {
+      EXPECT_TRUE(no_place(pose, good));
+      EXPECT_TRUE(no_place(good, pose));
+    }
+  }
 }
 
 }  // namespace

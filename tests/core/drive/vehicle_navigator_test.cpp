@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stop_token>
 
 #include "core/drive/kept_way.h"
 #include "lasius/error.h"
@@ -161,6 +162,62 @@ TEST(VehicleNavigator, AWallThatHasGoneMayShortenTheWay) {
   const Way way = navigator.step(start);
   EXPECT_TRUE(way.replanned);
   EXPECT_LT(way.length, length - 5);
+}
+
+TEST(VehicleNavigator, AStoppedStepForgetsNoShorterWay) {
+  const Vehicle vehicle = car(kBox, 5);
+  Navigator navigator(two_rooms(), vehicle, {{90, 50, 0}});
+  const Pose start{10, 50, 0};
+  const double length = navigator.step(start).length;
+  navigator.observe(Rectangle{50, 44, 2, 12}, false);
+  std::stop_source source;
+  source.request_stop();
+  for (int i = 0; i < 2; ++i) {
+    const Way way = navigator.step(start, {.token = source.get_token()});
+    EXPECT_EQ(way.status, Status::solved);
+    EXPECT_EQ(way.length, length);
+  }
+  EXPECT_LT(navigator.step(start).length, length - 5);
+  EXPECT_FALSE(navigator.step(start).replanned);
+}
+
+TEST(VehicleNavigator, WithinTheTolerancesItIsThere) {
+  const Pose goal{90, 50, 0};
+  for (const Vehicle& vehicle : {car(kBox, 5), omni(kBox)}) {
+    Navigator navigator(two_rooms(), vehicle, {{10, 10, 0}, goal},
+                        {.goal_tolerance = 1, .heading_tolerance = 0.2});
+    const Way plan = navigator.step({70, 50, 0});
+    ASSERT_EQ(plan.goal, 1);
+    const Pose end = plan.segments.back().end();
+    for (const double on : {0.0, 0.3, 0.6}) {
+      const Pose robot{end.x + on * (goal.x - end.x), end.y + on * (goal.y - end.y), 0.15};
+      const Way way = navigator.step(robot);
+      EXPECT_EQ(way.status, Status::solved);
+      EXPECT_EQ(way.length, 0);
+      EXPECT_EQ(way.goal, 1);
+      ASSERT_EQ(way.segments.size(), 1U);
+      EXPECT_EQ(way.segments[0].begin, robot);
+    }
+    // Turned too far, or too far away.
+    EXPECT_GT(navigator.step({goal.x, goal.y, 0.3}).cost, 0);
+    EXPECT_GT(navigator.step({goal.x - 1.2, goal.y, 0}).length, 0);
+  }
+}
+
+TEST(VehicleNavigator, AStoppedWayOutIsNoProof) {
+  Grid grid(60, 60);
+  grid.fill({30, 0, 30, 20}, true);
+  const Pose robot{26.5, 10, 0};
+  Navigator navigator(grid, car(kBox, 5), {{10, 50, 2}});
+  std::stop_source source;
+  source.request_stop();
+  const Way stopped = navigator.step(robot, {.token = source.get_token()});
+  EXPECT_EQ(stopped.status, Status::interrupted);
+  EXPECT_EQ(stopped.fault, Fault::none);
+  EXPECT_FALSE(stopped.error.empty());
+  const Way late = navigator.step(robot, {.deadline = Clock::time_point::min()});
+  EXPECT_EQ(late.status, Status::limit);
+  EXPECT_EQ(navigator.step(robot).way_out, 1);
 }
 
 TEST(VehicleNavigator, LeadsOutOfItsOwnMargin) {
