@@ -1,20 +1,22 @@
 """lasius_mpi: what lasius prints, on any ranks and threads, by Open MPI and MPICH; a job that died goes on.
 
-LASIUS_MPI_KILLS: jobs to kill of each kind, at random moments (without it one of a batch, none of a study), and then
-also all ranks by all threads.
+LASIUS_MPI_KILLS: jobs to kill of each kind, after so many answers or runs (without it one), and then also all ranks by
+all threads, and a rank that is late.
 """
+import json
 import os
 import random
 import shutil
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
+from layers import map_text, pgm, yaml
 from program import MAPS, ProgramTest, Run, environment
 
 FAN = os.path.join(MAPS, "fan400x200.map")
+DRAWN = random.Random(47)
 PROGRAMS = {mpi: os.environ[name] for mpi, name in (("openmpi", "LASIUS_MPI_OPENMPI"), ("mpich", "LASIUS_MPI_MPICH"))
             if name in os.environ and shutil.which("mpirun." + mpi)}
 KILLS = int(os.environ.get("LASIUS_MPI_KILLS", 0))
@@ -22,6 +24,7 @@ AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 RANKS = [(mpi, ranks, threads) for mpi in PROGRAMS
          for ranks, threads in ([(r, t) for r in (1, 2, 3, 5, 8) for t in (1, 2, 4)] if KILLS else [(1, 2), (3, 1)])]
+SKIPPED = 77
 
 
 TUNING = """
@@ -60,24 +63,49 @@ def descendants(pid):
     return found
 
 
-class MpiTest(ProgramTest):
-    def job(self, mpi, ranks, arguments):
-        more = ["--oversubscribe", "--bind-to", "none"] if mpi == "openmpi" else []
-        return ["mpirun." + mpi, *more, "-n", str(ranks), PROGRAMS[mpi], *map(str, arguments)]
+def rank_of(pid):
+    with open(f"/proc/{pid}/environ", encoding="utf-8", errors="replace") as file:
+        values = dict(value.split("=", 1) for value in file.read().split("\0") if "=" in value)
+    return int(values.get("OMPI_COMM_WORLD_RANK", values.get("PMI_RANK", 0)))
 
-    def run_job(self, mpi, ranks, *arguments):
-        return Run(subprocess.run(self.job(mpi, ranks, arguments), cwd=self.folder, env=environment(AS_ROOT),
+
+class MpiTest(ProgramTest):
+    def job(self, mpi, ranks, arguments, other_folder=None):
+        """A rank more where there is another folder: it works there."""
+        more = ["--oversubscribe", "--bind-to", "none"] if mpi == "openmpi" else []
+        asked = [PROGRAMS[mpi], *map(str, arguments)]
+        other = [":", "-n", "1", "-wdir", other_folder, *asked] if other_folder else []
+        return ["mpirun." + mpi, *more, "-n", str(ranks), "-wdir", self.folder, *asked, *other]
+
+    def run_job(self, mpi, ranks, *arguments, other_folder=None):
+        return Run(subprocess.run(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=environment(AS_ROOT),
                                   stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False))
 
-    def start_job(self, mpi, ranks, *arguments):
-        return subprocess.Popen(self.job(mpi, ranks, arguments), cwd=self.folder, env=environment(AS_ROOT),
-                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    def start_job(self, mpi, ranks, *arguments, other_folder=None):
+        job = subprocess.Popen(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=environment(AS_ROOT),
+                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.addCleanup(job.stdout.close)
+        return job
 
-    def kill_a_rank(self, job):
-        for pid in random.sample(ranks := descendants(job.pid), min(1, len(ranks))):
-            os.kill(pid, signal.SIGKILL)
-        job.stdout.close()
-        return job.wait(60)
+    def ended_by(self, job, number, *ranks):
+        """A signal to these ranks, or to any one. The exit code, and what was printed after."""
+        pids = descendants(job.pid)
+        for pid in [pid for pid in pids if rank_of(pid) in ranks] if ranks else DRAWN.sample(pids, min(1, len(pids))):
+            os.kill(pid, number)
+        out = job.stdout.read()
+        return job.wait(60), out
+
+    def run_files(self, folder, job=None, count=0):
+        """Run files by their time of change, once there are so many or the job has ended."""
+        while True:
+            paths = [os.path.join(at, name) for at, _, names in os.walk(self.path(os.path.join(folder, "runs")))
+                     for name in names if name[0].isdigit()]
+            if len(paths) >= count or job.poll() is not None:
+                return {path: os.stat(path).st_mtime_ns for path in paths}
+            try:
+                job.wait(0.01)
+            except subprocess.TimeoutExpired:
+                pass
 
     def journals(self):
         return [name for name in os.listdir(self.folder) if name.endswith(".journal")]
@@ -108,20 +136,84 @@ class Batches(MpiTest):
         self.quiet(self.run_program(*self.asked, 1, "-o", "alone.svg"))
         self.assertEqual(self.words("all.svg"), self.words("alone.svg"))
 
+    def goes_on(self, mpi, printed):
+        """The command to its end; answers that were printed before are not found anew."""
+        run = self.run_job(mpi, 2, *self.asked, 2)
+        self.assertEqual((run.code, timeless(run.lines)), (0, self.alone), run.err)
+        self.assertEqual(run.out.splitlines(True)[:len(printed)], printed)
+        self.assertEqual(self.journals(), [])
+
     def test_a_job_that_lost_a_rank_goes_on_with_others(self):
-        for number in range(max(1, KILLS)):
+        number = hits = 0
+        while number < max(1, KILLS):
             mpi = list(PROGRAMS)[number % len(PROGRAMS)]
             with self.subTest(number=number, mpi=mpi):
+                number += 1
                 job = self.start_job(mpi, 3, *self.asked, 1)
-                for _ in range(random.randrange(1, 40)):  # so many answers are on disk
-                    job.stdout.readline()
-                self.kill_a_rank(job)
-                if self.journals():  # else it had ended
-                    self.write("torn", self.read(self.journals()[0]) + b"7 1000 0123")
-                    os.replace(self.path("torn"), self.path(self.journals()[0]))
-                run = self.run_job(mpi, 2, *self.asked, 2)
-                self.assertEqual((run.code, timeless(run.lines)), (0, self.alone), run.err)
-                self.assertEqual(self.journals(), [])
+                printed = [job.stdout.readline() for _ in range(DRAWN.randrange(1, 40))]  # these are on disk
+                code, _ = self.ended_by(job, signal.SIGKILL)
+                if journals := self.journals():  # else it had ended
+                    hits += 1
+                    self.assertNotEqual(code, 0)
+                    self.write("torn", self.read(journals[0]) + b"7 1000 0123")
+                    os.replace(self.path("torn"), self.path(journals[0]))
+                self.goes_on(mpi, printed if journals else [])
+        self.assertGreater(2 * hits, number)
+
+    def test_a_signal_to_any_rank_interrupts_the_job(self):
+        for mpi in PROGRAMS:
+            for ranks in ((0,), (1,), (0, 1)):
+                with self.subTest(mpi=mpi, ranks=ranks):
+                    job = self.start_job(mpi, 2, *self.asked, 1)
+                    first = job.stdout.readline()
+                    code, out = self.ended_by(job, signal.SIGTERM, *ranks)
+                    self.assertEqual(code, 130)
+                    self.assertEqual(len(self.journals()), 1)
+                    self.goes_on(mpi, (first + out).splitlines(True))
+
+    def other_folder(self, queries):
+        other = self.path("other")
+        os.makedirs(other, exist_ok=True)
+        return self.write("other/q.tsv", queries) and other
+
+    def test_only_the_leader_needs_the_folder_of_outputs(self):
+        os.makedirs(self.path("out"))
+        other = self.other_folder(self.read("q.tsv"))
+        for mpi in PROGRAMS:
+            run = self.run_job(mpi, 1, *self.asked, 1, "-o", "out/all.csv", other_folder=other)
+            self.assertEqual((run.code, timeless(run.lines)), (0, self.alone), run.err)
+            run = self.run_job(mpi, 1, *Studies.asked, "study-" + mpi, other_folder=other)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual(os.listdir(other), ["q.tsv"])
+
+    def test_ranks_with_other_input_are_refused(self):
+        other = self.other_folder(self.read("q.tsv").replace(b"14\t14", b"14\t15", 1))
+        for mpi in PROGRAMS:
+            run = self.run_job(mpi, 1, *self.asked, 1, other_folder=other)
+            self.ended(run, 3, "rank 1 has other input")
+
+    @unittest.skipUnless(KILLS, "of the night: set LASIUS_MPI_KILLS")
+    def test_a_complete_job_waits_for_a_rank_that_is_late(self):
+        other = self.other_folder("")
+        os.remove(os.path.join(other, "q.tsv"))
+        os.mkfifo(os.path.join(other, "q.tsv"))
+        for mpi in PROGRAMS:
+            job = self.start_job(mpi, 1, *self.asked, 1, other_folder=other)
+            self.assertEqual(timeless(json.loads(job.stdout.readline()) for _ in self.alone), self.alone)
+            with self.assertRaises(subprocess.TimeoutExpired):
+                job.wait(12)
+            with open(os.path.join(other, "q.tsv"), "w", encoding="utf-8"):
+                pass  # it reads nothing
+            self.assertEqual(job.wait(60), 0)
+
+    def test_an_answer_of_any_size_comes_whole(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "14\t14\t380\t150\n" * 6)
+        asked = ("batch", FAN, "q.tsv", "--algorithm", "acs", "--ants", "2", "--iterations", "1", "--seed", "1-40", "-q",
+                 "--threads", 1)
+        alone = timeless(self.quiet(self.run_program(*asked)).lines)
+        for mpi in PROGRAMS:
+            run = self.run_job(mpi, 3, *asked)
+            self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
 
     def test_what_is_wrong_is_said_once(self):
         for mpi in PROGRAMS:
@@ -159,20 +251,90 @@ class Studies(MpiTest):
                 self.assertEqual(self.table(folder), self.table("alone"))
                 self.assertEqual(len(self.table(folder)), 24)
 
-    @unittest.skipUnless(KILLS, "of the night: set LASIUS_MPI_KILLS")
+    def goes_on(self, mpi, folder, kept):
+        run = self.run_job(mpi, DRAWN.choice((1, 2, 5)), *self.asked, folder)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(self.table(folder), self.table("alone"))
+        files = self.run_files(folder)
+        self.assertEqual({path: files[path] for path in kept}, kept)
+        left = [name for _, _, names in os.walk(self.path(folder)) for name in names if not name[0].isalnum()]
+        self.assertEqual(left, [])
+
     def test_a_study_that_lost_ranks_goes_on(self):
-        for number in range(KILLS):
+        number = hits = 0
+        while number < max(1, KILLS):
             mpi = list(PROGRAMS)[number % len(PROGRAMS)]
             with self.subTest(number=number, mpi=mpi):
                 folder = f"killed{number}"
+                number += 1
                 job = self.start_job(mpi, 3, *self.asked, folder)
-                time.sleep(random.random() * 1.5)
-                self.kill_a_rank(job)
-                run = self.run_job(mpi, random.choice((1, 2, 5)), *self.asked, folder)
-                self.assertEqual(run.code, 0, run.err)
-                self.assertEqual(self.table(folder), self.table("alone"))
-                left = [name for _, _, names in os.walk(self.path(folder)) for name in names if not name[0].isalnum()]
-                self.assertEqual(left, [])
+                self.run_files(folder, job, DRAWN.randrange(1, 16))
+                code, _ = self.ended_by(job, signal.SIGKILL)
+                hits += code != 0
+                self.goes_on(mpi, folder, self.run_files(folder))
+        self.assertGreater(2 * hits, number)
+
+    def test_a_signal_to_another_rank_interrupts_a_study(self):
+        for mpi in PROGRAMS:
+            folder = "cut-" + mpi
+            job = self.start_job(mpi, 2, *self.asked, folder)
+            self.run_files(folder, job, 1)
+            code, out = self.ended_by(job, signal.SIGTERM, 1)
+            self.assertEqual((code, out), (130, ""))
+            self.goes_on(mpi, folder, self.run_files(folder))
+
+
+class Keys(MpiTest):
+    """A journal is of one input. An output that cannot be written leaves it, and its name is the input's hash."""
+
+    def setUp(self):
+        super().setUp()
+        os.symlink("/dev/full", self.path("full.json"))
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n")
+        self.write("poses.tsv", "sx\tsy\tsyaw\tgx\tgy\tgyaw\n4\t4\t0\t14\t5\t0\n")
+        self.write("yard.map", map_text(["." * 20] * 10))
+        self.write("ground.yaml", yaml("ground.pgm", 1, (0, 0, 0)))
+        self.write("layer.yaml", yaml("layer.pgm", 1, (0, 0, 0), "scale"))
+        for name in ("ground.pgm", "layer.pgm"):
+            self.write(name, pgm([[250] * 10] * 6))
+        self.write("car.json", json.dumps({"type": "omni", "footprint": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "units": "cells"}))
+        self.write("world.wkt", "POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0), (9 4, 11 4, 11 8, 9 8, 9 4))\n")
+        self.write("p.yaml", "algorithm: exact\n")
+
+    def key(self, *arguments):
+        run = self.run_job(list(PROGRAMS)[-1], 1, "batch", *arguments, "-q", "-o", "full.json")
+        self.assertEqual(run.code, 7, run.err)
+        journals = self.journals()
+        self.assertEqual(len(journals), 1)
+        os.remove(self.path(journals[0]))
+        return journals[0]
+
+    def test_every_input_is_in_it(self):
+        layers = ("ground.yaml", "q.tsv", "--cost", "layer.yaml")
+        vehicle = ("yard.map", "poses.tsv", "--vehicle", "car.json")
+        world = ("world.wkt", "q.tsv", "--preset", "p.yaml", "--algorithm", "exact")
+        kinds = ((layers, ("q.tsv", "ground.pgm", "layer.pgm")), (vehicle, ("yard.map", "car.json")))
+        if "maklink" in self.run_program("algorithms").out:
+            kinds += ((world, ("world.wkt", "p.yaml")),)
+        for arguments, files in kinds:
+            keys = {self.key(*arguments)}
+            self.assertEqual({self.key(*arguments, "--threads", "2")}, keys)
+            for file in files:
+                with self.subTest(arguments=arguments, file=file):
+                    was = self.read(file)
+                    self.write(file, was[:-2] + b"\xf9\xfa" if file.endswith(".pgm") else was + b"\n")
+                    key = self.key(*arguments)
+                    self.assertNotIn(key, keys)
+                    keys.add(key)
+                    self.write(file, was)
+
+    def test_what_is_read_once_is_refused(self):
+        os.mkfifo(self.path("pipe.tsv"))
+        job = self.start_job(list(PROGRAMS)[-1], 1, "batch", "small.map", "pipe.tsv", "-q")
+        with open(self.path("pipe.tsv"), "wb") as file:
+            file.write(self.read("q.tsv"))
+        self.assertEqual((job.stdout.read(), job.wait(60)), ("", 3))
+        self.assertEqual(self.journals(), [])
 
 
 class Races(MpiTest):
@@ -191,5 +353,5 @@ class Races(MpiTest):
 if __name__ == "__main__":
     if not PROGRAMS:
         print("SKIPPED: lasius_mpi was not built (-DLASIUS_BUILD_MPI=ON, tools/setup mpi) for an MPI whose mpirun is here")
-        sys.exit(0)
+        sys.exit(SKIPPED)
     unittest.main()

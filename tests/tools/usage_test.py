@@ -87,6 +87,14 @@ class Usage(ProgramTest):
             option = "--" + setting.split("=")[0].replace("_", "-")
             self.refused(self.run_program(*plan, "--set", setting), 2, "an option, " + option)
 
+    def test_a_count_of_islands_is_refused_by_its_option(self):
+        for count in ("4x", "-2", "0"):
+            self.refused(self.plan("--algorithm", "acs", "--islands", count), 2, "islands is " + count)
+        self.quiet(self.plan("--algorithm", "acs", "--iterations", "1", "--islands", "2", "-q"))
+        self.write("4x", self.read("small.map"))
+        self.assertEqual(self.run_program("plan", "--algorithm", "acs", "--iterations", "1", "--start", "0,0", "--goal", "9,5",
+                                          "-q", "--islands", "4x").code, 0)
+
     def test_values_of_another_form_and_names_far_from_all(self):
         for setting, words in (("ants=1e3", "ants is 1e3; it must be a whole number, 1 .. 1000000"),
                                ("persistence=0x1p-1", "it must be a plain number, 0 .. 1"),

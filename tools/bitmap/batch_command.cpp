@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/output.h"
 #include "core/base/parallel.h"
 #include "core/loop/batch_run.h"
 #include "lasius/batch.h"
@@ -18,6 +17,7 @@
 #include "tools/console/signals.h"
 #include "tools/console/values.h"
 #include "tools/record/batch.h"
+#include "tools/record/outputs.h"
 #include "tools/record/queries.h"
 
 namespace lasius::tool {
@@ -103,11 +103,11 @@ std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) 
 
 int run_bitmap_batch(const PlanCommand& command) {
   RunOptions run = command.run;
-  check_outputs(run.outputs, run.inputs);
+  check_files(run);
   SignalWatcher signals;
   LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
-  check_outputs(run.outputs, {map.image});
-  run.inputs.push_back(map.image);
+  note_files(map, run);
+  check_files(run);
   check_radius(map, run);
   QueryFile file = queries_of(command, map);
   keep_part(file.queries, command.queries, run.part);

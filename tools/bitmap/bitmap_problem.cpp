@@ -182,6 +182,12 @@ std::string unlike_radius(const Json& result) {
          "radius kept";
 }
 
+void note_files(const LoadedMap& map, SearchOptions& options) {
+  options.inputs.push_back(map.image);
+  if (map.costs)
+    options.inputs.insert(options.inputs.end(), map.costs->images.begin(), map.costs->images.end());
+}
+
 void note_map(const LoadedMap& map, RunOptions& run) {
   const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
   const std::string option = map.prepared.empty() ? "--prepare" : "--prepared";
@@ -264,9 +270,7 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   if (!given)
     map_ = std::make_shared<LoadedMap>(
         load_map(first, run.frame, run.params.corners, run.threads, token));
-  run.inputs.push_back(map_->image);
-  if (map_->costs)
-    run.inputs.insert(run.inputs.end(), map_->costs->images.begin(), map_->costs->images.end());
+  note_files(*map_, run);
   check_radius(*map_, run);
   answer_.start = end_place(*map_, command_.start, run.frame);
   answer_.goal = end_place(*map_, command_.goal, run.frame);

@@ -20,6 +20,9 @@ std::string unlike_radius(const Json& result);
 /// What -v says of a map that was read, and in how far --prepare has no effect.
 void note_map(const LoadedMap& map, RunOptions& run);
 
+/// The files that the map and its costs name, among the inputs.
+void note_files(const LoadedMap& map, SearchOptions& options);
+
 /// An answer as its result tells it.
 Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answer);
 

@@ -239,7 +239,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
   PolygonCommand command{text.run, text.world, {}, {}, text.queries};
   finish_search(command);
   command.world.file = text.run.map.file;
-  command.inputs = {command.world.file, text.queries};
+  command.inputs = {command.world.file, command.preset_file, text.queries};
   if (!text.start.empty()) command.start = pair_value("--start", text.start, false);
   if (!text.goal().empty()) command.goal = pair_value("--goal", text.goal(), false);
   command.with_optimum = true;  // it is found beside

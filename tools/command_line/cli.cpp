@@ -176,13 +176,23 @@ std::vector<std::string> with_values(std::span<const std::string_view> words) {
     return !word.starts_with('-') && nearest_name(word, kPreparations).has_value() &&
            !std::filesystem::exists(word);
   };
-  std::vector<std::string> whole(words.begin(), words.end());
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    if (words[i] == "--") break;
+  // What begins as a number and is no file is meant for --islands, and refused with its name.
+  const auto is_count = [&](std::string_view word) {
+    const auto digit = word.substr(word.starts_with('-') ? 1 : 0).substr(0, 1);
+    if (digit.find_first_of("0123456789") == digit.npos) return false;
+    return word.find_first_not_of("0123456789") == word.npos || !std::filesystem::exists(word);
+  };
+  std::vector<std::string> whole;
+  const auto end = static_cast<std::size_t>(std::ranges::find(words, "--") - words.begin());
+  for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string_view next = i + 1 < words.size() ? words[i + 1] : "";
-    if (words[i] == "--prepare" && !is_value(next)) whole[i] += "=graph";
-    const bool counted = !next.empty() && next.find_first_not_of("0123456789") == next.npos;
-    if (words[i] == "--islands" && !counted) whole[i] += "=8";
+    std::string& word = whole.emplace_back(words[i]);
+    if (i > end) continue;
+    if (word == "--prepare" && !is_value(next)) word += "=graph";
+    if (word != "--islands") continue;
+    const bool counted = is_count(next);
+    word.append("=").append(counted ? next : "8");
+    if (counted) ++i;
   }
   return whole;
 }

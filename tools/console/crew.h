@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -20,6 +21,8 @@ class Crew {
   struct Work {
     /// What the leader gives out, in this order; unread elsewhere. Items mean the same to all.
     std::vector<int> items = {};
+    /// Tells the input from all others: ranks with another one are refused.
+    std::string key = {};
     int at_a_time = 1;          ///< items that a rank takes at once
     std::stop_token stop = {};  ///< the leader's: nothing more is given out
     /// Of any rank: does items, and tells of each what became of it, not empty; empty: it was
@@ -30,10 +33,10 @@ class Crew {
     /// Of the leader: what the others go on with, too.
     std::function<std::string()> summary = {};
   };
-  /// Returns the summary when all items are done; of the leader also once it was stopped, and the
-  /// others are dismissed then. @throws Dismissed; std::runtime_error for what another rank met
-  /// with.
-  virtual std::string share(const Work& work) = 0;
+  /// The summary when all items are done. Nothing, to the leader alone, where a stop of any rank
+  /// ended it before; the others are dismissed then. @throws Dismissed; Error(file_broken) for a
+  /// rank with another key; std::runtime_error for what another rank met with.
+  virtual std::optional<std::string> share(const Work& work) = 0;
 };
 
 /// Thrown where a rank's work is done.

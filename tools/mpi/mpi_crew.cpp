@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <future>
@@ -13,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "lasius/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 
@@ -29,28 +31,45 @@ constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
 
 constexpr auto kNap = 200us;
 
-void put(std::string& to, int number) {
+/// Of a message's text; a longer one goes in several pieces, since MPI counts by int.
+constexpr std::size_t kPiece = 1 << 16;
+
+void put(std::string& to, std::int64_t number) {
   to.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
-int take_number(std::string_view& from) {
-  int number = 0;
+std::int64_t take_number(std::string_view& from) {
+  std::int64_t number = 0;
   std::memcpy(&number, from.data(), sizeof number);
   from.remove_prefix(sizeof number);
   return number;
+}
+
+void put(std::string& to, const std::string& text) {
+  put(to, static_cast<std::int64_t>(text.size()));
+  to += text;
+}
+std::string take_text(std::string_view& from) {
+  const auto size = static_cast<std::size_t>(take_number(from));
+  std::string text(from.substr(0, size));
+  from.remove_prefix(size);
+  return text;
 }
 
 std::string packed(std::span<const int> items, const std::vector<std::string>& texts) {
   std::string all;
   for (std::size_t i = 0; i < items.size(); ++i) {
     put(all, items[i]);
-    put(all, static_cast<int>(texts[i].size()));
-    all += texts[i];
+    put(all, texts[i]);
   }
   return all;
 }
 
 void send(int to, const std::string& text) {
-  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, 0, MPI_COMM_WORLD);
+  std::string whole;
+  put(whole, text);
+  for (std::size_t at = 0; at < whole.size(); at += kPiece)
+    MPI_Send(whole.data() + at, static_cast<int>(std::min(kPiece, whole.size() - at)), MPI_CHAR, to,
+             0, MPI_COMM_WORLD);
 }
 
 struct Letter {
@@ -64,11 +83,18 @@ std::optional<Letter> post() {
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
   if (there == 0) return std::nullopt;
-  int size = 0;
-  MPI_Get_count(&status, MPI_CHAR, &size);
-  Letter letter{status.MPI_SOURCE, std::string(static_cast<std::size_t>(size), '\0')};
-  MPI_Recv(letter.text.data(), size, MPI_CHAR, letter.from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return letter;
+  const int from = status.MPI_SOURCE;
+  std::string text, piece(kPiece, '\0');
+  std::size_t size = 0;
+  do {
+    MPI_Recv(piece.data(), static_cast<int>(kPiece), MPI_CHAR, from, 0, MPI_COMM_WORLD, &status);
+    int count = 0;
+    MPI_Get_count(&status, MPI_CHAR, &count);
+    std::string_view got(piece.data(), static_cast<std::size_t>(count));
+    if (size == 0) size = sizeof(std::int64_t) + static_cast<std::size_t>(take_number(got));
+    text.append(piece, 0, static_cast<std::size_t>(count));
+  } while (text.size() < size);
+  return Letter{from, text.substr(sizeof(std::int64_t))};
 }
 
 /// Work of the leader's own, beside the thread that answers the others.
@@ -114,14 +140,14 @@ class Ledger {
 
   void enter(std::string_view results) {
     while (!results.empty()) {
-      const int item = take_number(results);
-      const auto size = static_cast<std::size_t>(take_number(results));
-      if (size == 0)
+      const int item = static_cast<int>(take_number(results));
+      std::string text = take_text(results);
+      if (text.empty()) {
         stopped_ = true;
-      else
-        work_.receive(item, std::string(results.substr(0, size)));
+        continue;
+      }
+      work_.receive(item, std::move(text));
       --open_;
-      results.remove_prefix(size);
     }
   }
 
@@ -143,8 +169,8 @@ MpiCrew::MpiCrew(int* argc, char*** argv) {
 
 MpiCrew::~MpiCrew() { MPI_Finalize(); }
 
-std::string MpiCrew::share(const Work& work) {
-  std::string summary = leads() ? lead(work) : follow(work);
+std::optional<std::string> MpiCrew::share(const Work& work) {
+  auto summary = leads() ? lead(work) : follow(work);
   ++shared_;
   return summary;
 }
@@ -154,6 +180,7 @@ std::string MpiCrew::follow(const Work& work) {
   for (;;) {
     std::string wanted(1, kWant);
     put(wanted, shared_);
+    put(wanted, work.key);
     send(0, wanted + results);
     std::optional<Letter> reply;
     while (!(reply = post())) std::this_thread::sleep_for(kNap);
@@ -161,7 +188,7 @@ std::string MpiCrew::follow(const Work& work) {
     if (reply->text[0] != kItems) throw Dismissed{};
     std::vector<int> items;
     for (std::string_view left = std::string_view(reply->text).substr(1); !left.empty();)
-      items.push_back(take_number(left));
+      items.push_back(static_cast<int>(take_number(left)));
     try {
       results = packed(items, work.act(items));
     } catch (const std::exception& fault) {
@@ -171,7 +198,7 @@ std::string MpiCrew::follow(const Work& work) {
   }
 }
 
-std::string MpiCrew::lead(const Work& work) {
+std::optional<std::string> MpiCrew::lead(const Work& work) {
   Ledger ledger(work);
   OwnWork own(work);
   std::vector<int> waiting;
@@ -208,14 +235,19 @@ std::string MpiCrew::lead(const Work& work) {
         send(letter->from, farewells_[sharing]);
         continue;
       }
+      if (take_text(text) != work.key)
+        throw Error(ErrorCode::file_broken, {},
+                    "rank " + std::to_string(letter->from) + " has other input than rank 0",
+                    "give all ranks the same files and the same lasius");
       ledger.enter(text);
       give(letter->from);
     }
     if (rest) std::this_thread::sleep_for(kNap);
   }
-  const std::string summary = work.summary && ledger.done() ? work.summary() : std::string();
-  farewells_.push_back(ledger.done() && !ledger.stopping() ? kEnd + summary
-                                                           : std::string(1, kDismissed));
+  std::optional<std::string> summary;
+  if (ledger.done()) summary = work.summary ? work.summary() : std::string();
+  farewells_.push_back(summary && !ledger.stopping() ? kEnd + *summary
+                                                     : std::string(1, kDismissed));
   for (const int rank : waiting) send(rank, farewells_.back());
   return summary;
 }
@@ -229,7 +261,7 @@ void MpiCrew::leave(int code) {
       send(letter->from, std::string(1, kDismissed));
     else if (letter && letter->text[0] == kGone)
       gone_[static_cast<std::size_t>(letter->from)] = true;
-    else if (std::chrono::steady_clock::now() > until)
+    else if (code != kFound && std::chrono::steady_clock::now() > until)
       MPI_Abort(MPI_COMM_WORLD, code);  // others are at work that nobody waits for
     else if (!letter)
       std::this_thread::sleep_for(kNap);

@@ -1,6 +1,7 @@
 // Ranks of MPI as a crew.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,14 @@ class MpiCrew final : public Crew {
   ~MpiCrew() override;               ///< MPI_Finalize
 
   bool leads() const noexcept override { return rank_ == 0; }
-  std::string share(const Work& work) override;
+  std::optional<std::string> share(const Work& work) override;
 
-  /// The command has ended with this exit code; the leader waits for the others a while, and ends
-  /// the job where they do not.
+  /// The command has ended with this exit code. The leader waits for the others; where the command
+  /// did not do its work only a while, and then it ends the job.
   void leave(int code);
 
  private:
-  std::string lead(const Work& work);
+  std::optional<std::string> lead(const Work& work);
   std::string follow(const Work& work);
 
   int rank_ = 0, ranks_ = 1;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/output.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
@@ -12,6 +11,7 @@
 #include "tools/polygon/polygon_picture.h"
 #include "tools/polygon/polygon_report.h"
 #include "tools/record/batch.h"
+#include "tools/record/outputs.h"
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
 
@@ -155,7 +155,7 @@ std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last
 
 /// `batch`, and `plan` with several seeds.
 int run_polygon_batch(PolygonCommand plan) {
-  check_outputs(plan.outputs, plan.inputs);
+  check_files(plan);
   SignalWatcher signals;
   const auto parameters = make_params<polygon::Params>(plan, polygon_kind());
   const LoadedWorld world = load_world(plan.world);

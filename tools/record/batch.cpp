@@ -4,14 +4,17 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/io/json_values.h"
+#include "lasius/error.h"
 #include "lasius/version.h"
 #include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
@@ -178,6 +181,7 @@ class BatchOutput {
 };
 
 /// Tells a command and its input from all others, but not on how many threads it runs.
+/// @throws Error for an input that is read once: it cannot be shared, nor gone on with.
 std::string key_of(const Batch& batch) {
   std::string called = batch.options.called;
   if (const auto at = called.find(" --threads"); at != called.npos) {
@@ -186,7 +190,14 @@ std::string key_of(const Batch& batch) {
   }
   std::uint64_t hash =
       bytes_hash(called + "\n" + std::to_string(batch.queries) + "\n" + LASIUS_VERSION);
-  for (const std::string& file : batch.options.inputs) hash = file_hash(file, hash);
+  for (const std::string& file : batch.options.inputs) {
+    std::error_code none;
+    if (!file.empty() && !std::filesystem::is_regular_file(file, none))
+      throw Error(ErrorCode::file_unsupported, {.file = file},
+                  "is no regular file, and each rank has to read it",
+                  "write it to one, or use lasius");
+    hash = file_hash(file, hash);
+  }
   return hash_text(hash);
 }
 
@@ -202,11 +213,12 @@ class SharedBatch {
             static_cast<std::size_t>(std::sqrt(static_cast<double>(batch.queries)) / 4), 1, 1024)) {
   }
 
-  void run() {
-    Crew::Work work{.stop = how_.token};
+  /// False where it was stopped before all is done.
+  bool run() {
+    Crew::Work work{.key = key_of(batch_), .stop = how_.token};
     if (crew_.leads()) {
-      const std::string key = key_of(batch_);
-      ready_ = std::move(journal_.emplace("lasius-batch-" + key + ".journal", key).kept());
+      ready_ =
+          std::move(journal_.emplace("lasius-batch-" + work.key + ".journal", work.key).kept());
       const auto chunks = static_cast<int>((batch_.queries + chunk_ - 1) / chunk_);
       for (int i = 0; i < chunks; ++i)
         if (!ready_.contains(i)) work.items.push_back(i);
@@ -222,8 +234,9 @@ class SharedBatch {
       ready_.emplace(chunk, std::move(text));
       give_on();
     };
-    (void)crew_.share(work);
+    const bool whole = crew_.share(work).has_value();
     leave_to_leader();
+    return whole;
   }
 
   void end() { journal_->remove(); }
@@ -267,14 +280,16 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
   if (options.time_limit) how.time_limit = std::chrono::duration<double>(*options.time_limit);
   BatchOutput output(batch);
   std::optional<SharedBatch> shared;
+  bool whole = true;
   if (crew() != nullptr)
-    shared.emplace(*crew(), batch, how, output).run();
+    whole = shared.emplace(*crew(), batch, how, output).run();
   else
     batch.answer(0, batch.queries, how,
                  [&](const auto&... answer) { output.add(output.told(answer...)); });
   output.write_files();
-  if (shared && !signals.interrupted()) shared->end();
-  return output.finish(signals.interrupted());
+  const bool interrupted = signals.interrupted() || !whole;
+  if (shared && !interrupted) shared->end();
+  return output.finish(interrupted);
 }
 
 }  // namespace lasius::tool

@@ -1,9 +1,12 @@
 #include "tools/record/journal.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -35,7 +38,7 @@ std::size_t read_entries(std::string_view bytes, std::map<int, std::string>& kep
     const auto second = rest.find(' ', first + 1);
     if (second >= end) return at;
     const auto number = number_of<int>(rest.substr(0, first));
-    const auto size = number_of<int>(rest.substr(first + 1, second - first - 1));
+    const auto size = number_of<std::int64_t>(rest.substr(first + 1, second - first - 1));
     if (!number || !size || *size < 0) return at;
     const auto length = static_cast<std::size_t>(*size);
     if (rest.size() - end - 1 < length + 1) return at;
@@ -47,9 +50,26 @@ std::size_t read_entries(std::string_view bytes, std::map<int, std::string>& kep
   }
 }
 
+/// The file, held against other processes; negative where it cannot be written.
+/// @throws Error where another process holds it.
+int held(const std::string& file) {
+  for (;;) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) return descriptor;
+    const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct stat now {};
+    if (!taken && (::fstat(descriptor, &now) != 0 || now.st_nlink > 0)) return descriptor;
+    ::close(descriptor);
+    if (taken)
+      throw Error(ErrorCode::output_failed, {.file = file}, "another job of this command is at it",
+                  "wait for its end, or end it");
+  }  // it was removed before it was held
+}
+
 }  // namespace
 
-Journal::Journal(std::string file, const std::string& key) : file_(std::move(file)) {
+Journal::Journal(std::string file, const std::string& key)
+    : file_(std::move(file)), descriptor_(held(file_)) {
   std::string bytes;
   if (std::ifstream in(file_, std::ios::binary); in)
     bytes.assign(std::istreambuf_iterator<char>(in), {});
@@ -57,7 +77,6 @@ Journal::Journal(std::string file, const std::string& key) : file_(std::move(fil
   std::size_t whole = 0;
   if (bytes.starts_with(header))
     whole = header.size() + read_entries(std::string_view(bytes).substr(header.size()), kept_);
-  descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   const auto length = static_cast<off_t>(whole);
   if (descriptor_ < 0 || ::ftruncate(descriptor_, length) != 0 ||
       ::lseek(descriptor_, length, SEEK_SET) != length)

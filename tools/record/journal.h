@@ -13,7 +13,7 @@ namespace lasius::tool {
 class Journal {
  public:
   /// Opens or makes the file of a command that `key` tells from all others; a file with another key
-  /// is begun anew. @throws Error(output_failed)
+  /// is begun anew. @throws Error(output_failed), also while another job has it open.
   Journal(std::string file, const std::string& key);
   ~Journal();
   Journal(const Journal&) = delete;

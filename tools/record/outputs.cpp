@@ -4,6 +4,7 @@
 
 #include "core/base/output.h"
 #include "lasius/error.h"
+#include "tools/console/crew.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 
@@ -25,6 +26,10 @@ bool is_page(std::string_view file) { return has_ending(file, ".html"); }
 
 bool is_proof(std::string_view file) {
   return has_ending(file, ".proof.json") || has_ending(file, ".proof.cbor");
+}
+
+void check_files(const SearchOptions& options) {
+  if (!follows()) check_outputs(options.outputs, options.inputs);
 }
 
 void write_output(const std::string& file, const Forms& forms) {

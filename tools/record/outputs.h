@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/options/options.h"
+
 namespace lasius::tool {
 
 /// By their ending.
@@ -27,6 +29,10 @@ struct Forms {
   using WriteProof = std::function<void(std::ostream&, bool binary)>;
   WriteProof proof = {};  ///< likewise
 };
+
+/// What check_outputs refuses of a command's files, before work; of a crew's leader alone, who
+/// writes. @throws Error
+void check_files(const SearchOptions& options);
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws
 /// Error(output_failed)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/output.h"
 #include "lasius/error.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
@@ -10,6 +9,7 @@
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
@@ -65,11 +65,11 @@ int run(Problem& problem) {
     for (const auto& text : texts)
       if (!options.messages.quiet) message(text);
   };
-  check_outputs(options.outputs, options.inputs);
+  check_files(options);
   SignalWatcher signals;
   const auto iterations = problem.read(signals.token());
   // Again: by now maps, robots and scenes have named more files.
-  check_outputs(options.outputs, options.inputs);
+  check_files(options);
   say(options.notes);
   {
     const bool shown = wants_progress(options.messages);

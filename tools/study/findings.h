@@ -70,7 +70,8 @@ class Findings {
  public:
   std::vector<Sample> samples;  ///< with the runs that were done
   std::vector<SkippedContender> skipped;
-  bool whole = true;  ///< false after an interruption
+  bool whole = true;         ///< false after an interruption
+  bool interrupted = false;  ///< by a signal to this process, or to one that shares the runs
   std::map<std::pair<const Experiment*, const Question*>, double> optima;  ///< where known
 
   /// Null where the contender was skipped. What is asked for question by question is looked up, not

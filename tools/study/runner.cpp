@@ -13,7 +13,9 @@
 
 #include "core/base/parallel.h"
 #include "lasius/error.h"
+#include "lasius/version.h"
 #include "tools/console/crew.h"
+#include "tools/record/json_values.h"
 #include "tools/study/files.h"
 #include "tools/study/run_file.h"
 
@@ -39,7 +41,7 @@ void list_jobs(const std::shared_ptr<const PreparedRun>& prepared, const RunnerO
   sample.runs.resize(static_cast<std::size_t>(options.seeds));  // seed 0: not done
   const fs::path folder = options.folder / "runs" / sample.experiment->name /
                           sample.question->name / sample.contender->name;
-  make_folder(folder);
+  if (!tool::follows()) make_folder(folder);
   for (std::size_t r = 0; r < sample.runs.size(); ++r) {
     if (!options.part.holds(number++)) continue;
     const std::uint64_t seed = options.first_seed + r;
@@ -139,11 +141,20 @@ Run taken(const Job& job, const std::string& text) {
   return *std::move(run);
 }
 
-/// Shares the jobs that are left among a crew; an item is a job's number.
-void share(tool::Crew& crew, const std::vector<Job>& jobs, const RunnerOptions& options) {
+/// Tells the jobs from all others: equal numbers are to mean equal runs.
+std::string key_of(const std::vector<Job>& jobs) {
+  std::uint64_t hash = tool::bytes_hash(LASIUS_VERSION);
+  for (const Job& job : jobs)
+    hash = tool::bytes_hash(job.prepared->key + " " + std::to_string(job.seed) + "\n", hash);
+  return tool::hash_text(hash);
+}
+
+/// Shares the jobs that are left among a crew; an item is a job's number. False where they are not
+/// all done.
+bool share(tool::Crew& crew, const std::vector<Job>& jobs, const RunnerOptions& options) {
   std::vector<Workspace> workspaces(static_cast<std::size_t>(options.threads));
   const auto job_of = [&](int item) -> const Job& { return jobs[static_cast<std::size_t>(item)]; };
-  tool::Crew::Work work{.at_a_time = options.threads, .stop = options.stop};
+  tool::Crew::Work work{.key = key_of(jobs), .at_a_time = options.threads, .stop = options.stop};
   for (int i = 0; i < static_cast<int>(jobs.size()); ++i)
     if (!job_of(i).kept) work.items.push_back(i);
   std::ranges::stable_sort(work.items, std::greater<>(),
@@ -165,8 +176,9 @@ void share(tool::Crew& crew, const std::vector<Job>& jobs, const RunnerOptions& 
   std::int64_t done = 0;
   work.receive = [&](int item, const std::string& text) {
     const Job& job = job_of(item);
+    Run run = taken(job, text);
     write_text(job.file, text);
-    job.sample->runs[job.run] = taken(job, text);
+    job.sample->runs[job.run] = std::move(run);
     if (options.progress)
       options.progress(++done, static_cast<std::int64_t>(work.items.size()),
                        job.sample->contender->label + " on " + job.sample->question->name);
@@ -177,13 +189,15 @@ void share(tool::Crew& crew, const std::vector<Job>& jobs, const RunnerOptions& 
       for (const Job& job : jobs) all += run_text(job.prepared->key, job.sample->runs[job.run]);
       return all;
     };
-  std::istringstream told(crew.share(work));
-  if (crew.leads() || !options.tell_all) return;
+  const auto summary = crew.share(work);
+  if (crew.leads() || !options.tell_all) return summary.has_value();
+  std::istringstream told(summary.value_or(""));
   std::string line;
   for (const Job& job : jobs) {
     std::getline(told, line);
     job.sample->runs[job.run] = taken(job, line);
   }
+  return true;
 }
 
 }  // namespace
@@ -214,7 +228,8 @@ Findings run_study(const Study& study, const Domain& domain, const RunnerOptions
   if (crew == nullptr) find_optima();
   auto jobs = list_jobs(study, domain, options, findings);
   if (crew != nullptr) {
-    share(*crew, jobs, options);
+    if (!crew->leads() && options.stop.stop_requested()) throw tool::Dismissed{};
+    findings.interrupted = !share(*crew, jobs, options);
     find_optima();  // others need not wait for them
   } else if (!jobs.empty()) {
     work(jobs, options);
@@ -222,6 +237,7 @@ Findings run_study(const Study& study, const Domain& domain, const RunnerOptions
   for (Sample& sample : findings.samples)
     if (std::erase_if(sample.runs, [](const Run& run) { return run.seed == 0; }) > 0)
       findings.whole = false;
+  findings.interrupted |= options.stop.stop_requested();
   return findings;
 }
 

@@ -36,9 +36,7 @@ std::optional<std::int64_t> TourProblem::read(const std::stop_token& token) {
 void TourProblem::read_world(const std::stop_token& token) {
   RunOptions& run = command_.run;
   answer_.map = load_map(run.map, run.frame, run.params.corners, run.threads, token);
-  run.inputs.push_back(answer_.map.image);
-  if (const auto& costs = answer_.map.costs)
-    run.inputs.insert(run.inputs.end(), costs->images.begin(), costs->images.end());
+  note_files(answer_.map, run);
   check_radius(answer_.map, run);
   if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
   note_map(answer_.map, run);

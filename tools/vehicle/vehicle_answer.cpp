@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/poses_file.h"
 #include "tools/console/elapsed.h"
@@ -195,11 +196,10 @@ VehicleMap load_vehicle_map(const VehicleCommand& command,
 }
 
 void note_files(const VehicleMap& on, RunOptions& run) {
-  run.inputs.push_back(on.map.image);
+  note_files(on.map, run);
   if (!on.map.costs) return;
-  const LoadedCosts& costs = *on.map.costs;
-  run.inputs.insert(run.inputs.end(), costs.images.begin(), costs.images.end());
-  run.notes.insert(run.notes.end(), costs.notes.begin(), costs.notes.end());
+  const auto& notes = on.map.costs->notes;
+  run.notes.insert(run.notes.end(), notes.begin(), notes.end());
 }
 
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame) {

@@ -3,7 +3,6 @@
 #include <iterator>
 #include <span>
 
-#include "core/base/output.h"
 #include "core/base/text_lines.h"
 #include "core/loop/batch_run.h"
 #include "lasius/error.h"
@@ -13,6 +12,7 @@
 #include "tools/console/signals.h"
 #include "tools/console/values.h"
 #include "tools/record/batch.h"
+#include "tools/record/outputs.h"
 #include "tools/record/queries.h"
 #include "tools/vehicle/vehicle_answer.h"
 #include "tools/vehicle/vehicle_kind.h"
@@ -96,14 +96,13 @@ std::vector<std::string> end_texts(const VehicleAnswer& answer) {
 
 int run_vehicle_batch(const VehicleCommand& command) {
   RunOptions run = command.run;
-  check_outputs(run.outputs, run.inputs);
+  check_files(run);
   SignalWatcher signals;
   const VehicleMap on = load_vehicle_map(command, {}, signals.token());
   note_files(on, run);
-  check_outputs(run.outputs, run.inputs);
+  check_files(run);
   std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
   SearchOptions options = run;
-  options.inputs.push_back(on.map.image);
   keep_part(queries, command.queries, options.part);
   const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
                               const Batch::Take& take) {

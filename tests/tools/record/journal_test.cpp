@@ -88,6 +88,16 @@ TEST_F(Journals, AnEntryThatWasChangedEndsIt) {
   }
 }
 
+TEST_F(Journals, OneJobHasItAtATime) {
+  Journal journal(file_, "key");
+  journal.add(1, "one");
+  EXPECT_THROW(Journal(file_, "key"), Error);
+  journal.add(2, "two");
+  EXPECT_EQ(journal.kept().size(), 0u);
+  journal.remove();
+  Journal(file_, "key").add(3, "three");  // another file, of that name
+}
+
 TEST_F(Journals, AnotherCommandBeginsAnewAndTheEndLeavesNothing) {
   Journal(file_, "key").add(1, "one");
   EXPECT_TRUE(kept("other").empty());

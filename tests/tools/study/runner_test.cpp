@@ -3,6 +3,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -93,17 +95,21 @@ class TwoRanks final : public tool::Crew {
   TwoRanks() { tool::set_crew(this); }
   ~TwoRanks() override { tool::set_crew(nullptr); }
   bool leads() const noexcept override { return leads_; }
-  std::string share(const Work& work) override {
+  std::optional<std::string> share(const Work& work) override {
+    keys_.insert(work.key);
     if (!leads_) return told_;
     given_ = work.items.size();
     std::vector<int> items(work.items.rbegin(), work.items.rend());
+    if (stopped_) items.pop_back();
     auto texts = work.act(items);
     for (std::size_t i = 0; i < items.size(); ++i) work.receive(items[i], std::move(texts[i]));
+    if (stopped_) return std::nullopt;
     if (work.summary) told_ = work.summary();
     return told_;
   }
 
-  bool leads_ = true;
+  bool leads_ = true, stopped_ = false;
+  std::set<std::string> keys_;
   std::size_t given_ = 0;
 
  private:
@@ -127,8 +133,24 @@ TEST_F(StudyRunner, ACrewMakesTheSameTablesAndTellsItsRanks) {
   const Findings told = run(s, shared);
   EXPECT_TRUE(told.whole);
   EXPECT_EQ(tables(told, s), expected);
+  EXPECT_EQ(ranks.keys_.size(), 1u);  // though the follower has no folder
+  EXPECT_FALSE(std::filesystem::exists(path("follower")));
   shared.tell_all = false;
   EXPECT_FALSE(run(s, shared).whole);
+  shared.first_seed = 2;
+  (void)run(s, shared);
+  EXPECT_EQ(ranks.keys_.size(), 2u);
+}
+
+TEST_F(StudyRunner, WhatASignalToAnotherRankEndedIsInterrupted) {
+  const Study s = study();
+  TwoRanks ranks;
+  ranks.stopped_ = true;
+  EXPECT_TRUE(run(s, options()).interrupted);
+  ranks.stopped_ = false;
+  const Findings findings = run(s, options());
+  EXPECT_TRUE(findings.whole);
+  EXPECT_FALSE(findings.interrupted);
 }
 
 TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {

@@ -94,7 +94,7 @@ class Session {
   explicit Session(const StudyCommand& command)
       : command_(command), maps_(find_maps(command.maps)) {}
 
-  bool interrupted() const { return signals_.token().stop_requested(); }
+  bool interrupted() const { return interrupted_ || signals_.token().stop_requested(); }
 
   study::Seeds seeds(const Study& study) const {
     return command_.seeds > 0 ? study::Seeds{command_.first_seed, command_.seeds} : study.seeds;
@@ -102,17 +102,22 @@ class Session {
 
   /// Runs what is left of a study and writes its report, partial after a signal.
   Findings run(const Study& study, const fs::path& folder) {
-    study::make_folder(folder);
-    if (!command_.page.empty()) check_outputs({command_.page}, {});
-    for (const char* name : {"report.md", "report.html", "runs.csv", "results.csv", "claims.csv"})
-      check_outputs({(folder / name).string()}, {});  // before hours of work
+    if (!follows()) prepare(folder);
     const auto domain = make_domain(study, maps_);
     Findings findings = run_remaining(study, *domain, folder);
+    interrupted_ |= findings.interrupted;
     if (!command_.part.divided() && !follows()) write(study, findings, folder);
     return findings;
   }
 
  private:
+  void prepare(const fs::path& folder) const {
+    study::make_folder(folder);
+    if (!command_.page.empty()) check_outputs({command_.page}, {});
+    for (const char* name : {"report.md", "report.html", "runs.csv", "results.csv", "claims.csv"})
+      check_outputs({(folder / name).string()}, {});  // before hours of work
+  }
+
   Findings run_remaining(const Study& study, const study::Domain& domain, const fs::path& folder) {
     const auto tell = [&](std::size_t runs, double seconds) {
       if (!command_.messages.quiet)
@@ -159,6 +164,7 @@ class Session {
   const StudyCommand& command_;
   fs::path maps_;
   SignalWatcher signals_;
+  bool interrupted_ = false;
 };
 
 /// All studies, each in a folder of its own, and the pages of their claims.
@@ -190,7 +196,6 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
 int finished(const Session& session, const StudyCommand& command, const fs::path& page) {
   leave_to_leader();
   if (session.interrupted()) {
-    leave_to_leader();
     message("interrupted: " + page.string() + " is partial; the same command goes on from here");
     return kInterrupted;
   }
@@ -233,7 +238,7 @@ int run_users_study(const StudyCommand& command) {
     message(fault.problem() + ": " + fault.remedy());
     return kInvalidQuery;
   }
-  if (is_short) {
+  if (is_short && !follows()) {
     study::make_folder(command.folder);
     study::write_text(file, text);
   }

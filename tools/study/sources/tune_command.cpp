@@ -25,6 +25,14 @@ void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, const 
   study::write_text(folder / "preset.yaml", preset_text(tuning, tuned));
 }
 
+void make_ready(const fs::path& folder, const TuneCommand& command, const study::Tuning& tuning) {
+  study::make_folder(folder);
+  std::vector<std::string> inputs{command.file};
+  for (const study::Contender& c : tuning.candidates) inputs.push_back(c.preset_file);
+  for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
+    check_outputs({(folder / name).string()}, inputs);  // before hours of work
+}
+
 study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
                             const std::stop_token& stop) {
   const auto tell = [&](double seconds) {
@@ -47,11 +55,7 @@ int run_command(const TuneCommand& command) {
   study::Tuning tuning = study::read_tuning(command.file);
   if (!command.messages.quiet) tell_unread(tuning.candidates);
   const fs::path folder = command.folder;
-  study::make_folder(folder);
-  std::vector<std::string> inputs{command.file};
-  for (const study::Contender& c : tuning.candidates) inputs.push_back(c.preset_file);
-  for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
-    check_outputs({(folder / name).string()}, inputs);  // before hours of work
+  if (!follows()) make_ready(folder, command, tuning);
   const SignalWatcher signals;
   const study::Tuned tuned = conduct_tuning(tuning, command, signals.token());
   leave_to_leader();
