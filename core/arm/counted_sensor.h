@@ -25,6 +25,8 @@ class CountedSensor {
 
   /// True when told to stop, or when no question is left.
   bool stopped() const noexcept { return poller_.stopped() || spent_; }
+  /// For work without questions: polls at once; true when told to stop.
+  bool poll() { return poller_.stop_after(kQuestions); }
   /// Says in `result` how it ended, and what was asked.
   void finish(TrajectoryResult& result) const;
 

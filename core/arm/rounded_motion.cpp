@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/arm/blends.h"
+#include "core/arm/spline.h"
 #include "core/arm/timing.h"
 
 namespace lasius::arm {
@@ -17,21 +18,6 @@ std::vector<double> largest_blends(const Waypoints& way) {
   std::vector<double> sizes(way.size(), 0);
   for (std::size_t i = 1; i + 1 < way.size(); ++i) sizes[i] = largest_blend(way, i);
   return sizes;
-}
-
-Trajectory joined(std::vector<TimedRun>& runs) {
-  if (runs.size() == 1) return std::move(runs[0].motion);
-  std::vector<Trajectory::Knot> knots;
-  double begin = 0;
-  for (const TimedRun& run : runs) {
-    for (Trajectory::Knot knot : run.motion.knots()) {
-      if (!knots.empty() && knot.time == 0 && knot.ddq == knots.back().ddq) continue;
-      knot.time += begin;
-      knots.push_back(std::move(knot));
-    }
-    begin = knots.back().time;
-  }
-  return Trajectory(std::move(knots));
 }
 
 }  // namespace
@@ -54,33 +40,42 @@ Trajectory rounded_motion(const Robot& robot, Waypoints way, CountedSensor& coun
   for (std::size_t i = 1; i + 1 < way.size(); ++i) {
     while (sizes[i] > 0) {
       const PathPiece piece = blend_at(way, i, sizes[i]);
-      const Trajectory evenly(
-          {{0, piece.start, piece.bend}, {piece.length, piece.at(piece.length), piece.bend}});
-      if (counted.curve_free(evenly, 0, piece.length)) break;
+      // Over all of its length as one: per radian a short one's bend is beyond all bounds.
+      const JointVector bend = piece.length * piece.length * piece.bend;
+      const Trajectory evenly({{0, piece.start, bend}, {1, piece.at(piece.length), bend}});
+      if (counted.curve_free(evenly, 0, 1)) break;
       smaller(i);
     }
   }
   const bool jerk =
       std::ranges::any_of(robot.joints, [](const Joint& joint) { return joint.jerk > 0; });
-  std::vector<TimedRun> runs;
+  std::vector<Trajectory> motions;
   for (bool changed = true; changed;) {
+    // Once it is told to stop the resting motion is made, and nothing else.
+    const bool rests = counted.stopped();
+    if (rests) std::ranges::fill(sizes, 0.0);
     changed = false;
-    runs.clear();
+    motions.clear();
     std::size_t corner = 0;
     for (const PathRun& run : rounded(way, sizes)) {
-      runs.push_back(in_least_time(robot, run, kSteps));
-      if (jerk) runs.back() = smoothed(robot, runs.back());
-      for (const auto& [from, to] : runs.back().blends) {
+      TimedRun timed = in_least_time(robot, run, kSteps);
+      if (jerk) timed = smoothed(robot, timed, [&] { return counted.poll(); });
+      for (const auto& [from, to] : timed.blends) {
         do ++corner;
         while (sizes[corner] == 0);
-        if (counted.curve_free(runs.back().motion, from, to)) continue;
+        if (counted.curve_free(timed.motion, from, to)) continue;
         smaller(corner);
         changed = true;
+      }
+      motions.push_back(std::move(timed.motion));
+      if (!rests && counted.stopped()) {
+        changed = true;
+        break;
       }
     }
   }
   stops = way.size() > 2 && std::ranges::all_of(sizes, [](double size) { return size == 0; });
-  return joined(runs);
+  return joined(motions);
 }
 
 }  // namespace lasius::arm

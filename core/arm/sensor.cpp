@@ -14,24 +14,21 @@ namespace lasius::arm {
 class SceneSensor::Impl {
  public:
   Impl(std::shared_ptr<const Robot> robot, std::shared_ptr<const RobotShapes> shapes,
-       const Scene& scene, double clearance)
-      : robot_(std::move(robot)),
-        scene_(scene),
-        clearance_(clearance),
-        contact_(std::move(shapes), scene_) {}
+       const Scene& scene)
+      : robot_(std::move(robot)), scene_(scene), contact_(std::move(shapes), scene_) {}
 
-  Impl(const Impl& other, const Scene& scene)
-      : Impl(other.robot_, other.contact_.robot(), scene, other.clearance_) {}
+  Impl(const Impl& other, const Scene& scene) : Impl(other.robot_, other.contact_.robot(), scene) {}
 
-  double clearance() const noexcept { return clearance_; }
+  double clearance() const noexcept { return contact_.robot()->clearance(); }
 
-  bool is_free(const JointRef& q) const { return contact_.posture_free(checked(q), clearance_); }
+  bool is_free(const JointRef& q) const { return contact_.posture_free(checked(q)); }
   std::optional<bool> motion(const JointRef& from, const JointRef& to,
                              const StopCondition& stop) const {
-    return known(contact_.motion(checked(from), checked(to), clearance_, stop));
+    return known(contact_.motion(checked(from), checked(to), stop));
   }
   std::optional<bool> curve(const Trajectory& trajectory, double from, double to,
                             const StopCondition& stop) const {
+    constexpr double kMostBend = 1e12;  // an acceleration may be larger than a value
     const double whole = to - from;
     if (!(whole > 0)) return is_free(trajectory.at(from).q);
     const auto& knots = trajectory.knots();
@@ -40,8 +37,10 @@ class SceneSensor::Impl {
       const auto &a = knots[i], &b = knots[i + 1];
       const double h = b.time - a.time;
       if (!(h > 0) || b.time <= from || a.time >= to) continue;
-      const auto q = checked(a.q), next = checked(b.q), bend = checked(a.ddq),
-                 last = checked(b.ddq);
+      const auto q = checked(a.q), next = checked(b.q), bend = as_span(a.ddq),
+                 last = as_span(b.ddq);
+      check_values(*robot_, bend, kMostBend);
+      check_values(*robot_, last, kMostBend);
       CurvePiece& piece = pieces.emplace_back();
       piece.begin = (a.time - from) / whole;
       for (std::size_t j = 0; j < q.size(); ++j) {
@@ -53,7 +52,7 @@ class SceneSensor::Impl {
     }
     if (pieces.empty()) return is_free(trajectory.at(from).q);
     const auto joints = static_cast<std::size_t>(robot_->size());
-    return known(contact_.motion(JointCurve(joints, pieces), clearance_, stop));
+    return known(contact_.motion(JointCurve(joints, pieces), stop));
   }
   Nearest nearest(const JointRef& q) const {
     const NearPair pair = contact_.nearest(checked(q));
@@ -65,7 +64,7 @@ class SceneSensor::Impl {
     const NearPair pair = contact_.nearest(checked(q));
     std::string text = link_name(*robot_, pair.link) + " and " + other_name(pair);
     if (!(pair.distance > 0)) return text;
-    const auto [is, least] = metres(pair.distance, 2 * clearance_);
+    const auto [is, least] = metres(pair.distance, 2 * clearance());
     return text + ", " + is + " m apart (less than twice the clearance, " + least +
            " m, counts as touching)";
   }
@@ -88,7 +87,6 @@ class SceneSensor::Impl {
 
   std::shared_ptr<const Robot> robot_;
   Scene scene_;
-  double clearance_;
   Contact contact_;
 };
 
@@ -110,7 +108,7 @@ SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearanc
                     "it must be 0.000001 .. 1 metres");
   auto kept = std::make_shared<const Robot>(robot);
   auto shapes = std::make_shared<const RobotShapes>(*kept, clearance);
-  impl_ = std::make_unique<const Impl>(std::move(kept), std::move(shapes), scene, clearance);
+  impl_ = std::make_unique<const Impl>(std::move(kept), std::move(shapes), scene);
 }
 SceneSensor::SceneSensor(const SceneSensor& other, const Scene& scene) {
   validate(scene);

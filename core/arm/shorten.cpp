@@ -46,7 +46,8 @@ Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Wa
   constexpr double kLeastGain = 1e-3;
   kernels::RandomStream words(options.seed, 0, 0, seconds ? kSeconds : kUse);
   double least = seconds ? seconds(way) : 0;
-  for (int i = 0; i < options.shortcuts && way.size() > 2 && !counted.stopped(); ++i) {
+  for (int i = 0; i < options.shortcuts && way.size() > 2; ++i) {
+    if (counted.poll() || counted.stopped()) break;  // most draws ask nothing
     std::vector<double> until{0};
     for (std::size_t k = 1; k < way.size(); ++k)
       until.push_back(until.back() + far(robot, options.quick, way[k - 1], way[k]));

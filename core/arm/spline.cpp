@@ -128,20 +128,26 @@ Trajectory spline_through(const TimedWaypoints& course) {
   return Trajectory(std::move(knots));
 }
 
-Trajectory stop_and_go(const TimedWaypoints& course) {
+Trajectory joined(std::span<const Trajectory> motions) {
   std::vector<Knot> knots;
   double begin = 0;
-  for (std::size_t i = 0; i < course.spans.size(); ++i) {
-    const Trajectory one =
-        spline_through({{course.points[i], course.points[i + 1]}, {course.spans[i]}});
-    for (Knot knot : one.knots()) {
-      if (!knots.empty() && knot.time == 0) continue;
+  for (const Trajectory& motion : motions) {
+    for (Knot knot : motion.knots()) {
+      if (!knots.empty() && knot.time == 0 && knot.ddq == knots.back().ddq) continue;
       knot.time += begin;
       knots.push_back(std::move(knot));
     }
-    begin += course.spans[i];
+    begin = knots.back().time;
   }
   return Trajectory(std::move(knots));
+}
+
+Trajectory stop_and_go(const TimedWaypoints& course) {
+  std::vector<Trajectory> motions;
+  for (std::size_t i = 0; i < course.spans.size(); ++i)
+    motions.push_back(
+        spline_through({{course.points[i], course.points[i + 1]}, {course.spans[i]}}));
+  return joined(motions);
 }
 
 double needed_stretch(const Robot& robot, const Trajectory& trajectory, std::size_t i) {

@@ -1,6 +1,7 @@
 // Cubic splines through joint vectors, at rest at both ends.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct TimedWaypoints {
 /// The spline through the course: velocity and acceleration are 0 at both ends, for which the first
 /// and the last interval (or the only one) get a free knot each.
 Trajectory spline_through(const TimedWaypoints& course);
+
+/// One after another, from rest to rest; where the acceleration jumps knots stand twice.
+/// Precondition: each begins where the one before ends.
+Trajectory joined(std::span<const Trajectory> motions);
 
 /// Straight from point to point, at rest at each.
 Trajectory stop_and_go(const TimedWaypoints& course);

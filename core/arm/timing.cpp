@@ -207,8 +207,10 @@ double jerk_used(const Robot& robot, const Trajectory& motion) {
   return most;
 }
 
-/// The mean over the shortest window that keeps to the limits of jerk, or nearly.
-Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
+/// The mean over the shortest window that keeps to the limits of jerk, or nearly; where stopped
+/// over a shorter one.
+Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion,
+                            const std::function<bool()>& stopped) {
   double window = 0;  // of the first change of acceleration, from rest
   for (const auto& knot : motion.knots()) {
     for (int j = 0; j < robot.size(); ++j) {
@@ -224,7 +226,7 @@ Trajectory mean_within_jerk(const Robot& robot, const Trajectory& motion) {
   Trajectory smooth = mean_over(motion, window);
   for (int i = 0; i < kMost; ++i) {
     const double used = jerk_used(robot, smooth);
-    if (used <= kMargin) break;
+    if (used <= kMargin || stopped()) break;
     window *= used;
     smooth = mean_over(motion, window);
   }
@@ -268,14 +270,14 @@ TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps) {
   return slow_enough(robot, {Trajectory(pieces.take()), std::move(blends)});
 }
 
-TimedRun smoothed(const Robot& robot, const TimedRun& run) {
+TimedRun smoothed(const Robot& robot, const TimedRun& run, const std::function<bool()>& stopped) {
   constexpr double kSlower = 1.1;
   TimedRun slow = run;
-  Trajectory best = mean_within_jerk(robot, run.motion);
-  for (;;) {
+  Trajectory best = mean_within_jerk(robot, run.motion, stopped);
+  while (!stopped()) {
     TimedRun next = slower(slow, kSlower);
-    Trajectory mean = mean_within_jerk(robot, next.motion);
-    if (!(mean.duration() < best.duration())) break;
+    Trajectory mean = mean_within_jerk(robot, next.motion, stopped);
+    if (stopped() || !(mean.duration() < best.duration())) break;
     best = std::move(mean);
     slow = std::move(next);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "core/arm/blends.h"
@@ -29,7 +30,8 @@ TimedRun in_least_time(const Robot& robot, const PathRun& run, int steps);
 /// between knots, no limit is broken that held before, and jerk is what the acceleration changed in
 /// that time, divided by it. That time is as short as the limits of jerk allow; where it pays, the
 /// motion is slowed first. On edges it stays on them. As it is where no joint that moves has a
-/// limit of jerk. Precondition: accelerations are constant between knots.
-TimedRun smoothed(const Robot& robot, const TimedRun& run);
+/// limit of jerk. Once `stopped`, which is asked after each mean, says so, the best so far is
+/// taken, slow enough for the limits. Precondition: accelerations are constant between knots.
+TimedRun smoothed(const Robot& robot, const TimedRun& run, const std::function<bool()>& stopped);
 
 }  // namespace lasius::arm

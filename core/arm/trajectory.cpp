@@ -173,13 +173,14 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
     result.trajectory = spline_motion(robot, way, counted, result.stops);
   else
     result.trajectory = rounded_motion(robot, way, counted, result.stops);
-  if (options.quick && !splines && way.size() > 2) {
+  if (options.quick && !splines && way.size() > 2 && !counted.stopped()) {
     const Waypoints quick = quicker_way(robot, options, way, counted, [&](const Waypoints& other) {
       return seconds_at_best(robot, other);
     });
     bool stops = false;
-    Trajectory motion = rounded_motion(robot, quick, counted, stops);
-    if (motion.duration() < result.trajectory.duration()) {
+    Trajectory motion;
+    if (!counted.stopped()) motion = rounded_motion(robot, quick, counted, stops);
+    if (!motion.empty() && motion.duration() < result.trajectory.duration()) {
       result.trajectory = std::move(motion);
       result.waypoints = static_cast<int>(quick.size());
       result.stops = stops;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "kernels/base/cpu.h"
@@ -67,9 +68,9 @@ struct LaneMiss {
 
 struct LaneContact {
   /// True only where a ball in the robot touches an obstacle in the middle of a part.
-  bool (*touches)(const LaneRobot&, const std::vector<LaneObstacle>&, const LaneMotion&);
+  bool (*touches)(const LaneRobot&, std::span<const LaneObstacle>, const LaneMotion&);
   /// Adds to `misses` what is not shown to be further apart than the clearance, all along a part.
-  void (*sweep)(const LaneRobot&, const std::vector<LaneObstacle>&, const LaneMotion&,
+  void (*sweep)(const LaneRobot&, std::span<const LaneObstacle>, const LaneMotion&,
                 std::vector<LaneMiss>& misses);
 };
 /// Those of an instruction set. They say the same.

@@ -117,7 +117,7 @@ LASIUS_LANES Lanes square(Lanes a) noexcept { return a * a; }
 
 constexpr float kUp = 1.00001F;
 
-LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, const std::vector<LaneObstacle>& obstacles,
+LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, std::span<const LaneObstacle> obstacles,
                                  const LaneMotion& motion) {
   std::array<LanePose, kMostLaneJoints> poses;
   place(robot, motion, poses.data());
@@ -150,7 +150,7 @@ LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, const std::vector<LaneO
 }
 
 // The bounds are those of core/arm/contact/motion_bound.h, of a half part's change of the joints.
-LASIUS_LANES_TARGET void sweep(const LaneRobot& robot, const std::vector<LaneObstacle>& obstacles,
+LASIUS_LANES_TARGET void sweep(const LaneRobot& robot, std::span<const LaneObstacle> obstacles,
                                const LaneMotion& motion, std::vector<LaneMiss>& misses) {
   std::array<LanePose, kMostLaneJoints> poses;
   place(robot, motion, poses.data());

@@ -51,7 +51,8 @@ NearPair Contact::told(const Pair& pair, double distance) const {
   return found;
 }
 
-bool Contact::posture_free(std::span<const double> q, double clearance) const {
+bool Contact::posture_free(std::span<const double> q) const {
+  const double least = 2 * robot_->clearance();
   Kinematics::Poses poses;
   Bodies bodies;
   place_bodies(robot_->kinematics(), q, poses, bodies);
@@ -64,13 +65,11 @@ bool Contact::posture_free(std::span<const double> q, double clearance) const {
       const auto& [a, b, relation] = pair;
       const auto& [body, from] = relations_[relation];
       const PlacedShape other(*b, bodies[from]);
-      if (ball_gap(*a, bodies[body], *b, other).gap >= 2 * clearance) continue;
+      if (ball_gap(*a, bodies[body], *b, other).gap >= least) continue;
       const PlacedShape at(*a, bodies[body]);
       if (a->hull_or_exact() && b->hull_or_exact()) {
         const Vec3 guess = off(*a, bodies[body], *b, bodies[from]);
-        const double apart =
-            shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance);
-        if (apart >= 2 * clearance) continue;
+        if (shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, least) >= least) continue;
         if (a->exact && b->exact) return false;
       }
       const auto parts = opened(pair);

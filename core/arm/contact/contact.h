@@ -7,6 +7,7 @@
 
 #include "core/arm/contact/joint_curve.h"
 #include "core/arm/contact/robot_shapes.h"
+#include "core/base/poller.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {
@@ -19,25 +20,26 @@ struct NearPair {
   int obstacle = -1;
 };
 
-/// A robot and its scene, ready to be asked by several threads at a time. Nearer than twice the
-/// clearance counts as touched, and what is called free is nowhere nearer than the clearance: all
-/// along a motion, which is shown by bounds, not by samples. Meshes are surfaces.
+/// A robot and its scene, ready to be asked by several threads at a time. The clearance is that of
+/// the robot's shapes: nearer than twice that counts as touched, and what is called free is nowhere
+/// nearer than the clearance: all along a motion, which is shown by bounds, not by samples. Meshes
+/// are surfaces.
 class Contact {
  public:
   /// Precondition: a scene that `validate` accepts.
   Contact(std::shared_ptr<const RobotShapes> robot, const Scene& scene);
 
-  /// True where nothing is nearer than 2 `clearance`.
+  /// True where nothing is nearer than twice the clearance.
   /// Precondition: a value for each joint, in all that follows.
-  bool posture_free(std::span<const double> q, double clearance) const;
+  bool posture_free(std::span<const double> q) const;
 
   enum class Answer { free, blocked, stopped };
-  /// `free`: nothing comes nearer than `clearance` while the joints go straight. `blocked`: in a
+  /// `free`: nothing comes nearer than the clearance while the joints go straight. `blocked`: in a
   /// posture on the way something is nearer than twice that. Polls `stop` all the time.
-  Answer motion(std::span<const double> from, std::span<const double> to, double clearance,
+  Answer motion(std::span<const double> from, std::span<const double> to,
                 const StopCondition& stop) const;
   /// The same along a curve.
-  Answer motion(const JointCurve& curve, double clearance, const StopCondition& stop) const;
+  Answer motion(const JointCurve& curve, const StopCondition& stop) const;
 
   /// The nearest pair of those that must not touch; infinitely far where there is none.
   NearPair nearest(std::span<const double> q) const;
@@ -67,8 +69,12 @@ class Contact {
   void add(const ShapePair& pair);
   /// Whether the kernels' rounding is bounded for such a motion.
   bool lanes_hold(std::span<const double> from, std::span<const double> to) const noexcept;
+  /// Calls look(obstacles, first), a few hundred at a time from number `first` on, until it or
+  /// `poller` says to stop: then it is false.
+  template <class Look>
+  bool glance(Poller& poller, const Look& look) const;
   /// A quick look whether an obstacle reaches into the robot, which need not find what there is.
-  bool touches(const Straight& motion) const;
+  bool touches(const Straight& motion, Poller& poller) const;
   NearPair told(const Pair& pair, double distance) const;
 
   std::shared_ptr<const RobotShapes> robot_;

@@ -8,7 +8,6 @@
 #include "core/arm/contact/contact.h"
 #include "core/arm/contact/motion_bound.h"
 #include "core/arm/contact/pair_tests.h"
-#include "core/base/poller.h"
 
 namespace lasius::arm {
 namespace {
@@ -21,6 +20,7 @@ int mirrored(int i, int count) noexcept {
 }
 
 constexpr int kMostParts = 64;
+constexpr std::int64_t kPairs = 64;  // looked at between two polls
 
 /// In so many parts of a motion none is longer than `most`, radians and metres of all joints
 /// together: 1 to 64, a power of two.
@@ -50,34 +50,49 @@ bool Contact::lanes_hold(std::span<const double> from, std::span<const double> t
   return way <= kLongest;
 }
 
-bool Contact::touches(const Straight& motion) const {
-  const int lanes = lanes_of(motion.curve.way());
-  for (int first = 0; first < lanes; first += kernels::kLanes) {
-    if (glance_.touches(robot_->lanes().robot, lane_obstacles_,
-                        {motion.from.data(), motion.to.data(), lanes, first, 0}))
-      return true;
+template <class Look>
+bool Contact::glance(Poller& poller, const Look& look) const {
+  constexpr std::size_t kSome = 512, kOfUnit = 16;  // as long takes one pair in the search
+  const std::span<const kernels::LaneObstacle> all = lane_obstacles_;
+  for (std::size_t first = 0; first < all.size(); first += kSome) {
+    const auto some = all.subspan(first, std::min(kSome, all.size() - first));
+    if (!look(some, static_cast<int>(first)) ||
+        poller.stop_after(static_cast<std::int64_t>(some.size() / kOfUnit)))
+      return false;
   }
-  return false;
+  return true;
+}
+
+bool Contact::touches(const Straight& motion, Poller& poller) const {
+  const int lanes = lanes_of(motion.curve.way());
+  bool touched = false;
+  for (int part = 0; part < lanes && !touched && !poller.stopped(); part += kernels::kLanes) {
+    const kernels::LaneMotion parts{motion.from.data(), motion.to.data(), lanes, part, 0};
+    glance(poller, [&](std::span<const kernels::LaneObstacle> obstacles, int) {
+      return !(touched = glance_.touches(robot_->lanes().robot, obstacles, parts));
+    });
+  }
+  return touched;
 }
 
 /// One motion: intervals of it, breadth first, and what is not shown to be apart in each.
 class Contact::Search {
  public:
   /// `straight`: the same motion, where it is one; else null.
-  Search(const Contact& contact, const JointCurve& curve, const Straight* straight,
-         double clearance, const StopCondition& stop)
+  Search(const Contact& contact, const JointCurve& curve, const Straight* straight, Poller& poller)
       : contact_(contact),
         arm_(contact.robot_->kinematics()),
         curve_(curve),
         straight_(straight),
-        clearance_(clearance),
+        clearance_(contact.robot_->clearance()),
         bound_(arm_),
-        poller_(stop, 64),
+        poller_(poller),
         relative_(contact.relations_.size(), &memory_),
         known_(relative_.size(), 0, &memory_) {}
 
   Answer run() {
     begin();
+    if (poller_.stopped()) return Answer::stopped;
     constexpr int kMostHalvings = 48;
     for (int depth = 0; !intervals_.empty(); ++depth) {
       if (depth == kMostHalvings) return Answer::blocked;
@@ -112,10 +127,15 @@ class Contact::Search {
     std::vector<std::pair<PairTable::Doubt, std::size_t>> doubts;
     std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
     for (int b = 0; glance && b < lanes / kernels::kLanes; ++b) {
-      contact_.glance_.sweep(
-          contact_.robot_->lanes().robot, contact_.lane_obstacles_,
-          {straight_->from.data(), straight_->to.data(), lanes, b * kernels::kLanes, clearance_},
-          misses);
+      const kernels::LaneMotion parts{straight_->from.data(), straight_->to.data(), lanes,
+                                      b * kernels::kLanes, clearance_};
+      const auto sweep = [&](std::span<const kernels::LaneObstacle> obstacles, int first) {
+        std::size_t m = misses.size();
+        contact_.glance_.sweep(contact_.robot_->lanes().robot, obstacles, parts, misses);
+        for (; m < misses.size(); ++m) misses[m].obstacle += first;
+        return true;
+      };
+      if (!contact_.glance(poller_, sweep) && poller_.stopped()) return;
       until[b + 1] = misses.size();
     }
     // Far apart ones first: what is blocked at all is found sooner.
@@ -232,7 +252,7 @@ class Contact::Search {
   const Straight* straight_;
   double clearance_;
   MotionBound bound_;
-  Poller poller_;
+  Poller& poller_;
   Kinematics::Poses poses_;
   Bodies bodies_;
   std::array<std::byte, 1 << 15> buffer_;
@@ -244,20 +264,20 @@ class Contact::Search {
 };
 
 Contact::Answer Contact::motion(std::span<const double> from, std::span<const double> to,
-                                double clearance, const StopCondition& stop) const {
-  if (std::ranges::equal(from, to))
-    return posture_free(from, clearance) ? Answer::free : Answer::blocked;
+                                const StopCondition& stop) const {
+  if (std::ranges::equal(from, to)) return posture_free(from) ? Answer::free : Answer::blocked;
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
   const CurvePiece piece(from, to);
   const Straight motion{from, to, JointCurve(from.size(), {&piece, 1}), lanes_hold(from, to)};
-  if (motion.lanes_hold && touches(motion)) return Answer::blocked;
-  return Search(*this, motion.curve, &motion, clearance, stop).run();
+  Poller poller(stop, kPairs);
+  if (motion.lanes_hold && touches(motion, poller)) return Answer::blocked;
+  return poller.stopped() ? Answer::stopped : Search(*this, motion.curve, &motion, poller).run();
 }
 
-Contact::Answer Contact::motion(const JointCurve& curve, double clearance,
-                                const StopCondition& stop) const {
+Contact::Answer Contact::motion(const JointCurve& curve, const StopCondition& stop) const {
   if (stop.poll() != StopCondition::Cause::none) return Answer::stopped;
-  return Search(*this, curve, nullptr, clearance, stop).run();
+  Poller poller(stop, kPairs);
+  return Search(*this, curve, nullptr, poller).run();
 }
 
 }  // namespace lasius::arm

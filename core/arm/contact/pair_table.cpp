@@ -94,6 +94,7 @@ bool PairTable::cell_free(int level, int x, int y, Poller& poller) const {
   if (known == unknown) {
     if (poller.stopped()) return false;
     known = look(level, x, y, poller);
+    if (known == unknown) return false;
     state.store(known, std::memory_order_relaxed);
   }
   return known == free;
@@ -144,7 +145,7 @@ PairTable::State PairTable::look(int level, int x, int y, Poller& poller) const 
       if (a->exact && b->exact) return open;
     }
     const bool opened = first_is_opened(*a, *b);
-    poller.stop_after(work_of_parts(opened ? *a : *b));
+    if (poller.stop_after(work_of_parts(opened ? *a : *b))) return unknown;
     for (const Shape* const part : parts_of(opened ? *a : *b))
       left.emplace_back(opened ? part : a, opened ? b : part);
   }

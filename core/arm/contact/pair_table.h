@@ -37,6 +37,7 @@ class PairTable {
   enum State : char { unknown, free, open };
 
   bool cell_free(int level, int x, int y, Poller& poller) const;
+  /// Unknown where told to stop.
   State look(int level, int x, int y, Poller& poller) const;
 
   const Kinematics& arm_;

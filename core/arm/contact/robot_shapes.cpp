@@ -5,7 +5,8 @@
 
 namespace lasius::arm {
 
-RobotShapes::RobotShapes(const Robot& robot, double clearance) : arm_(robot) {
+RobotShapes::RobotShapes(const Robot& robot, double clearance)
+    : clearance_(clearance), arm_(robot) {
   const int links = static_cast<int>(robot.links.size());
   std::vector<const Shape*> whole(links, nullptr);              // of each link
   std::vector<std::vector<InnerBall>> inner(robot.size() + 1);  // of each body

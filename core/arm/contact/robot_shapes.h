@@ -16,9 +16,11 @@ namespace lasius::arm {
 /// A robot's links, prepared once for any number of scenes.
 class RobotShapes {
  public:
-  /// Precondition: a robot that `validate` accepts. Tables are for this clearance, metres.
+  /// Precondition: a robot that `validate` accepts; what is asked of it keeps this clearance,
+  /// metres.
   RobotShapes(const Robot& robot, double clearance);
 
+  double clearance() const noexcept { return clearance_; }
   const Kinematics& kinematics() const noexcept { return arm_; }
   /// All that moves with a body; null: nothing.
   const Shape* body(int i) const noexcept { return bodies_[i]; }
@@ -30,6 +32,7 @@ class RobotShapes {
   const LaneModel& lanes() const noexcept { return *lanes_; }
 
  private:
+  double clearance_;
   Kinematics arm_;
   ShapeStore store_;
   std::vector<int> links_;  // of each solid

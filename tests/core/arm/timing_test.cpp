@@ -8,40 +8,13 @@
 #include <vector>
 
 #include "core/arm/blends.h"
-#include "core/arm/ends.h"
 #include "core/arm/spline.h"
 #include "lasius/arm_trajectory.h"
 #include "tests/core/arm/questions.h"
+#include "tests/core/arm/ways.h"
 
 namespace lasius::arm {
 namespace {
-
-/// Joints with limits drawn at random, no bodies.
-Robot any_limits(std::mt19937& engine, int size) {
-  std::uniform_real_distribution<double> share(0, 1);
-  Robot robot = two_links();
-  robot.links.clear();
-  robot.joints.resize(static_cast<std::size_t>(size), robot.joints[0]);
-  for (Joint& joint : robot.joints) {
-    joint.velocity = 0.5 + 2 * share(engine);
-    joint.acceleration = 1 + 6 * share(engine);
-  }
-  return robot;
-}
-
-std::vector<JointVector> any_way(std::mt19937& engine, int size, int count) {
-  std::uniform_real_distribution<double> value(-1.5, 1.5);
-  std::vector<JointVector> way(static_cast<std::size_t>(count), JointVector(size));
-  for (JointVector& q : way)
-    for (double& v : q) v = value(engine);
-  return way;
-}
-
-std::vector<double> blend_sizes(const std::vector<JointVector>& way, double share = 1) {
-  std::vector<double> sizes(way.size(), 0);
-  for (std::size_t i = 1; i + 1 < way.size(); ++i) sizes[i] = share * largest_blend(way, i);
-  return sizes;
-}
 
 /// The least time along a run by brute force: squares x of the speed on a grid, each pair of
 /// neighbours in turn, the joints' limits at both ends of each step by differences of the path.
@@ -95,22 +68,7 @@ double least_time_on_a_grid(const Robot& robot, const PathRun& run) {
   return best[0];
 }
 
-/// Velocity goes on at all knots, limits hold all along, and jerk where it has any.
-void expect_sound(const Robot& robot, const Trajectory& t) {
-  EXPECT_LE(needed_stretch(robot, t), 1 + 1e-9);
-  const double step = 1e-7 * t.duration();
-  for (const auto& knot : t.knots()) {
-    const auto before = t.at(knot.time - step), after = t.at(knot.time + step);
-    for (int j = 0; j < robot.size(); ++j) {
-      const Joint& joint = robot.joints[j];
-      ASSERT_NEAR(before.q[j], after.q[j], 3 * joint.velocity * step + 1e-9);
-      ASSERT_NEAR(before.dq[j], after.dq[j], 3 * joint.acceleration * step + 1e-8);
-      if (joint.jerk > 0) {
-        ASSERT_NEAR(before.ddq[j], after.ddq[j], 3 * joint.jerk * step + 1e-8) << knot.time;
-      }
-    }
-  }
-}
+bool never() { return false; }
 
 TEST(InLeastTime, AnEdgeIsATrapezoidOrATriangle) {
   const Robot robot = two_links();  // 2 rad/s, 5 rad/s^2
@@ -205,7 +163,7 @@ TEST(Smoothed, JerkIsLimitedRoundCornersAndAtStops) {
     auto sizes = blend_sizes(way);
     if (i % 3 == 0) sizes[1] = 0;
     for (const PathRun& run : rounded(way, sizes)) {
-      const TimedRun quick = in_least_time(robot, run, 32), made = smoothed(robot, quick);
+      const TimedRun quick = in_least_time(robot, run, 32), made = smoothed(robot, quick, never);
       expect_sound(robot, made.motion);
       EXPECT_GT(made.motion.duration(), quick.motion.duration());
       for (const double end : {0.0, made.motion.duration()})
@@ -214,120 +172,19 @@ TEST(Smoothed, JerkIsLimitedRoundCornersAndAtStops) {
   }
 }
 
-TEST(RoundedMotion, TinyEdgesBesideLongOnesLeaveNoJump) {
-  std::mt19937 engine(17);
-  for (int i = 0; i < 40; ++i) {
-    const int size = 1 + i % 5;
-    Robot robot = any_limits(engine, size);
-    if (i % 2 == 0)
-      for (Joint& joint : robot.joints) joint.jerk = 10 * joint.acceleration;
-    auto way = any_way(engine, size, 5);
-    for (std::size_t k = 2; k < way.size(); ++k)
-      way[k] = way[k - 1] + (k % 2 == 0 ? 1 : 1e-12) * (way[k - 1] - way[k - 2]);
-    for (JointVector& q : way) q *= 0.5;
-    const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = false});
-    const Trajectory& t = made.trajectory;
-    EXPECT_LE(needed_stretch(robot, t), 1 + 1e-9) << i;
-    EXPECT_EQ(t.at(1e9).q, way.back());
-    const double step = 1e-9 * t.duration();
-    for (const auto& knot : t.knots()) {
-      const JointVector before = t.at(knot.time - step).dq, after = t.at(knot.time + step).dq;
-      ASSERT_LT((after - before).norm(), 1e-3) << i << " at " << knot.time;
-    }
+TEST(Smoothed, IsSoonMadeOnceItIsToldToStop) {
+  std::mt19937 engine(19);
+  for (int i = 0; i < 6; ++i) {
+    Robot robot = any_limits(engine, 3);
+    for (Joint& joint : robot.joints) joint.jerk = 2 * joint.acceleration;
+    const auto way = any_way(engine, 3, 5);
+    const TimedRun quick = in_least_time(robot, rounded(way, blend_sizes(way))[0], 32);
+    int asked = 0;
+    const TimedRun made = smoothed(robot, quick, [&] { return ++asked > 0; });
+    EXPECT_LE(asked, 2);
+    expect_sound(robot, made.motion);
+    EXPECT_LE(smoothed(robot, quick, never).motion.duration(), made.motion.duration());
   }
-}
-
-/// Free are postures no further than `width` from the way; curves are not known to it.
-class Corridor : public Nothing {
- public:
-  Corridor(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
-  bool position_free(const JointRef& q) const override { return off(q) <= width_; }
-  bool motion_free(const JointRef& a, const JointRef& b) const override {
-    for (int k = 0; k <= 20; ++k)
-      if (!position_free(a + k / 20.0 * (b - a))) return false;
-    return true;
-  }
-  double off(const JointRef& q) const {
-    double least = 1e300;
-    for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
-      const JointVector edge = way_[i + 1] - way_[i];
-      const double share = std::clamp((q - way_[i]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-      least = std::min(least, (way_[i] + share * edge - q).norm());
-    }
-    return least;
-  }
-
- private:
-  std::vector<JointVector> way_;
-  double width_;
-};
-
-/// The same, and knows curves.
-class CurvedCorridor final : public Corridor {
- public:
-  using Corridor::Corridor;
-  std::optional<bool> try_curve(const Trajectory& trajectory, double from, double to,
-                                const StopCondition&) const override {
-    ++curves;
-    for (int k = 0; k <= 100; ++k)
-      if (!position_free(trajectory.at(from + k / 100.0 * (to - from)).q)) return false;
-    return true;
-  }
-  mutable int curves = 0;
-};
-
-TEST(RoundedMotion, CornersAreAsRoundAsIsFree) {
-  const Robot robot = two_links();
-  const auto way = positions({{0, 0}, {0.5, 0}, {0.5, 0.6}, {1.2, 0.6}, {1.2, 0.1}});
-  double before = 0;
-  for (const double width : {1.0, 0.03, 0.01, 1e-9}) {
-    const Corridor corridor(way, width);
-    const CurvedCorridor curved(way, width);
-    for (const Corridor* const sensor : {&corridor, static_cast<const Corridor*>(&curved)}) {
-      const auto made = make_trajectory(robot, *sensor, columns(way), {.shortcut = false});
-      expect_sound(robot, made.trajectory);
-      EXPECT_EQ(made.waypoints, 5);
-      EXPECT_EQ(made.stops, width < 1e-6);
-      EXPECT_EQ(made.status, Status::solved);
-      for (int i = 0; i <= 1000; ++i)
-        EXPECT_LE(sensor->off(made.trajectory.at(made.trajectory.duration() * i / 1000).q),
-                  width + 1e-12);
-      if (sensor == &corridor) {
-        EXPECT_GT(made.trajectory.duration(), before);
-        before = made.trajectory.duration();
-      }
-    }
-    EXPECT_GT(curved.curves, 0);
-  }
-}
-
-TEST(RoundedMotion, RestsAtCornersWhereThereWasNoTimeToAsk) {
-  const Robot robot = two_links();
-  const auto way = positions({{0, 0}, {0.5, 0}, {0.5, 0.6}});
-  const auto made =
-      make_trajectory(robot, Nothing(), columns(way), {.shortcut = false, .max_questions = 1});
-  EXPECT_EQ(made.status, Status::limit);
-  EXPECT_TRUE(made.stops);
-  EXPECT_NEAR(made.trajectory.duration(), 2 * std::sqrt(0.5 / 5) + 2 * std::sqrt(0.6 / 5), 1e-9);
-}
-
-TEST(RoundedMotion, TimeIsSavedWhereThatIsAskedFor) {
-  // The second joint is slow: the way round by it is shorter, and takes longer.
-  Robot robot = two_links();
-  robot.joints[1].velocity = 0.2;
-  std::mt19937 engine(3);
-  double quick = 0, shorter = 0;
-  for (int i = 0; i < 10; ++i) {
-    const auto way = any_way(engine, 2, 8);
-    const Corridor corridor(way, 0.3);
-    const auto make = [&](bool saves_time) {
-      return make_trajectory(robot, corridor, columns(way), {.shortcuts = 100, .quick = saves_time})
-          .trajectory.duration();
-    };
-    quick += make(true);
-    shorter += make(false);
-  }
-  EXPECT_LT(quick, shorter);
 }
 
 TEST(SceneSensor, CurvesAreFreeWhereNoPostureOfThemTouches) {
