@@ -75,7 +75,10 @@ Trajectory rounded_motion(const Robot& robot, Waypoints way, CountedSensor& coun
     }
   }
   stops = way.size() > 2 && std::ranges::all_of(sizes, [](double size) { return size == 0; });
-  return joined(motions);
+  std::vector<Trajectory::Knot> knots = joined(motions).knots();
+  knots.front().q = way.front();  // whatever rounding says
+  knots.back().q = way.back();
+  return Trajectory(std::move(knots));
 }
 
 }  // namespace lasius::arm

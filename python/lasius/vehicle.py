@@ -114,7 +114,7 @@ class Contact:
     proven: bool  #: False: it comes nearer than 0.001 cells
 
 
-def vehicle_values(vehicle: Vehicle) -> Tuple[FloatArray, float, bool, float, float, bool, float, bool]:
+def vehicle_values(vehicle: Vehicle) -> Tuple[FloatArray, float, bool, float, float, bool, float, bool, float]:
     """What the extension takes."""
     return (
         np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse, vehicle.reverse_cost,

@@ -234,7 +234,7 @@ TEST(PairTable, ALookThatIsCutIsNotKept) {
   int cut = 0;
   for (std::size_t p = 0; p < shapes.pairs().size(); ++p) {
     if (shapes.table(p) == nullptr) continue;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 100; ++i) {
       const JointVector from = draw.values(robot), to = from + 1e-3 * draw.values(robot);
       cut += polls(*shapes.table(p), from, to, 0) > 0;
       const int left = polls(*shapes.table(p), from, to, 1 << 20);
