@@ -83,6 +83,10 @@ void look_for_bound(DrivenVehicle& driven, const DriveCommand& command, const Lo
                                              .smooth = false,
                                              .stop = stop});
   driven.lower_bound = way.lower_bound;
+  // Both are sums that round: of the same way the bound is not above it.
+  const double length = vehicle::driven_length(driven.moves);
+  if (driven.lower_bound > length && driven.lower_bound <= length * (1 + 1e-9))
+    driven.lower_bound = length;
 }
 
 void record_vehicle(Record& record, const DrivenVehicle& driven, const DriveCommand& command,

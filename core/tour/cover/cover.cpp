@@ -187,6 +187,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
     return result;
   }
   order_swaths(planner, request, result, observer);
+  if (plan->cut && found.status == Status::solved) found.status = Status::limit;
   add_legs(found.order, request.open, found);
   plan_legs(planner, result.stops, request.threads, found);
   for (const TourLeg& leg : found.legs)

@@ -188,7 +188,10 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
     if (plan && !plan->swaths.empty() && (least == nullptr || plan->estimate < (*least)->estimate))
       least = &plan;
   if (least == nullptr) least = &plans.front();
-  if (*least && lines_.radius() > 0) drop_apart((*least)->swaths, threads, stop);
+  if (*least) {
+    (*least)->cut = std::ranges::any_of(plans, [](const auto& plan) { return !plan; });
+    if (lines_.radius() > 0) drop_apart(**least, threads, stop);
+  }
   if (stop.token.stop_requested()) return std::nullopt;
   return std::move(*least);
 }
@@ -233,17 +236,19 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
 
 // Of a disc: what it cannot come to from a place of the region; past the deadline all that was not
 // looked at, but for the first. Swaths that are joined are looked at once.
-void SwathMaker::drop_apart(std::vector<Swath>& swaths, int threads,
-                            const StopCondition& stop) const {
+void SwathMaker::drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const {
+  std::vector<Swath>& swaths = plan.swaths;
   const StopCondition token = without_deadline(stop);
   const std::vector<int> first = joined_swaths(swaths);
-  std::vector<char> apart(swaths.size(), 0);
+  std::vector<char> apart(swaths.size(), 0), cut(swaths.size(), 0);
   parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
     if (first[i] != i) return;
     const StopCondition& until = i == 0 ? token : stop;
-    apart[i] = until.poll() != StopCondition::Cause::none ||
-               !reaches(planner_, *ground_.place(), swaths[i].from, until);
+    const auto stopped = [&] { return until.poll() != StopCondition::Cause::none; };
+    apart[i] = stopped() || !reaches(planner_, *ground_.place(), swaths[i].from, until);
+    cut[i] = apart[i] != 0 && stopped();
   });
+  plan.cut = plan.cut || std::ranges::count(cut, 1) > 0;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < swaths.size(); ++i)
     if (apart[first[i]] == 0) swaths[kept++] = swaths[i];

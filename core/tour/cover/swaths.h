@@ -24,6 +24,7 @@ struct Swath {
 struct SwathPlan {
   Heading heading;
   std::vector<Swath> swaths;
+  bool cut = false;  ///< not all was looked at in time
   /// Of the tour: the swaths, from each end the way to the nearest of another, and the area that is
   /// left, as if it took three swaths to cover it. Cells.
   double estimate = 0;
@@ -55,7 +56,7 @@ class SwathMaker {
   bool reached(const Swath& swath) const;
   bool straight_between(Point a, Point b) const;
   std::vector<int> joined_swaths(const std::vector<Swath>& swaths) const;
-  void drop_apart(std::vector<Swath>& swaths, int threads, const StopCondition& stop) const;
+  void drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const;
 
   const Planner& planner_;
   const ToolLines& lines_;

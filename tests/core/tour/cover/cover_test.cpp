@@ -303,6 +303,22 @@ TEST(Cover, EndsWithTheBestSoFar) {
     EXPECT_EQ(cover.tour.status, Status::limit);
     expect_valid(planner, request, cover);
   }
+  // A disc's swaths whose way there was not looked at in time are left out, and that is told.
+  const Planner disc(rooms(), Disc{1});
+  request.stop = {};
+  const CoverResult whole = plan_cover(disc, request);
+  EXPECT_EQ(whole.tour.status, Status::solved);
+  int cut = 0;
+  for (int polls = 1; polls < 1 << 16; polls += 1 + polls / 4) {
+    const CountingTime time(polls);
+    request.stop = time.is_up();
+    const CoverResult cover = plan_cover(disc, request);
+    cut += cover.tour.status == Status::limit;
+    if (cover.tour.status == Status::solved) {
+      EXPECT_EQ(cover.stops.size(), whole.stops.size()) << polls;
+    }
+  }
+  EXPECT_GT(cut, 5);
   // The first heading's lines are laid past any deadline, gaps are not filled then.
   request.start = Point{1.5, 1.5};
   request.width = 0.5;
