@@ -69,9 +69,9 @@ struct TrajectoryOptions {
   bool shortcut = true;  ///< leave out waypoints that a straight joint motion can pass by
   /// Then try so many straight motions between two points of the way, drawn at random.
   int shortcuts = 0;
-  std::uint64_t seed = 1;  ///< of the draws
-  bool quick = false;      ///< shortcuts save time, not joint travel
-  Timing timing = Timing::optimal;
+  std::uint64_t seed = 1;           ///< of the draws
+  bool quick = false;               ///< shortcuts save time, not joint travel
+  Timing timing = Timing::optimal;  ///< how the way is followed
   std::int64_t max_questions = std::numeric_limits<std::int64_t>::max();  ///< then it rests
   StopCondition stop = {};  ///< polled after every motion asked about
   /// Seconds that the motion is to take; as few as the limits allow where that is more, or for 0.
