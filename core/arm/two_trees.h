@@ -70,7 +70,7 @@ TreesWay grow_two_trees(const Robot& robot, const Sensor& sensor, const Request&
   for (const End& end : ends) trees[1].add(end.q, -1);
   SpreadValues values(robot, request.start, seed);
   bool stopped = false;
-  JointVector wanted(robot.size()), next(robot.size());
+  JointVector wanted(robot.size()), next(robot.size()), met(robot.size());
   enum class Step { there, on_the_way, blocked };
   // Goes from a node towards `to`, a step at most.
   const auto step = [&](MotionTree& tree, int from, const JointVector& to) {
@@ -93,7 +93,7 @@ TreesWay grow_two_trees(const Robot& robot, const Sensor& sensor, const Request&
     MotionTree &tree = trees[grown], &other = trees[1 - grown];
     values.next(wanted);
     if (step(tree, tree.nearest(wanted), wanted) == Step::blocked) continue;
-    const JointVector met = next;
+    met = next;  // which steps change
     int at = other.nearest(met);
     Step gone = other.at(at) == met ? Step::there : Step::on_the_way;
     while (gone == Step::on_the_way) {

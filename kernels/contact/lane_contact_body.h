@@ -79,10 +79,9 @@ LASIUS_LANES void place(const LaneRobot& robot, const LaneMotion& motion,
     }
     const LanePose& before = poses[k - 1];
     const auto& r = before.turn;
-    for (int i = 0; i < 3; ++i) {
+    for (int row = 0; row < 9; row += 3) {
       for (int j = 0; j < 3; ++j) {
-        pose.turn[3 * i + j] =
-            r[3 * i] * own[j] + r[3 * i + 1] * own[3 + j] + r[3 * i + 2] * own[6 + j];
+        pose.turn[row + j] = r[row] * own[j] + r[row + 1] * own[3 + j] + r[row + 2] * own[6 + j];
       }
     }
     const Lanes3 rows[3] = {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};

@@ -28,7 +28,7 @@ class Scan {
 
   /// The four points from number `at` on: x behind `x`, y `count` further on, z again.
   void step(const float* x, int count, int at) noexcept {
-    const Floats along = x_ * load(x) + y_ * load(x + count) + z_ * load(x + 2 * count);
+    const Floats along = x_ * load(x) + y_ * load(x + count) + z_ * load(x + count + count);
     const Ints more = along > most_;
     most_ = reinterpret_cast<Floats>((more & reinterpret_cast<Ints>(along)) |
                                      (~more & reinterpret_cast<Ints>(most_)));

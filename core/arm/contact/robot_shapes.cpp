@@ -27,6 +27,7 @@ RobotShapes::RobotShapes(const Robot& robot, double clearance)
   }
   for (const std::vector<int>& on : of_body) {
     std::vector<const Shape*> shapes;
+    shapes.reserve(on.size());
     for (const int l : on) shapes.push_back(whole[l]);
     bodies_.push_back(shapes.empty() ? nullptr : store_.join(shapes));
   }
