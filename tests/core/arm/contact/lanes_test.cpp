@@ -198,7 +198,8 @@ TEST(PairTable, DoubtsAllThatComesNear) {
   const StopCondition never;
   Poller poller(never);
   for (const Robot& whole : {shipped("industrial6"), shipped("redundant7"), scara()}) {
-    for (const ShapePair& pair : RobotShapes(whole, kClearance).pairs()) {
+    const RobotShapes all(whole, kClearance);
+    for (const ShapePair& pair : all.pairs()) {
       if (pair.body > pair.from + 2) continue;
       const Robot robot = only(whole, {pair.body, pair.from});
       const RobotShapes shapes(robot, kClearance);

@@ -180,12 +180,14 @@ TEST(Improver, ExchangesPiecesOnlyWhereTheOrderDiffers) {
   relation.relation = drawn.relation;
   const Instance stops = random_instance(30, 3, true);
   const Ends ends{true, 0};
-  Improver improver(stops.costs(), ends, given, Improvement::pieces, true, 1, {});
-  Poller poller(StopCondition{});
-  const std::vector<int> first = first_order(stops.costs(), ends, given).order;
+  const Costs costs = stops.costs();
+  const StopCondition never;
+  Improver improver(costs, ends, given, Improvement::pieces, true, 1, never);
+  Poller poller(never);
+  const std::vector<int> first = first_order(costs, ends, given).order;
   EXPECT_EQ(improver.improved(first, first, 0, poller), first);  // differs nowhere
   const std::vector<int> better = improver.improved(first, {}, 0, poller);
-  EXPECT_LT(cost_of(stops.costs(), better, true), cost_of(stops.costs(), first, true));
+  EXPECT_LT(cost_of(costs, better, true), cost_of(costs, first, true));
   EXPECT_TRUE(kept(better, relation, ends));
   EXPECT_EQ(improver.improved(better, {}, 0, poller), better);  // none is cheaper
 }
