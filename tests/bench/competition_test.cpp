@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bench/competition/entry.h"
+#include "tests/core/base/made_files.h"
 
 namespace lasius::bench {
 namespace {
@@ -33,14 +33,14 @@ void expect_answers(void* map) {
   EXPECT_TRUE(path.empty());
 }
 
-TEST(Competition, AnswersWithAFileAndWithout) {
-  const std::string file = testing::TempDir() + "competition_test.prepared";
-  std::filesystem::remove(file);
+class CompetitionFiles : public Files {};
+
+TEST_F(CompetitionFiles, AnswersWithAFileAndWithout) {
+  const std::string file = path("map.prepared");
   expect_answers(PrepareForSearch(block(), 20, 12, file));
   PreprocessMap(block(), 20, 12, file);
-  ASSERT_TRUE(std::filesystem::exists(file));
+  ASSERT_TRUE(fs::exists(file));
   expect_answers(PrepareForSearch(block(), 20, 12, file));
-  std::filesystem::remove(file);
 }
 
 TEST(Competition, AGoalThatCannotBeReachedHasNoPath) {

@@ -3,24 +3,25 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <string>
 #include <thread>
+
+#include "tests/core/base/made_files.h"
 
 namespace lasius {
 namespace {
 
-/// The path of a named pipe of this process.
-std::string made_pipe(const std::string& name) {
-  const std::string pipe = testing::TempDir() + name + std::to_string(::getpid());
-  EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  return pipe;
-}
+class OpeningPipes : public Files {
+ protected:
+  std::string made_pipe() const {
+    EXPECT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    return path("pipe");
+  }
+};
 
-TEST(OpeningPipe, IsUnderWayWhileANamedPipeIsOpened) {
-  const std::string pipe = made_pipe("one");
+TEST_F(OpeningPipes, AreUnderWayWhileANamedPipeIsOpened) {
+  const std::string pipe = made_pipe();
   EXPECT_FALSE(OpeningPipe::under_way());
   {
     const OpeningPipe opening(pipe);
@@ -28,11 +29,10 @@ TEST(OpeningPipe, IsUnderWayWhileANamedPipeIsOpened) {
     EXPECT_TRUE(OpeningPipe::under_way());
   }
   EXPECT_FALSE(OpeningPipe::under_way());
-  std::remove(pipe.c_str());
 }
 
-TEST(OpeningPipe, IsCountedOnSeveralThreads) {
-  const std::string pipe = made_pipe("shared");
+TEST_F(OpeningPipes, AreCountedOnSeveralThreads) {
+  const std::string pipe = made_pipe();
   const auto open_and_close = [&] {
     for (int i = 0; i < 1000; ++i) {
       const OpeningPipe opening(pipe);
@@ -44,7 +44,6 @@ TEST(OpeningPipe, IsCountedOnSeveralThreads) {
     open_and_close();
   }
   EXPECT_FALSE(OpeningPipe::under_way());
-  std::remove(pipe.c_str());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "lasius/generate.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/made_files.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -150,9 +151,11 @@ TEST(PreparedPlanner, LabelsAnswerAndMeasureAsTheUnpreparedOne) {
   }
 }
 
-TEST(PreparedPlanner, AFileKeepsWhatWasPrepared) {
+class PreparationFiles : public Files {};
+
+TEST_F(PreparationFiles, KeepWhatWasPrepared) {
   const Planner labelled(map(), PrepareOptions{.threads = 2, .labels = true});
-  const std::string file = testing::TempDir() + "prepared_planner_test.prepared";
+  const std::string file = path("map.prepared");
   labelled.save_preparation(file);
   const Planner loaded = Planner(map()).load_preparation(file);
   EXPECT_EQ(loaded.preparation().edges, labelled.preparation().edges);

@@ -3,39 +3,24 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
 #include "lasius/error.h"
+#include "tests/core/base/made_files.h"
 
 namespace lasius::tool {
 namespace {
 
 using Entries = std::map<int, std::string>;
 
-class Journals : public testing::Test {
+class Journals : public Files {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   Entries kept(const std::string& key = "key") const { return Journal(file_, key).kept(); }
-  std::string bytes() const {
-    std::ifstream in(file_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void put(const std::string& bytes) const {
-    std::ofstream(file_, std::ios::binary | std::ios::trunc) << bytes;
-  }
+  std::string bytes() const { return bytes_of(file_); }
+  void put(const std::string& bytes) const { file(bytes, "a.journal"); }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / "lasius-journal-test";
-  const std::string file_ = (folder_ / "a.journal").string();
+  const std::string file_ = path("a.journal");
 };
 
 TEST_F(Journals, EntriesAreThereAgainInAnyOrder) {
@@ -105,7 +90,7 @@ TEST_F(Journals, AnotherCommandBeginsAnewAndTheEndLeavesNothing) {
   Journal journal(file_, "key");
   journal.remove();
   EXPECT_FALSE(std::filesystem::exists(file_));
-  EXPECT_THROW(Journal((folder_ / "none" / "a").string(), "key"), Error);
+  EXPECT_THROW(Journal(path("none/a"), "key"), Error);
 }
 
 }  // namespace
