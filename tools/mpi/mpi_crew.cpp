@@ -29,7 +29,19 @@ constexpr char kWant = 'w', kFailed = 'f', kGone = 'g';
 // To others: items; the end of a sharing, with its summary; the end of all.
 constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
 
-constexpr auto kNap = 200us;
+// Who waits for a message sleeps: longer the longer none comes, so that looking costs work little.
+constexpr std::chrono::microseconds kShortestNap = 100us, kLongestNap = 2ms;
+
+class Naps {
+ public:
+  std::chrono::microseconds next() {
+    return std::exchange(next_, std::min(2 * next_, kLongestNap));
+  }
+  void begin_anew() { next_ = kShortestNap; }
+
+ private:
+  std::chrono::microseconds next_ = kShortestNap;
+};
 
 /// Of a message's text; a longer one goes in several pieces, since MPI counts by int.
 constexpr std::size_t kPiece = 1 << 16;
@@ -108,6 +120,13 @@ class OwnWork {
       return packed(items, work_.act(items));
     });
   }
+  /// Until it ends, so long at most.
+  void wait(std::chrono::microseconds longest) const {
+    if (idle())
+      std::this_thread::sleep_for(longest);
+    else
+      under_way_.wait_for(longest);
+  }
   /// What became of it, once it has ended.
   std::optional<std::string> ended() {
     if (idle() || under_way_.wait_for(0s) != std::future_status::ready) return std::nullopt;
@@ -183,7 +202,7 @@ std::string MpiCrew::follow(const Work& work) {
     put(wanted, work.key);
     send(0, wanted + results);
     std::optional<Letter> reply;
-    while (!(reply = post())) std::this_thread::sleep_for(kNap);
+    for (Naps naps; !(reply = post());) std::this_thread::sleep_for(naps.next());
     if (reply->text[0] == kEnd) return reply->text.substr(1);
     if (reply->text[0] != kItems) throw Dismissed{};
     std::vector<int> items;
@@ -202,6 +221,7 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
   Ledger ledger(work);
   OwnWork own(work);
   std::vector<int> waiting;
+  Naps naps;
   const auto give = [&](int rank) {
     const std::vector<int> items = ledger.next();
     if (items.empty()) return waiting.push_back(rank);
@@ -242,7 +262,10 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
       ledger.enter(text);
       give(letter->from);
     }
-    if (rest) std::this_thread::sleep_for(kNap);
+    if (rest)
+      own.wait(naps.next());
+    else
+      naps.begin_anew();
   }
   std::optional<std::string> summary;
   if (ledger.done()) summary = work.summary ? work.summary() : std::string();
@@ -264,7 +287,7 @@ void MpiCrew::leave(int code) {
     else if (code != kFound && std::chrono::steady_clock::now() > until)
       MPI_Abort(MPI_COMM_WORLD, code);  // others are at work that nobody waits for
     else if (!letter)
-      std::this_thread::sleep_for(kNap);
+      std::this_thread::sleep_for(kLongestNap);
   }
 }
 

@@ -19,7 +19,6 @@ constexpr std::uint32_t kTrees = 64;      // by which corners are ranked
 constexpr std::uint32_t kFewestHubs = 8;  // searched from at once
 constexpr std::uint32_t kMostHubs = 32;   // the same, once many are known
 constexpr double kTie = 1 + 1e-14;        // sums in another order
-constexpr std::uint32_t kNone = TautTree::kNone;
 
 /// One search of a batch: what it found, in the order of length.
 struct Found {
@@ -34,7 +33,7 @@ struct Found {
 class HubFinder {
  public:
   HubFinder(const TautGraph& graph, int threads, const StopCondition& stop, Hubs& hubs)
-      : graph_(graph), threads_(threads), stop_(stop), hubs_(hubs) {
+      : graph_(graph), threads_(threads), hubs_(hubs) {
     for (int i = 0; i < threads; ++i) team_.push_back(std::make_unique<Worker>(graph, stop));
   }
 
@@ -178,7 +177,6 @@ class HubFinder {
 
   const TautGraph& graph_;
   const int threads_;
-  const StopCondition& stop_;
   Hubs& hubs_;
   std::vector<std::uint32_t> rank_;  // by corner
   std::vector<std::unique_ptr<Worker>> team_;
