@@ -12,6 +12,7 @@
 #include "kernels/base/cpu.h"
 #include "kernels/base/random_stream.h"
 #include "kernels/walk/walk.h"
+#include "tests/kernels/base/instruction_sets.h"
 
 #if defined(__x86_64__)
 
