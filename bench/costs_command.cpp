@@ -33,7 +33,7 @@ struct CostsOptions {
 
 /// Measurements of many queries; a query that never comes to a gap has an infinite time there.
 struct CostSample {
-  std::vector<double> first, above, first_bound;    // s, %, %
+  std::vector<double> first, above;                 // s, %
   std::vector<double> gap[std::size(kProvenGaps)];  // s
   std::vector<double> moves, ratio;                 // ms, to plain A* in buckets
 };

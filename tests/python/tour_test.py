@@ -137,8 +137,11 @@ def test_robots(planner, stops):
             planner.tour(stops[:9], **wrong)
 
 
-def test_over_costs(planner, stops):
-    weights = np.ones(planner.grid.to_array(free=1).shape)
+def test_over_costs():
+    planner = lasius.Planner(lasius.generate("blobs", width=80, height=40, seed=61))
+    free = np.argwhere(planner.grid.to_array(free=True))[:, ::-1]
+    stops = np.array([cell for cell in free[::97] if planner.connected(cell, free[0])])
+    weights = np.ones((40, 80))
     weights[:, weights.shape[1] // 2 :] = 3
     some = stops[:6]
     runs = [planner.tour(some, costs=weights), planner.tour(some, costs=lasius.CostField.of(weights)),

@@ -131,6 +131,33 @@ void add_threads_and_maps(OptionTable& table, int& threads, std::string& maps) {
   table.text("--maps", maps, "Folder of the maps, instead of the program's own", "DIR");
 }
 
+/// What only `study run` reads.
+void add_sweep_options(OptionTable& table, ShortStudy& run, ShortText& asked) {
+  using enum Values::Names;
+  table.text("--start", asked.start, "With run: where paths start", "X,Y");
+  table.text("--goal", asked.goal, "With run: where they end", "X,Y");
+  table.choice("--frame", run.frame, kFrames,
+               "With run: of --start, --goal, --radius and --inflation, as plan has it",
+               "cell|world");
+  table.real("--radius", run.radius, 0, kNoLimit,
+             "With run: of the robot, a disc, as plan --radius has it", "R");
+  add_cost_options(table, run.costs);
+  table.shell(table.text("--algorithm", asked.algorithms, "With run: the algorithms", "NAME,NAME"),
+              {.names = algorithms, .list = true});
+  table.shell(
+      table.text("--preset", run.preset, "With run: numbers to start with", "usual|book|FILE"),
+      {.choices = texts(kPresetNames), .files = true, .endings = kDocuments});
+  table.shell(
+      table.repeatable("--set", asked.set,
+                       "With run: values of a parameter; all combinations are run (repeatable)",
+                       "NAME=VALUE,VALUE"),
+      {.names = parameters});
+  table.real("--steps", run.steps, 1, 1e15, "With run: end a run after so many steps of its ants",
+             "N");
+  table.real("--time-limit", run.seconds, 1e-6, 1e9,
+             "With run: end a run after this processor time", "SECONDS");
+}
+
 }  // namespace
 
 Subcommand add_study(CLI::App& app) {
@@ -163,29 +190,7 @@ Subcommand add_study(CLI::App& app) {
   add_threads_and_maps(table, to->threads, to->maps);
   add_part(table, to->part,
            "Make the I-th of N parts of the runs, and no report; `lasius merge` joins the folders");
-  table.text("--start", to->texts.start, "With run: where paths start", "X,Y");
-  table.text("--goal", to->texts.goal, "With run: where they end", "X,Y");
-  table.choice("--frame", run.frame, kFrames,
-               "With run: of --start, --goal, --radius and --inflation, as plan has it",
-               "cell|world");
-  table.real("--radius", run.radius, 0, kNoLimit,
-             "With run: of the robot, a disc, as plan --radius has it", "R");
-  add_cost_options(table, run.costs);
-  table.shell(
-      table.text("--algorithm", to->texts.algorithms, "With run: the algorithms", "NAME,NAME"),
-      {.names = algorithms, .list = true});
-  table.shell(
-      table.text("--preset", run.preset, "With run: numbers to start with", "usual|book|FILE"),
-      {.choices = texts(kPresetNames), .files = true, .endings = kDocuments});
-  table.shell(
-      table.repeatable("--set", to->texts.set,
-                       "With run: values of a parameter; all combinations are run (repeatable)",
-                       "NAME=VALUE,VALUE"),
-      {.names = parameters});
-  table.real("--steps", run.steps, 1, 1e15, "With run: end a run after so many steps of its ants",
-             "N");
-  table.real("--time-limit", run.seconds, 1e-6, 1e9,
-             "With run: end a run after this processor time", "SECONDS");
+  add_sweep_options(table, run, to->texts);
   table.flag("-q,--quiet", to->messages.quiet, "Print errors only");
   return table.command(
       {.detail =

@@ -68,16 +68,12 @@ void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::st
   run.inputs.push_back(vehicle.file);
 }
 
-}  // namespace
+struct DriveText : DriveCommand {
+  std::string start_text, goal_text, sense_text;
+  VehicleCommand driven;
+};
 
-Subcommand add_drive(CLI::App& app) {
-  struct Text : DriveCommand {
-    std::string start_text, goal_text, sense_text;
-    VehicleCommand driven;
-  };
-  auto text = std::make_shared<Text>();
-  OptionTable table(app, "drive",
-                    "Drive a robot through a world that is not as its map has it, and changes");
+void add_drive_options(OptionTable& table, const std::shared_ptr<DriveText>& text) {
   table.text("--start", text->start_text, "Where the robot starts", "X,Y");
   table.text("--goal", text->goal_text, "Where it is to go", "X,Y");
   table.file("--world", text->world,
@@ -118,6 +114,52 @@ Subcommand add_drive(CLI::App& app) {
     throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   };
   table.add("--tracks", "", "N,N,...", refuse)->group(kRefused);
+}
+
+/// What was asked, or a UsageError.
+DriveCommand drive_asked(const OptionTable& table, const DriveText& text, const Call& call) {
+  DriveCommand drive = text;
+  RunOptions& run = drive.run;
+  run.called = call.line;
+  if (is_polygon_file(run.map.file))
+    throw UsageError(run.map.file + ": drives are on bitmaps only");
+  const bool prepare = run.map.prepare;
+  if (!text.driven.file.empty()) {
+    drive.vehicle = text.driven;
+    finish_vehicle(table, drive, text.start_text, text.goal_text);
+  } else {
+    if (table.given("--heading-tolerance"))
+      throw UsageError("--heading-tolerance is for --vehicle; leave it out");
+    static_cast<PlanCommand&>(drive) = plan_command(run, text.start_text, text.goal_text);
+    for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
+      if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
+      end->point = false;
+    }
+  }
+  if (run.ranged)
+    throw UsageError("--seed " + table.in_order("--seed").front().second +
+                     ": one drive has one seed; a range is for plan");
+  if (run.with_optimum)
+    run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
+  run.map.prepare = prepare && !moves_on_cells(run.params);
+  if (run.map.costs.asked()) finish_costs(run);
+  if (!run.map.prepared.empty())
+    throw UsageError("--prepared is for plan and batch: a drive changes its map");
+  run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
+  if (!text.sense_text.empty())
+    drive.sense =
+        real_value("--sense", text.sense_text,
+                   run.map.radius_metres ? 0 : DriveCommand::kLeastSense, DriveCommand::kMostSense);
+  return drive;
+}
+
+}  // namespace
+
+Subcommand add_drive(CLI::App& app) {
+  auto text = std::make_shared<DriveText>();
+  OptionTable table(app, "drive",
+                    "Drive a robot through a world that is not as its map has it, and changes");
+  add_drive_options(table, text);
   return table.command(
       {.examples =
            {{"lasius drive maps/grid30a.map --start 0,0 --goal 29,29 --sense 3 -o run.png",
@@ -133,42 +175,7 @@ Subcommand add_drive(CLI::App& app) {
                  kOutput,
                  {kInterrupted, "interrupted, the drive so far written"}},
        .json = "driving/JSON of a drive"},
-      [=](const Call& call) {
-        DriveCommand& drive = *text;
-        RunOptions& run = drive.run;
-        run.called = call.line;
-        if (is_polygon_file(run.map.file))
-          throw UsageError(run.map.file + ": drives are on bitmaps only");
-        const bool prepare = run.map.prepare;
-        if (!text->driven.file.empty()) {
-          drive.vehicle = text->driven;
-          finish_vehicle(table, drive, text->start_text, text->goal_text);
-        } else {
-          if (table.given("--heading-tolerance"))
-            throw UsageError("--heading-tolerance is for --vehicle; leave it out");
-          static_cast<PlanCommand&>(drive) = plan_command(run, text->start_text, text->goal_text);
-          for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
-            if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
-            end->point = false;
-          }
-        }
-        if (run.ranged)
-          throw UsageError("--seed " + table.in_order("--seed").front().second +
-                           ": one drive has one seed; a range is for plan");
-        if (run.with_optimum)
-          run.notes.emplace_back(
-              "--gap has no effect: a drive always tells the optimum of its moves");
-        run.map.prepare = prepare && !moves_on_cells(run.params);
-        if (run.map.costs.asked()) finish_costs(run);
-        if (!run.map.prepared.empty())
-          throw UsageError("--prepared is for plan and batch: a drive changes its map");
-        run.inputs.insert(run.inputs.end(), {drive.world, drive.changes});
-        if (!text->sense_text.empty())
-          drive.sense = real_value("--sense", text->sense_text,
-                                   run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
-                                   DriveCommand::kMostSense);
-        return run_command(drive);
-      });
+      [=](const Call& call) { return run_command(drive_asked(table, *text, call)); });
 }
 
 }  // namespace lasius::tool
