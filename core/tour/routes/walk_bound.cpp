@@ -186,12 +186,8 @@ class WalkAscent {
   void drop_dominated(std::vector<Sum>& layer, int v) const {
     for (int done = 1; done < 1 << near_; done += 2) {
       Sum& cost = layer[state(v, done)];
-      for (int i = 1; i < near_ && cost < kNoWalk; ++i)
-        for (int less = (done - 1) & done; less > 0; less = (less - 1) & done)
-          if ((less & 1) != 0 && layer[state(v, less)] <= cost) {
-            cost = kNoWalk;
-            break;
-          }
+      for (int less = (done - 1) & done; less > 0 && cost < kNoWalk; less = (less - 1) & done)
+        if ((less & 1) != 0 && layer[state(v, less)] <= cost) cost = kNoWalk;
     }
   }
 
