@@ -29,11 +29,10 @@ Cost grains(double length, double scale) noexcept {
 }
 
 MapPricer::MapPricer(const Planner& planner, std::span<const Point> stops,
-                     const StopCondition& stop)
-    : planner_(planner), stops_(stops), stop_(stop) {
-  const Grid& grid = planner.grid();
-  dear_ -=
-      grains(std::sqrt(1.0 * grid.width() * grid.width() + 1.0 * grid.height() * grid.height()));
+                     const StopCondition& stop, Cost largest)
+    : planner_(planner), stops_(stops), largest_(largest), stop_(stop) {
+  const double width = planner.grid().width(), height = planner.grid().height();
+  dear_ = largest - grains(std::sqrt(width * width + height * height));
   if (stops.size() <= kMostInMatrix) matrix_.assign(stops.size() * stops.size(), kNone);
 }
 
@@ -95,8 +94,7 @@ void MapPricer::price_near(int threads) {
     beyond[from] = std::isinf(reach) ? 0 : grains(reach);
     Cost* const row = matrix_.data() + static_cast<std::size_t>(from) * n;
     for (int to = 0; to < n; ++to)
-      if (to != from && !std::isinf(lengths[to]))
-        row[to] = std::max(straight(from, to), grains(lengths[to]));
+      if (to != from && !std::isinf(lengths[to])) row[to] = cost_of(from, to, lengths[to]);
   };
   const bool all = lengths_near(planner_, stops_, nearest, threads, stop_, take);
   stopped_ = !all && stop_.poll() != StopCondition::Cause::none;
@@ -133,7 +131,7 @@ Cost MapPricer::price(int a, int b) {
       params_, &workspace_);
   stopped_ = found.status == Status::limit || found.status == Status::interrupted;
   if (stopped_ || found.path.empty()) return dear_ + straight(a, b);
-  const Cost cost = std::max(straight(a, b), grains(found.length));
+  const Cost cost = cost_of(a, b, found.length);
   set_known(a, b, cost);
   return cost;
 }

@@ -1,6 +1,7 @@
 // The legs of a map, priced when they are first asked for.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -24,21 +25,22 @@ bool priced_at_once(const Planner& planner, int stops);
 
 /// Costs are lengths of shortest paths between cells that are joined, in grains; bounds are
 /// straight distances. Once stopped, legs that are not priced are dear, the longer the dearer: no
-/// search takes one in place of a priced leg. Keeps all costs of up to kMostInMatrix stops, in 4
-/// bytes a pair of them and direction, of more up to kMostKept costs.
+/// search takes one in place of a priced leg. None costs more than `largest`. Keeps all costs of up
+/// to kMostInMatrix stops, in 4 bytes a pair of them and direction, of more up to kMostKept costs.
 class MapPricer final : public Pricer {
  public:
   static constexpr int kMostInMatrix = 5000;
   static constexpr std::size_t kMostKept = 1'200'000;
 
-  MapPricer(const Planner& planner, std::span<const Point> stops, const StopCondition& stop);
+  MapPricer(const Planner& planner, std::span<const Point> stops, const StopCondition& stop,
+            Cost largest = kLargest);
   /// On a map that is prepared for a point, with at most kMostInMatrix stops: prices the legs to
   /// the stops that are nearest to each, and all of a few stops, by which bounds are better (of a
   /// triangle of stops no side is shorter than the others' difference). Never changes a cost.
   void price_near(int threads);
   Cost price(int a, int b) override;
   Cost lower(int a, int b) const override;
-  Cost largest() const override { return kLargest; }
+  Cost largest() const override { return largest_; }
   std::int64_t priced() const noexcept { return priced_; }
 
  private:
@@ -49,13 +51,16 @@ class MapPricer final : public Pricer {
            static_cast<std::uint32_t>(std::max(a, b));
   }
   Cost straight(int a, int b) const noexcept;
+  Cost cost_of(int a, int b, double length) const noexcept {
+    return std::min(largest_, std::max(straight(a, b), grains(length)));
+  }
   const Cost* known(int a, int b) const;
   Cost bound(int a, int b) const noexcept;
   void set_known(int a, int b, Cost cost);
 
   const Planner& planner_;
   std::span<const Point> stops_;
-  Cost dear_ = kLargest;  // and a straight distance: at most kLargest
+  Cost largest_, dear_;  // dear_ and a straight distance: at most largest_
   StopCondition stop_;
   Workspace workspace_;
   const Params params_{"exact"};

@@ -28,9 +28,10 @@ using tour::SwathPricer;
 constexpr int kMostSwaths = 10'000;
 constexpr int kMostLines = 100'000, kMostSamples = 200'000'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
-constexpr int kMostBound = 4000;  // stops, whose bound takes a matrix of 64 MB
+constexpr int kMostBound = 4000;  // stops, whose ascent takes their square in steps
 constexpr int kRounds = 1;
-constexpr double kShareOfSwaths = 0.3, kShareOfOrder = 0.6;  // of the time to a deadline
+// Of the time to a deadline.
+constexpr double kShareOfSwaths = 0.3, kShareOfPreparing = 0.3, kShareOfOrder = 0.6;
 
 void check(const Grid& grid, const CoverRequest& request) {
   const int longest = std::max(grid.width(), grid.height());
@@ -81,28 +82,24 @@ CoverResult without_path(CoverResult result, const TourLeg& leg) {
   return result;
 }
 
-void order_swaths(const Planner& planner, const CoverRequest& request, CoverResult& result,
-                  const TourObserver& observer) {
+// `between`: a bound of the legs between swaths.
+void order_swaths(const Planner& planner, const CoverRequest& request, double between,
+                  CoverResult& result, const TourObserver& observer) {
   const int swaths = result.swaths(), n = static_cast<int>(result.stops.size());
   TourResult& found = result.tour;
-  tour::MapPricer legs(planner, result.stops, request.stop);
+  tour::MapPricer legs(planner, result.stops, request.stop, SwathPricer::kApart);
   std::vector<Cost> matrix;
   if (tour::priced_at_once(planner, n))
     if (const auto lengths =
             planner.distances(result.stops, result.stops, request.threads, request.stop))
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
   const bool known = !matrix.empty();
+  if (!known) legs.price_near(request.threads);
   SwathPricer pricer(swaths, known ? Costs(n, matrix.data()) : Costs(n, legs));
-  // What is known of all costs: they themselves, or at most they.
-  const auto all_costs = [&] {
-    std::vector<Cost> all;
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b) all.push_back(pricer.lower(a, b));
-    return all;
-  };
-  std::vector<Cost> bounds;
-  if (known) bounds = all_costs();
-  const Costs costs = known ? Costs(n, bounds.data()) : Costs(n, pricer);
+  std::vector<Cost> all;
+  for (int a = 0; known && a < n; ++a)
+    for (int b = 0; b < n; ++b) all.push_back(pricer.lower(a, b));
+  const Costs costs = known ? Costs(n, all.data()) : Costs(n, pricer);
   const tour::Ends ends{request.open, request.start ? n - 1 : -1, -1};
   const std::int64_t apart = std::int64_t{n - swaths - request.open} * SwathPricer::kApart;
   const auto cells = [&](std::int64_t cost) {
@@ -120,11 +117,13 @@ void order_swaths(const Planner& planner, const CoverRequest& request, CoverResu
   found.order = whole_swaths(order.order, pricer, request.open);
   if (known && order.optimal) {
     found.lower_bound = cells(order.cost);
-  } else if (n <= kMostBound) {
-    if (!known) bounds = all_costs();
+  } else {
+    found.lower_bound = result.swept + between;
     Poller poller(request.stop);
-    found.lower_bound =
-        cells(tour_bound(Costs(n, bounds.data()), ends, result.stops, order.cost, kRounds, poller));
+    if (n <= kMostBound && request.stop.poll() == StopCondition::Cause::none)
+      found.lower_bound =
+          std::max(*found.lower_bound,
+                   cells(tour_bound(costs, ends, result.stops, order.cost, kRounds, poller)));
   }
   found.priced = known ? std::int64_t{n} * (n - 1) / 2 - swaths : legs.priced();
   found.status = status_after(order.cause, request.stop);
@@ -180,13 +179,12 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   const bool prepares =
       result.swaths() >= kPrepared && unprepared.preparation().state == Preparation::State::none;
   const Planner planner =
-      prepares ? unprepared.prepared({.threads = request.threads, .stop = request.stop})
+      prepares ? unprepared.prepared(
+                     {.threads = request.threads, .stop = earlier(request.stop, kShareOfPreparing)})
                : unprepared;
-  if (request.stop.token.stop_requested()) {
-    result.stops.clear();
-    return result;
-  }
-  order_swaths(planner, request, result, observer);
+  std::vector<Swath> ways = plan->swaths;  // the start is one of no length
+  if (request.start) ways.push_back({*request.start, *request.start});
+  order_swaths(planner, request, ways_between(ways, request.open), result, observer);
   if (plan->cut && found.status == Status::solved) found.status = Status::limit;
   add_legs(found.order, request.open, found);
   plan_legs(planner, result.stops, request.threads, found);

@@ -14,17 +14,19 @@ namespace lasius::tour {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a count of swaths
-constexpr double kDearness = 3;     // of what is left, against a swath
-constexpr double kNearEnds = 2;     // widths between ends that a straight way is looked for
+constexpr double kRounding = 1e-6;     // of a count of swaths
+constexpr double kDearness = 3;        // of what is left, against a swath
+constexpr double kNearEnds = 2;        // widths between ends that a straight way is looked for
+constexpr double kShareOfPlans = 0.7;  // of the time to a deadline; the rest is for what is joined
 
 double distance(Point a, Point b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// Half the sum of the ways from each end to the nearest end of another swath.
-double ways_between(const std::vector<Swath>& swaths) {
+}  // namespace
+
+double ways_between(const std::vector<Swath>& swaths, bool open) {
   struct End {
     Point at;
     std::size_t swath;
@@ -39,7 +41,7 @@ double ways_between(const std::vector<Swath>& swaths) {
     if (a.at.x != b.at.x) return a.at.x < b.at.x;
     return a.at.y != b.at.y ? a.at.y < b.at.y : a.swath < b.swath;
   });
-  double sum = 0;
+  double sum = 0, longest[2] = {0, 0};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
     const auto look = [&](const End& other) {
@@ -52,11 +54,11 @@ double ways_between(const std::vector<Swath>& swaths) {
     for (std::size_t j = i + 1; j < ends.size() && look(ends[j]); ++j) {
     }
     sum += nearest;
+    longest[1] = std::max(longest[1], std::min(longest[0], nearest));
+    longest[0] = std::max(longest[0], nearest);
   }
-  return sum / 2;
+  return std::max(0.0, open ? sum - longest[0] - longest[1] : sum) / 2;
 }
-
-}  // namespace
 
 double Swath::length() const noexcept { return distance(from, to); }
 
@@ -179,20 +181,19 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
 
 std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop) const {
   const std::vector<Heading>& all = headings();
+  const StopCondition laying = earlier(stop, kShareOfPlans);
   std::vector<std::optional<SwathPlan>> plans(2 * all.size());
   parallel_for(static_cast<int>(plans.size()), thread_count(threads), [&](int i, int) {
-    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, stop, i == 0);
+    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, laying, i == 0);
   });
   std::optional<SwathPlan>* least = nullptr;
   for (auto& plan : plans)
     if (plan && !plan->swaths.empty() && (least == nullptr || plan->estimate < (*least)->estimate))
       least = &plan;
   if (least == nullptr) least = &plans.front();
-  if (*least) {
-    (*least)->cut = std::ranges::any_of(plans, [](const auto& plan) { return !plan; });
-    if (lines_.radius() > 0) drop_apart(**least, threads, stop);
-  }
-  if (stop.token.stop_requested()) return std::nullopt;
+  if (!*least) return std::nullopt;
+  (*least)->cut = std::ranges::any_of(plans, [](const auto& plan) { return !plan; });
+  if (lines_.radius() > 0) drop_apart(**least, threads, stop);
   return std::move(*least);
 }
 
@@ -202,13 +203,15 @@ bool SwathMaker::straight_between(Point a, Point b) const {
   if (length == 0) return true;
   const Heading way{(b.x - a.x) / length, (b.y - a.y) / length};
   std::vector<Stretch> places;
-  lines_.on_line(way, way.aside(a), places);
+  constexpr double kBeyond = 20 * ToolLines::kDrawnIn;
+  lines_.on_line(way, way.aside(a), places, {way.along(a) - kBeyond, way.along(b) + kBeyond});
   return std::ranges::any_of(places, [&](const Stretch& place) {
     return place.from <= way.along(a) && way.along(b) <= place.to;
   });
 }
 
-// To each swath the first of those that straight ways between ends near to each other join.
+// To each swath the first of those that straight ways between ends near to each other join. Soon
+// done, and what a stopped search can keep: so nothing stops it.
 std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) const {
   std::vector<int> first(swaths.size());
   std::iota(first.begin(), first.end(), 0);
@@ -234,25 +237,39 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
   return first;
 }
 
-// Of a disc: what it cannot come to from a place of the region; past the deadline all that was not
-// looked at, but for the first. Swaths that are joined are looked at once.
+// Of a disc: what it cannot come to from a place of the region. Swaths that are joined are looked
+// at once, the most of these first; once stopped none that was not is kept, but for those that are
+// looked at whatever stops: until some are kept, the token one of them.
 void SwathMaker::drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const {
   std::vector<Swath>& swaths = plan.swaths;
-  const StopCondition token = without_deadline(stop);
   const std::vector<int> first = joined_swaths(swaths);
-  std::vector<char> apart(swaths.size(), 0), cut(swaths.size(), 0);
-  parallel_for(static_cast<int>(swaths.size()), thread_count(threads), [&](int i, int) {
-    if (first[i] != i) return;
-    const StopCondition& until = i == 0 ? token : stop;
-    const auto stopped = [&] { return until.poll() != StopCondition::Cause::none; };
-    apart[i] = stopped() || !reaches(planner_, *ground_.place(), swaths[i].from, until);
-    cut[i] = apart[i] != 0 && stopped();
+  std::vector<std::pair<int, int>> parts(swaths.size(), {0, 0});  // swaths, less; the first
+  for (std::size_t i = 0; i < swaths.size(); ++i)
+    parts[i].second = static_cast<int>(i), --parts[first[i]].first;
+  std::sort(parts.begin(), parts.end());
+  std::vector<char> kept(swaths.size(), 0), cut(swaths.size(), 0);
+  const auto reached_from_place = [&](int i, const StopCondition& until) {
+    return reaches(planner_, *ground_.place(), swaths[i].from, until);
+  };
+  std::size_t looked = 0;
+  bool any = false;
+  while (looked < parts.size() && parts[looked].first < 0 && !any &&
+         (looked == 0 || !stop.token.stop_requested())) {
+    any = reached_from_place(parts[looked].second, {});
+    kept[parts[looked++].second] = any;
+  }
+  parallel_for(static_cast<int>(parts.size() - looked), thread_count(threads), [&](int k, int) {
+    const auto [size, i] = parts[looked + k];
+    if (size == 0) return;
+    const auto stopped = [&] { return stop.poll() != StopCondition::Cause::none; };
+    kept[i] = !stopped() && reached_from_place(i, stop);
+    cut[i] = kept[i] == 0 && stopped();
   });
   plan.cut = plan.cut || std::ranges::count(cut, 1) > 0;
-  std::size_t kept = 0;
+  std::size_t left = 0;
   for (std::size_t i = 0; i < swaths.size(); ++i)
-    if (apart[first[i]] == 0) swaths[kept++] = swaths[i];
-  swaths.resize(kept);
+    if (kept[first[i]] != 0) swaths[left++] = swaths[i];
+  swaths.resize(left);
 }
 
 }  // namespace lasius::tour

@@ -20,6 +20,10 @@ struct Swath {
   double length() const noexcept;
 };
 
+/// At most what the legs between swaths sum up to, straight: half the sum of the ways from each end
+/// to the nearest end of another; where the tour is open, without the two longest.
+double ways_between(const std::vector<Swath>& swaths, bool open = false);
+
 /// Swaths, all in the region of the ground.
 struct SwathPlan {
   Heading heading;
@@ -45,8 +49,8 @@ class SwathMaker {
   /// Empty if stopped. Where it must be made, the deadline leaves gaps as they are.
   std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop,
                                 bool must) const;
-  /// The plan of least estimate, on threads that do not matter to it. The first one is made
-  /// whatever the deadline; empty if stopped by the token before.
+  /// The plan of least estimate of those that are made in time, on threads that do not matter to
+  /// it. The first one is made whatever the deadline; empty if stopped by the token before.
   std::optional<SwathPlan> best(int threads, const StopCondition& stop) const;
 
  private:

@@ -115,10 +115,12 @@ bool ToolLines::hull(const Heading& h, double c, const Run& run, int row,
   return !all.empty();
 }
 
-void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places) const {
+void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places,
+                        const Stretch& within) const {
   places.clear();
   const Point on = h.at(0, c);
-  const Meeting inside = in_box(h, on, kept_, kept_, width_ - kept_, height_ - kept_);
+  Meeting inside = in_box(h, on, kept_, kept_, width_ - kept_, height_ - kept_);
+  inside = {std::max(inside.from, within.from), std::min(inside.to, within.to)};
   const double shortest = kShortest * kDrawnIn;
   if (!(inside.to - inside.from >= shortest)) return;
   const double y0 = on.y + inside.from * h.y, y1 = on.y + inside.to * h.y;

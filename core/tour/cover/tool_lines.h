@@ -51,8 +51,10 @@ class ToolLines {
   static constexpr double kDrawnIn = 1e-3;  ///< cells
   /// Replaces `places` by the stretches of a line that keep the radius from blocked cells and from
   /// what lies outside the map, rising; those shorter than ten times what they are drawn in by are
-  /// left out.
-  void on_line(const Heading& heading, double c, std::vector<Stretch>& places) const;
+  /// left out. Only what is within a part of the line.
+  void on_line(const Heading& heading, double c, std::vector<Stretch>& places,
+               const Stretch& within = {-kAnywhere, kAnywhere}) const;
+  static constexpr double kAnywhere = 1e9;
   /// A place of a point that is within rounding of sides of cells, at them: planners tell such
   /// places from walls no more. Places of a disc as they are.
   Point settled(Point p) const noexcept;

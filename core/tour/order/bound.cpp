@@ -1,12 +1,12 @@
 #include "core/tour/order/bound.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include "core/tour/order/ascend.h"
 #include "core/tour/order/blossoms.h"
 #include "core/tour/order/one_more.h"
 
@@ -14,9 +14,6 @@ namespace lasius::tour {
 
 namespace {
 
-using Sum = std::int64_t;
-constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
-constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
 constexpr int kBoundCandidates = 10;
 constexpr int kMostTurns = 300;
 // Trees without gain before steps are halved: so many stops in all, within limits, or a share.
@@ -59,9 +56,10 @@ class Ascent {
     for (int round = 0; round < rounds && !poller_.stopped(); ++round) {
       const Sum earlier = bound;
       number_legs();
-      ascend(upper * kScale, pace);
-      price_ = best_;
-      for (Cut& cut : cuts_) set_price(cut, cut.best);
+      keep();
+      const int patience = std::clamp(kIdleStops / costs_.size(), kLeastIdle, kMostIdle);
+      ascend(*this, upper * kScale, -kFar, {pace.first, pace.last, 1.0 * (patience / pace.share)});
+      back();
       std::vector<std::pair<int, int>> more;
       bound = std::max(bound, dense_tree(more));
       // Where legs wind, the prices of the ascent belie bounds that are straight: the legs of the
@@ -87,6 +85,40 @@ class Ascent {
       if (!more.empty()) candidates_.add(costs_, more);
     }
     return bound;
+  }
+
+  // For ascend().
+  Sum value() {
+    const Sum tree = sparse_tree();
+    return poller_.stop_after(16 * static_cast<Sum>(costs_.size())) ? kFar : tree;
+  }
+  void keep() {
+    best_ = price_;
+    for (Cut& cut : cuts_) cut.best = cut.price;
+  }
+  void back() {
+    price_ = best_;
+    for (Cut& cut : cuts_) set_price(cut, cut.best);
+  }
+  double squares() {
+    count_legs();
+    double sum = 0;
+    for (const int degree : degree_) sum += (degree - 2) * (degree - 2);
+    for (const Cut& cut : cuts_) {
+      const Sum g = cut.taken - cut.blossom.most();
+      if (g > 0 || cut.price > 0) sum += static_cast<double>(g * g);
+    }
+    return sum;
+  }
+  bool move(double step) {
+    for (int v = 0; v < costs_.size(); ++v) price_[v] += static_cast<Sum>(step * (degree_[v] - 2));
+    for (Cut& cut : cuts_) {
+      const Sum g = cut.taken - cut.blossom.most();
+      if (g != 0)
+        set_price(cut,
+                  std::max<Sum>(0, cut.price + static_cast<Sum>(step * static_cast<double>(g))));
+    }
+    return true;
   }
 
  private:
@@ -241,53 +273,6 @@ class Ascent {
     for (const Sum price : price_) sum += 2 * price;
     for (const Cut& cut : cuts_) sum += cut.price * cut.blossom.most();
     return sum;
-  }
-
-  // Steps of lambda (upper - value) / |g|^2 along g; lambda is halved after some without gain.
-  void ascend(Sum upper, const Pace& pace) {
-    const int n = costs_.size();
-    const int patience = std::clamp(kIdleStops / n, kLeastIdle, kMostIdle) / pace.share;
-    Sum greatest = -kFar;
-    int idle = 0;
-    best_ = price_;
-    for (Cut& cut : cuts_) cut.best = cut.price;
-    for (double lambda = pace.first; lambda > pace.last;) {
-      const Sum value = sparse_tree();
-      if (value >= kFar || poller_.stop_after(16 * static_cast<Sum>(n))) return;
-      if (value > greatest) {
-        greatest = value;
-        best_ = price_;
-        for (Cut& cut : cuts_) cut.best = cut.price;
-        idle = 0;
-      } else if (++idle >= patience) {
-        idle = 0;
-        lambda /= 2;
-        price_ = best_;
-        for (Cut& cut : cuts_) set_price(cut, cut.best);
-      }
-      count_legs();
-      double squares = 0;
-      for (int v = 0; v < n; ++v) {
-        const int g = degree_[v] - 2;
-        squares += g * g;
-      }
-      for (const Cut& cut : cuts_) {
-        const Sum g = cut.taken - cut.blossom.most();
-        if (g > 0 || cut.price > 0) squares += static_cast<double>(g * g);
-      }
-      if (squares == 0 || value >= upper) return;
-      const double step = lambda * static_cast<double>(upper - value) / squares;
-      for (int v = 0; v < n; ++v) {
-        const int g = degree_[v] - 2;
-        price_[v] += static_cast<Sum>(step * g);
-      }
-      for (Cut& cut : cuts_) {
-        const Sum g = cut.taken - cut.blossom.most();
-        if (g != 0)
-          set_price(cut,
-                    std::max<Sum>(0, cut.price + static_cast<Sum>(step * static_cast<double>(g))));
-      }
-    }
   }
 
   // The same tree over all legs, at their lower bounds: its value is a bound for every tour.

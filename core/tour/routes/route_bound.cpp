@@ -1,17 +1,14 @@
 #include "core/tour/routes/route_bound.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "core/tour/order/ascend.h"
 #include "core/tour/routes/walk_bound.h"
 
 namespace lasius::tour {
 
 namespace {
 
-using Sum = std::int64_t;
-constexpr Sum kScale = 256;  // of costs, so that prices of stops have fractions
-constexpr Sum kFar = std::numeric_limits<Sum>::max() / 4;
 constexpr double kStepsOfPatience = 5e6;  // pairs of stops without gain
 
 // The ascent over trees of tasks. In a solution all legs of a task are at one stop. So each stop
@@ -21,8 +18,8 @@ constexpr double kStepsOfPatience = 5e6;  // pairs of stops without gain
 // it.
 class Ascent {
  public:
-  Ascent(const RouteProblem& problem, const Costs& costs)
-      : tasks_(problem.size()), ring_(problem.ring()) {
+  Ascent(const RouteProblem& problem, const Costs& costs, Poller& poller)
+      : poller_(poller), tasks_(problem.size()), ring_(problem.ring()) {
     for (int task = 0; task < tasks_; ++task) {
       first_.push_back(static_cast<int>(stops_.size()));
       stops_.insert(stops_.end(), problem.tasks[task].begin(), problem.tasks[task].end());
@@ -44,40 +41,37 @@ class Ascent {
 
   bool has_choices() const { return n_ > tasks_; }
   // The greatest bound, scaled: every value is one.
-  Sum run(Sum upper, Poller& poller) {
-    Sum greatest = 0;
-    Prices best = now_;
-    std::vector<int> last(n_, 0);
-    const double patience = std::clamp(kStepsOfPatience / n_ / n_, 10.0, 100.0);
-    int idle = 0;
-    for (double lambda = 2; lambda > 1e-3;) {
-      const Sum value = tree();
-      list_moves();
-      if (value > greatest) {
-        greatest = value;
-        best = now_;
-        idle = 0;
-      } else if (++idle >= patience) {
-        idle = 0;
-        lambda /= 2;
-        now_ = best;
-      }
-      auto squares = static_cast<double>(moves_.size());
-      for (const int degree : degree_) squares += degree * degree;
-      if (squares == 0 || value >= upper) break;
-      if (poller.stop_after(static_cast<Sum>(n_) * n_)) break;
-      const double step = lambda * static_cast<double>(upper - value) / squares;
-      for (const auto& [at, by] : moves_) {
-        const Sum more = std::max(-now_.toll[at], static_cast<Sum>(step * by));
-        now_.toll[at] += more;
-        now_.tolls[at / tasks_] += more;
-      }
-      for (int v = 0; v < n_; ++v) {
-        now_.price[v] += static_cast<Sum>(step * (0.7 * degree_[v] + 0.3 * last[v]));
-        last[v] = degree_[v];
-      }
+  Sum run(Sum upper) {
+    keep();
+    last_.assign(n_, 0);
+    return ascend(*this, upper, 0, {2, 1e-3, std::clamp(kStepsOfPatience / n_ / n_, 10.0, 100.0)});
+  }
+
+  // For ascend().
+  Sum value() {
+    const Sum value = tree();
+    list_moves();
+    return value;
+  }
+  void keep() { best_ = now_; }
+  void back() { now_ = best_; }
+  double squares() const {
+    auto sum = static_cast<double>(moves_.size());
+    for (const int degree : degree_) sum += degree * degree;
+    return sum;
+  }
+  bool move(double step) {
+    if (poller_.stop_after(static_cast<Sum>(n_) * n_)) return false;
+    for (const auto& [at, by] : moves_) {
+      const Sum more = std::max(-now_.toll[at], static_cast<Sum>(step * by));
+      now_.toll[at] += more;
+      now_.tolls[at / tasks_] += more;
     }
-    return greatest;
+    for (int v = 0; v < n_; ++v) {
+      now_.price[v] += static_cast<Sum>(step * (0.7 * degree_[v] + 0.3 * last_[v]));
+      last_[v] = degree_[v];
+    }
+    return true;
   }
 
  private:
@@ -224,16 +218,17 @@ class Ascent {
     return value;
   }
 
+  Poller& poller_;
   int tasks_, n_ = 0;
   bool ring_;
   int most_ = 1, fewest_ = 1;
   std::vector<int> stops_, first_;  // task by task, and where each begins
   std::vector<Cost> matrix_, from_depot_, to_depot_;
-  Prices now_;
+  Prices now_, best_;
   std::vector<int> task_of_, chosen_;  // of each stop; of each task what is refunded
   std::vector<std::size_t> pairs_;     // of stops and tasks that a leg of the tree joins
   std::vector<std::pair<std::size_t, int>> moves_;  // of tolls
-  std::vector<int> degree_;
+  std::vector<int> degree_, last_;                  // and of the tree before
 };
 
 }  // namespace
@@ -242,8 +237,8 @@ std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::
                           Poller& poller) {
   const int n = problem.size();
   if (n == 0 || (problem.ring() && n < 3)) return 0;
-  Ascent ascent(problem, costs);
-  const Sum scaled = ascent.run(upper * kScale, poller);
+  Ascent ascent(problem, costs, poller);
+  const Sum scaled = ascent.run(upper * kScale);
   const Sum bound = std::min(upper, (scaled + kScale - 1) / kScale);
   if (bound == upper || !ascent.has_choices()) return bound;
   return std::max(bound, walk_bound(problem, costs, upper, poller));

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,25 @@ CoverRequest ask(double width) {
   request.threads = 2;
   return request;
 }
+
+// Fires a token once the clock was read so often.
+class FiringTime final : public TimeSource {
+ public:
+  explicit FiringTime(int reads) : left_(reads) {}
+  Clock::time_point now() const noexcept override {
+    if (left_-- <= 0) source_.request_stop();
+    return {};
+  }
+  StopCondition fires() const {
+    return {.token = source_.get_token(),
+            .deadline = Clock::time_point{} + std::chrono::hours(1),
+            .time = this};
+  }
+
+ private:
+  mutable std::atomic<int> left_;
+  mutable std::stop_source source_;
+};
 
 double distance(Point p, Point a, Point b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -308,7 +329,22 @@ TEST(Cover, EndsWithTheBestSoFar) {
   request.stop = {};
   const CoverResult whole = plan_cover(disc, request);
   EXPECT_EQ(whole.tour.status, Status::solved);
-  int cut = 0;
+  ASSERT_TRUE(whole.tour.lower_bound);
+  EXPECT_GT(*whole.tour.lower_bound, whole.swept + 1);
+  int cut = 0, kept = 0;
+  // Interrupted once there are swaths, these are joined.
+  for (int reads = 1; reads < 1 << 14; reads += 1 + reads / 2) {
+    const FiringTime time(reads);
+    request.stop = time.fires();
+    const CoverResult cover = plan_cover(disc, request);
+    if (cover.tour.status == Status::solved) break;
+    EXPECT_EQ(cover.tour.status, Status::interrupted);
+    if (cover.stops.empty()) continue;
+    ++kept;
+    expect_valid(disc, request, cover);
+    EXPECT_GT(*cover.tour.lower_bound, cover.swept);
+  }
+  EXPECT_GT(kept, 3);
   for (int polls = 1; polls < 1 << 16; polls += 1 + polls / 4) {
     const CountingTime time(polls);
     request.stop = time.is_up();

@@ -218,6 +218,52 @@ TEST(Routes, WalksBoundScatteredGroups) {
   EXPECT_EQ(walk_bound(problem, instance.costs(), found.cost, late), 0);
 }
 
+// Near stops that a walk goes back and forth between once it has forgotten them: the bound is not
+// above what is shortest, which a program over subsets of ten tasks finds, and with all seven that
+// are remembered forgotten it is below that somewhere.
+TEST(Routes, WalksThatForgetBoundTheShortest) {
+  int below = 0, scattered = 0;
+  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    const Instance instance = random_instance(21, seed, seed % 2 == 0);
+    for (const Ends& ends : {Ends{}, Ends{true}, Ends{true, 20}, Ends{false, 20}}) {
+      RouteProblem problem{.tasks = std::vector<std::vector<int>>(10), .routes = {ends}};
+      for (int v = 0; v < 20; ++v) problem.tasks[v % 10].push_back(v);
+      const Costs costs = instance.costs();
+      // Least cost of orders that end at a stop, by the tasks done; of a ring from each first stop.
+      std::int64_t least = kNoCost;
+      const bool ring = problem.ring();
+      for (int first = 0; first < (ring ? 20 : 1); first += 10) {
+        std::vector<std::int64_t> by(std::size_t{20} << 10, kNoCost);
+        for (int v = 0; v < 20; ++v)
+          if (!ring || v == first)
+            by[(std::size_t{1} << v % 10) * 20 + v] = ends.start >= 0 ? costs(ends.start, v) : 0;
+        for (unsigned done = 1; done < 1U << 10; ++done)
+          for (int v = 0; v < 20; ++v) {
+            const std::int64_t sum = by[done * std::size_t{20} + v];
+            if (sum == kNoCost) continue;
+            for (int w = 0; w < 20; ++w) {
+              if ((done >> w % 10 & 1U) != 0) continue;
+              std::int64_t& to = by[(done | 1U << w % 10) * std::size_t{20} + w];
+              to = std::min(to, sum + costs(v, w));
+            }
+            if (done + 1 == 1U << 10)
+              least = std::min(least, sum + (ends.open ? 0
+                                             : ring    ? costs(v, first)
+                                                       : costs(v, ends.start)));
+          }
+      }
+      const StopCondition never;
+      Poller poller(never);
+      const std::int64_t walk = walk_bound(problem, costs, least + 5, poller);
+      EXPECT_LE(walk, least) << "seed " << seed;
+      EXPECT_GT(2 * walk, least) << "seed " << seed;
+      below += walk < least;
+      ++scattered;
+    }
+  }
+  EXPECT_GT(below, scattered / 4);
+}
+
 // Knows all legs by their bounds, which are half, until they are priced.
 struct Late final : Pricer {
   explicit Late(const Instance& of) : stops(of) {}
