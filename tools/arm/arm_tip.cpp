@@ -41,7 +41,7 @@ Json nearest_json(const arm::SceneSensor::Nearest& nearest) {
 
 /// What a call returns; its refusal of the question is the plan's error.
 template <class Call>
-void answered(arm::Result& plan, Call call) {
+void answered(arm::Result& plan, const Call& call) {
   try {
     call();
   } catch (const Error& error) {
