@@ -51,6 +51,28 @@ bool breaks_limit(const Robot& robot, const Trajectory::State& state) {
   return false;
 }
 
+/// Of the cubics between knots, all along; accelerations that jump have no jerk that holds. What a
+/// change of acceleration by rounding makes of a short one does not count.
+int broken_jerks(const Robot& robot, const Trajectory& trajectory) {
+  constexpr double kTolerance = 1e-6, kRounding = 1e-9;
+  const auto& knots = trajectory.knots();
+  int broken = 0;
+  const auto jumps = [&](const JointVector& from, const JointVector& to, double time) {
+    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+      const Joint& joint = robot.joints[j];
+      if (joint.jerk > 0 && std::abs(to[j] - from[j]) > joint.jerk * time * (1 + kTolerance) +
+                                                            kRounding * joint.acceleration)
+        return true;
+    }
+    return false;
+  };
+  const JointVector rest = JointVector::Zero(robot.size());
+  broken += jumps(rest, knots.front().ddq, 0);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    broken += jumps(knots[i].ddq, knots[i + 1].ddq, knots[i + 1].time - knots[i].time);
+  return broken + jumps(knots.back().ddq, rest, 0);
+}
+
 void check(const Robot& robot, const Trajectory& trajectory, int samples) {
   if (trajectory.empty()) throw invalid_parameter("the trajectory is empty", "give it a knot");
   for (const Trajectory::Knot& knot : trajectory.knots()) {
@@ -68,7 +90,7 @@ Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajec
   check(robot, trajectory, samples);
   const KDL::Chain chain = make_chain(robot);
   Poller poller(stop, 16);
-  Recheck found{.nearest = kInfinity};
+  Recheck found{.limits = broken_jerks(robot, trajectory), .nearest = kInfinity};
   double last = 0, last_nearest = 0;
   for (int s = 0; s < samples; ++s, ++found.samples) {
     if (poller.stop_after(1)) break;

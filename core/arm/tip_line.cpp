@@ -7,6 +7,7 @@
 #include "core/arm/ends.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "lasius/arm_plan.h"
 
@@ -25,6 +26,16 @@ class FrameLine {
   Placement at(double s) const {
     return {rotation_about(axis_, s * angle_) * from_.rotation, from_.position + s * way_};
   }
+  /// The place on it that a frame is at, told by what goes further in its tolerance.
+  double share_of(const Placement& frame, const TipLineOptions& options) const {
+    double share = 0;
+    if (length(way_) * options.angle_tolerance >= angle_ * options.tolerance) {
+      if (length(way_) > 0) share = dot(frame.position - from_.position, way_) / dot(way_, way_);
+    } else {
+      share = dot(turn_between(from_.rotation, frame.rotation), axis_) / angle_;
+    }
+    return std::clamp(share, 0.0, 1.0);
+  }
 
  private:
   Placement from_;
@@ -33,9 +44,10 @@ class FrameLine {
 };
 
 /// How far the tip gets off the chord between two postures, metres, and off its even turn, radians,
-/// while the joints go straight: by an eighth of what bounds the second derivatives.
+/// while the joints go straight: by bounds of the second derivatives, docs/theory.md.
 struct Deviation {
   double off, turned;
+  double turn;  // that the chord makes at most
 };
 Deviation deviation(const Kinematics& arm, const JointVector& a, const JointVector& b) {
   const JointVector middle = 0.5 * (a + b), change = b - a;
@@ -45,9 +57,78 @@ Deviation deviation(const Kinematics& arm, const JointVector& a, const JointVect
   bound.set(as_span(change), 0.5, poses);
   const RelativeMotion motion = bound.of(arm.size(), 0);
   const double out = distance(arm.tip(poses), poses[arm.size() - 1].position);
-  constexpr double kCurved = 1.2;  // a turn's vector changes not quite as its velocity does
-  return {(motion.far + motion.spread * out) / 8, kCurved * motion.spread / 8};
+  constexpr double kCurved = 2.05;  // of turns up to kMostTurn
+  return {(motion.far + motion.spread * out) / 8, kCurved * motion.spread / 8, motion.turning};
 }
+
+/// A sensor that calls a curve free only where the tip keeps to the line, too.
+class LineSensor final : public Sensor {
+ public:
+  /// All must outlive it.
+  LineSensor(const Robot& robot, const Kinematics& arm, const Sensor& sensor, const FrameLine& way,
+             const TipLineOptions& options)
+      : arm_(arm), sensor_(sensor), way_(way), options_(options) {
+    levers_ = levers_of(robot, robot.size(), length(from_eigen(robot.tip).position));
+  }
+  bool position_free(const JointRef& q) const override { return sensor_.position_free(q); }
+  bool motion_free(const JointRef& from, const JointRef& to) const override {
+    return sensor_.motion_free(from, to);
+  }
+  std::optional<bool> try_motion(const JointRef& from, const JointRef& to,
+                                 const StopCondition& stop) const override {
+    return sensor_.try_motion(from, to, stop);
+  }
+  /// Not free of a sensor that knows no curves: the motion rests at its waypoints then.
+  std::optional<bool> try_curve(const Trajectory& curve, double from, double to,
+                                const StopCondition& stop) const override {
+    JointVector most = JointVector::Zero(arm_.size());
+    for (const auto& knot : curve.knots())
+      if (knot.time >= from - kInstant && knot.time <= to + kInstant)
+        most = most.cwiseMax(knot.ddq.cwiseAbs());
+    // Accelerations are even between knots: at the ends, where there may be none.
+    for (const double time : {from, to}) most = most.cwiseMax(curve.at(time).ddq.cwiseAbs());
+    Poller poller(stop, kPolled);
+    if (!keeps_to(curve, from, to, most, poller)) return false;
+    return sensor_.try_curve(curve, from, to, stop).value_or(false);
+  }
+  double clearance() const override { return sensor_.clearance(); }
+  std::string contact(const JointRef& q) const override { return sensor_.contact(q); }
+
+ private:
+  static constexpr double kInstant = 1e-12;
+  static constexpr int kPolled = 256;
+
+  /// By what each joint moves at most about the middle of the time; halved until that is enough.
+  bool keeps_to(const Trajectory& curve, double from, double to, const JointVector& most,
+                Poller& poller) const {
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    const Trajectory::State state = curve.at(middle);
+    Kinematics::Poses poses;
+    arm_.place(as_span(state.q), poses);
+    const Placement frame = arm_.tip_frame(poses);
+    const Placement there = way_.at(way_.share_of(frame, options_));
+    const double off = distance(frame.position, there.position);
+    const double turned = length(turn_between(there.rotation, frame.rotation));
+    if (off > options_.tolerance || turned > options_.angle_tolerance || poller.stop_after(1))
+      return false;
+    double moved = 0, turns = 0;
+    for (int j = 0; j < arm_.size(); ++j) {
+      const double change = half * (std::abs(state.dq[j]) + half * most[j]);
+      moved += levers_[j] * change;
+      if (!arm_.slides(j)) turns += change;
+    }
+    if (off + moved <= options_.tolerance && turned + turns <= options_.angle_tolerance)
+      return true;
+    if (half < kInstant) return false;
+    return keeps_to(curve, from, middle, most, poller) && keeps_to(curve, middle, to, most, poller);
+  }
+
+  const Kinematics& arm_;
+  const Sensor& sensor_;
+  const FrameLine& way_;
+  const TipLineOptions& options_;
+  JointArray levers_;
+};
 
 }  // namespace
 
@@ -74,6 +155,7 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
                  const Pose& goal, const TipLineOptions& options) {
   constexpr double kLeast = 1e-6, kShortest = 1e-5;
   constexpr double kClose = 1e-9;  // of waypoints to the line
+  constexpr double kMostTurn = 1;  // of a chord
   validate_but_corners(robot);
   for (const double value : {options.tolerance, options.angle_tolerance})
     require_parameter(value >= kLeast, "a tolerance", value, "it must be 0.000001 or more");
@@ -82,11 +164,13 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
   const std::string fault = values_fault(robot, start, "start");
   if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
   const Kinematics arm(robot);
+  const double share = options.motion ? 0.5 : 1;  // of the tolerances, left to the chords
   const bool any_turn = options.angle_tolerance >= std::numbers::pi;
   const Goal target = Goal::pose(goal);
   const std::string no_goal = goal_fault(robot, arm, as_span(start), target);
   TipLine line{.joints = start};
   if (!no_goal.empty()) {
+    line.status = Status::invalid;
     line.error = no_goal;
     return line;
   }
@@ -97,6 +181,7 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
   double step = 1;
   std::string why;
   if (!sensor.position_free(start)) {
+    line.status = Status::invalid;
     line.error = "the arm touches something at the start: " + sensor.contact(start);
     return line;
   }
@@ -115,8 +200,9 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
     } else {
       const Deviation most = deviation(arm, here, next);
       good = largest_change(here, next) <= options.joint_step &&
-             most.off + kClose <= options.tolerance &&
-             (any_turn || most.turned + kClose <= options.angle_tolerance);
+             most.off + kClose <= share * options.tolerance &&
+             (any_turn ||
+              (most.turn <= kMostTurn && most.turned + kClose <= share * options.angle_tolerance));
       if (!good) why = "the joints would have to go too far at once: a singular posture";
     }
     if (good) {
@@ -142,6 +228,15 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
     step *= 2;
   }
   line.status = Status::solved;
+  if (options.motion) {
+    const TrajectoryResult made =
+        make_trajectory(robot, LineSensor(robot, arm, sensor, way, options), line.joints,
+                        {.shortcut = false, .stop = options.stop, .duration = options.duration});
+    line.trajectory = made.trajectory;
+    line.stops = made.stops;
+    line.status = made.status;
+    line.limit = made.limit;
+  }
   return line;
 }
 

@@ -288,6 +288,10 @@ struct TipLineOptions {
   double angle_tolerance = 0.01;  ///< radians, 1e-6 or more; pi or more: turned as it likes
   double joint_step = 0.3;        ///< of any joint, radians or metres, 0.001 or more
   StopCondition stop = {};        ///< polled before each waypoint
+  /// Make the motion in time, too; its corners are rounded, all of it within the tolerances, of
+  /// which waypoints then leave half.
+  bool motion = false;
+  double duration = 0;  ///< of it: TrajectoryOptions::duration
 };
 
 /// A motion of the tip along a line, as far as it goes.
@@ -297,13 +301,16 @@ struct TipLine {
   Status status = Status::no_path;  ///< solved: all of it; limit, interrupted: told to stop
   Limit limit = Limit::none;        ///< which one ended it
   std::string error = {};           ///< why it ends before its end, for people
+  Trajectory trajectory = {};       ///< where one was asked for and the line is solved
+  bool stops = false;               ///< it rests at each waypoint
 };
 
 /// Straight with the tip from where it is to `goal`, turning evenly about one axis. Between two
 /// waypoints, which are on the line, joints go straight: the tip's way is within the tolerance of
-/// it by a bound of its acceleration, its frame turned off by no more than the other one, and the
-/// sensor calls the motion free. Joint values are continued from waypoint to waypoint, so a line
-/// through a singular posture or past a joint's limit ends there: status no_path.
+/// it by a bound of its acceleration, its frame turned off by no more than the other one (proofs in
+/// docs/theory.md), and the sensor calls the motion free. Joint values are continued from waypoint
+/// to waypoint, so a line through a singular posture or past a joint's limit ends there: status
+/// no_path. A start that is not free, and a goal proven out of reach: invalid.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, a start outside of its
 ///         limits, a goal that is no pose, and options out of range; what the sensor throws.
 LASIUS_ARM_EXPORT TipLine tip_line(const Robot& robot, const Sensor& sensor,

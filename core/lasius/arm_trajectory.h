@@ -122,10 +122,12 @@ LASIUS_ARM_EXPORT Eigen::MatrixXd shorten_way(const Robot& robot, const Sensor& 
 /// evenly spread, the tip there by KDL too, and a proof of all between them. No search and no
 /// record of what it asked takes part.
 struct Recheck {
-  int samples = 0;       ///< times that were looked at; fewer than asked for where it was stopped
-  int contacts = 0;      ///< samples at which a link touches an obstacle or another link
-  int unproven = 0;      ///< pieces between samples of which it was not shown that nothing touches
-  int limits = 0;        ///< samples at which a limit of value, velocity or acceleration is broken
+  int samples = 0;   ///< times that were looked at; fewer than asked for where it was stopped
+  int contacts = 0;  ///< samples at which a link touches an obstacle or another link
+  int unproven = 0;  ///< pieces between samples of which it was not shown that nothing touches
+  /// Samples at which a limit of value, velocity or acceleration is broken, and pieces between two
+  /// knots (at the ends: the steps from and to rest) in which one of jerk is.
+  int limits = 0;
   double nearest = 0;    ///< least distance to an obstacle or another link, metres
   double tip_error = 0;  ///< largest distance between KDL's tip and ours
 };

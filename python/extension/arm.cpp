@@ -138,7 +138,10 @@ py::tuple tip_line(const arm::Robot& robot, const arm::SceneSensor& sensor,
                    const JointVector& start, const Eigen::Matrix4d& goal, double tolerance,
                    double angle_tolerance, double joint_step, std::optional<double> time_limit) {
   Call call(time_limit);
-  const arm::TipLineOptions options{tolerance, angle_tolerance, joint_step, call.condition()};
+  const arm::TipLineOptions options{.tolerance = tolerance,
+                                    .angle_tolerance = angle_tolerance,
+                                    .joint_step = joint_step,
+                                    .stop = call.condition()};
   const arm::TipLine line =
       call.run([&] { return arm::tip_line(robot, sensor, start, pose_from(goal), options); });
   return py::make_tuple(call.error(),

@@ -465,7 +465,7 @@ def nearest(robot: Robot, scene: Scene, joints: npt.ArrayLike) -> Tuple[float, s
 class TipLine(Record):
     """A straight motion of the tip, as far as it goes."""
 
-    status: str  #: "solved": all of the line; "no_path", "limit"
+    status: str  #: "solved": all of the line; "no_path", "limit"; "invalid": start not free, pose out of reach
     joints: FloatArray  #: (n, joints), the waypoints, the start first
     reached: float  #: share of the line
     error: str  #: why it ends before its end

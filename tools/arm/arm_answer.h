@@ -20,18 +20,31 @@ inline Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>
 /// A file that was read, and the hash of its bytes (FNV-1a).
 using ReadFile = std::pair<std::string, std::uint64_t>;
 
+/// Joint values that reach a goal.
+struct Reaching {
+  std::size_t goal;
+  arm::JointVector q;
+  arm::SceneSensor::Nearest nearest;
+  bool free;
+};
+
 /// All that a run of `lasius arm` read and found.
 struct ArmAnswer {
   arm::Robot robot;
   arm::Scene scene;
-  ReadFile robot_file, scene_file;
-  std::vector<ReadFile> robot_files, scene_files;  ///< that these name, or that came with them
+  arm::Scene held;  ///< in the tip's frame
+  ReadFile robot_file, scene_file, held_file;
+  std::vector<ReadFile> robot_files, scene_files,
+      held_files;  ///< that these name, or that came with them
   arm::JointVector start;
   std::vector<arm::Goal> goals;
   arm::Params parameters;
   double clearance = 0;
   arm::Result plan;
   std::optional<arm::Recheck> recheck;
+  double straight_reached = 0;                     ///< share of the line, of a straight motion
+  std::vector<Reaching> inverse;                   ///< the nearest to the start first
+  std::vector<arm::SceneSensor::Nearest> nearest;  ///< at the start, and at the motion's end
   double elapsed_ms = 0;
 };
 

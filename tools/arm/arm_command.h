@@ -27,6 +27,8 @@ struct ArmCommand : SearchOptions {
   static constexpr double kLeastDuration = 1e-3, kMostDuration = 1e6;
   static constexpr double kLeastTolerance = 1e-7, kMostTolerance = 10;
   static constexpr int kMostRecheck = 1000000;
+  static constexpr double kLeastOff = 1e-5;  // of straight motions
+  static constexpr int kMostInverse = 64;
 
   std::string robot;
   std::string base_link, tip_link;  ///< of a URDF's chain; empty: the root, the only leaf
@@ -36,6 +38,8 @@ struct ArmCommand : SearchOptions {
   std::map<std::string, double> joint_values;                 ///< of joints beside the chain
   bool visual = false;    ///< visual geometry stands for collision geometry that is missing
   bool bodiless = false;  ///< a robot without any body will do
+  std::string held;       ///< file of what the tip holds; empty: nothing
+  std::vector<std::string> held_touches;  ///< links that it may touch
   std::string scene;
   std::vector<double> start;  ///< a value for each joint
   std::string start_state;    ///< their name; empty: `start` says them
@@ -46,6 +50,11 @@ struct ArmCommand : SearchOptions {
   double duration = 0;                          ///< seconds; 0: as few as the limits allow
   double rate = 100;                            ///< samples of the trajectory a second
   int recheck = 0;                              ///< samples of the independent check
+  bool straight = false;                        ///< the tip goes straight to the goal
+  double straight_tolerance = 1e-3;             ///< metres off that line
+  double straight_angle = 0.01;                 ///< radians off its even turn
+  int inverse = 0;       ///< so many joint values that reach the goal, no motion; 0: a motion
+  bool nearest = false;  ///< tell what is nearest to each other at start and end
 };
 
 int run_command(const ArmCommand& command);

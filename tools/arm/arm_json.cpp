@@ -6,6 +6,7 @@
 
 #include "lasius/arm_plan.h"
 #include "tools/arm/arm_samples.h"
+#include "tools/arm/arm_tip.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
 
@@ -124,13 +125,10 @@ Json robot_json(const ArmCommand& command, const ArmAnswer& answer) {
   return json;
 }
 
-Json scene_json(const ArmCommand& command, const ArmAnswer& answer) {
-  return {{"file", command.scene},
-          {"hash", hash_text(answer.scene_file.second)},
-          {"name", answer.scene.name},
-          {"obstacles", answer.scene.obstacles.size()},
-          {"warnings", answer.scene.warnings},
-          {"files", files_json(answer.scene_files)}};
+Json scene_json(const ReadFile& file, const arm::Scene& scene, const std::vector<ReadFile>& files) {
+  return {{"file", file.first},         {"hash", hash_text(file.second)},
+          {"name", scene.name},         {"obstacles", scene.obstacles.size()},
+          {"warnings", scene.warnings}, {"files", files_json(files)}};
 }
 
 Json goals_json(const ArmCommand& command, const ArmAnswer& answer) {
@@ -215,6 +213,11 @@ ArmCommand recorded_command(const Recorded& from) {
   if (result.contains("recheck"))
     command.recheck =
         static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));
+  if (result.contains("held")) {
+    command.held = from.found(recorded<std::string>(result, "held/file"));
+    command.held_touches = recorded<std::vector<std::string>>(result, "held/may_touch");
+  }
+  read_tip_options(result, command);
   read_goals(result, command);
   read_robot(from, command);
   return command;

@@ -12,7 +12,8 @@ Json joint_values_json(const arm::JointRef& q);
 /// Files by role, with hashes; of the robot also its joints, what its body is, and which pairs of
 /// links are checked.
 Json robot_json(const ArmCommand& command, const ArmAnswer& answer);
-Json scene_json(const ArmCommand& command, const ArmAnswer& answer);
+/// Of the scene, and of what is held.
+Json scene_json(const ReadFile& file, const arm::Scene& scene, const std::vector<ReadFile>& files);
 
 /// What was asked for, goal by goal.
 Json goals_json(const ArmCommand& command, const ArmAnswer& answer);

@@ -7,6 +7,7 @@
 #include "tools/arm/arm_picture.h"
 #include "tools/arm/arm_report.h"
 #include "tools/arm/arm_samples.h"
+#include "tools/arm/arm_tip.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
@@ -73,8 +74,8 @@ std::string recheck_text(const arm::Recheck& recheck) {
 std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& found) {
   const arm::Result& motion = found.plan;
   std::vector<std::string> remarks;
-  for (const auto* notes :
-       {&found.robot.notes, &found.robot.warnings, &found.scene.warnings, &motion.notes})
+  for (const auto* notes : {&found.robot.notes, &found.robot.warnings, &found.scene.warnings,
+                            &found.held.warnings, &motion.notes})
     remarks.insert(remarks.end(), notes->begin(), notes->end());
   const auto say = [&](std::string text) { remarks.push_back(std::move(text)); };
   const std::string takes = "the motion takes ";
@@ -96,6 +97,12 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
   if (command.recheck > 0 && !found.recheck && !motion.trajectory.empty())
     say("the recheck was interrupted");
   if (found.recheck && !command.json) say(recheck_text(*found.recheck));
+  if (command.json) return remarks;
+  for (std::size_t i = 0; i < found.nearest.size(); ++i)
+    say((i == 0 ? "at the start: " : "at the end: ") + nearest_text(found.nearest[i]));
+  for (std::size_t i = 0; i < found.inverse.size(); ++i)
+    say("joint values " + std::to_string(i + 1) + ": " +
+        (found.inverse[i].free ? "free, " : "not free, ") + nearest_text(found.inverse[i].nearest));
   return remarks;
 }
 
@@ -112,9 +119,13 @@ class ArmProblem : public Problem {
     found_.scene_file = hashed(command_.scene);
     found_.scene_files = hashed(files_of(found_.scene));
     found_.clearance = command_.clearance > 0 ? command_.clearance : arm::SceneSensor::kClearance;
+    read_held();
     found_.start = joint_values("--start", command_.start, command_.start_state);
+    if (command_.goals.empty())  // --nearest alone
+      command_.goals.push_back(
+          {ArmGoal::Kind::joints, {found_.start.begin(), found_.start.end()}, {}});
     for (const ArmGoal& goal : command_.goals) found_.goals.push_back(goal_of(goal));
-    for (const auto* files : {&found_.scene_files, &found_.robot_files})
+    for (const auto* files : {&found_.scene_files, &found_.robot_files, &found_.held_files})
       for (const auto& [file, hash] : *files) command_.inputs.push_back(file);
     if (command_.messages.verbose) note_inputs();
     return most_iterations(algorithm(), found_.parameters.iterations);
@@ -136,8 +147,16 @@ class ArmProblem : public Problem {
                                .target_gap = command_.target_gap,
                                .duration = command_.duration};
     arm::Result& plan = found_.plan;
-    plan = arm::plan(found_.robot, sensor, request, found_.parameters, observer);
+    if (command_.inverse > 0)
+      find_inverse(command_, sensor, found_);
+    else if (command_.straight)
+      plan_straight(command_, sensor, stop, found_);
+    else
+      plan = arm::plan(found_.robot, sensor, request, found_.parameters, observer);
     found_.elapsed_ms = ms_since(begin);
+    if (command_.nearest) found_.nearest.push_back(sensor.nearest(found_.start));
+    if (command_.nearest && !plan.trajectory.empty())
+      found_.nearest.push_back(sensor.nearest(plan.trajectory.knots().back().q));
     if (command_.recheck <= 0 || plan.trajectory.empty()) return;
     const auto recheck = arm::recheck(found_.robot, found_.scene, plan.trajectory, command_.recheck,
                                       {.token = stop.token});
@@ -147,20 +166,31 @@ class ArmProblem : public Problem {
   /// Its goal is where the tip goes: at the goal that was reached, or else the first.
   Record record() const override {
     const auto goal = static_cast<std::size_t>(std::max(0, found_.plan.goal));
-    Record record{.options = command_,
-                  .algorithm = algorithm(),
-                  .format = kArmFormat,
-                  .most_iterations = most_iterations(algorithm(), found_.parameters.iterations),
-                  .inputs = {{"robot", robot_json(command_, found_)},
-                             {"scene", scene_json(command_, found_)}},
-                  .start = joint_values_json(found_.start),
-                  .goal = vector_json(tip_of(found_.robot, found_.goals[goal])),
-                  .parameters = parameters_of(),
-                  .result = found_.plan,
-                  .elapsed_ms = found_.elapsed_ms,
-                  .unit = unit_of(found_.parameters.objective),
-                  .axes = 3,
-                  .remarks = remarks_of(command_, found_)};
+    Record record{
+        .options = command_,
+        .algorithm = algorithm(),
+        .format = kArmFormat,
+        .most_iterations = most_iterations(algorithm(), found_.parameters.iterations),
+        .inputs = {{"robot", robot_json(command_, found_)},
+                   {"scene", scene_json(found_.scene_file, found_.scene, found_.scene_files)}},
+        .start = joint_values_json(found_.start),
+        .goal = vector_json(tip_of(found_.robot, found_.goals[goal])),
+        .parameters = parameters_of(),
+        .result = found_.plan,
+        .elapsed_ms = found_.elapsed_ms,
+        .unit = unit_of(found_.parameters.objective),
+        .axes = 3,
+        .remarks = remarks_of(command_, found_)};
+    if (!command_.held.empty()) {
+      record.inputs["held"] = scene_json(found_.held_file, found_.held, found_.held_files);
+      record.inputs["held"]["may_touch"] = command_.held_touches;
+    }
+    if (command_.inverse > 0) {
+      record.unit = unit_of(arm::Objective::joint);
+      record.axes = static_cast<std::size_t>(found_.robot.size());
+      for (const Reaching& reaching : found_.inverse)
+        record.path.insert(record.path.end(), reaching.q.begin(), reaching.q.end());
+    }
     for (const Eigen::Vector3d tip : found_.plan.tips.colwise())  // of each lattice point
       record.path.insert(record.path.end(), tip.begin(), tip.end());
     if (!wants_json(command_)) return record;  // its samples are many
@@ -210,6 +240,7 @@ class ArmProblem : public Problem {
     json["joint_travel"] = found ? number(plan.joint_travel) : Json(nullptr);
     json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);
     json["notes"] = plan.notes;
+    add_tip_json(command_, found_, json);
     json["lattice"] = {
         {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
     return json;
@@ -238,6 +269,15 @@ class ArmProblem : public Problem {
     for (const auto* file : {&command_.srdf, &command_.joint_limits})
       if (!file->empty() && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
     found_.robot_files = hashed(files);
+  }
+  void read_held() {
+    if (command_.held.empty()) return;
+    found_.held = arm::read_scene(command_.held);
+    found_.held_file = hashed(command_.held);
+    found_.held_files = hashed(files_of(found_.held));
+    const auto& solids = found_.held.obstacles;
+    found_.robot = arm::holding(found_.robot, found_.held.name.empty() ? "held" : found_.held.name,
+                                {solids.begin(), solids.end()}, command_.held_touches);
   }
   void note_inputs() {
     const auto joints = joint_names(found_.robot);

@@ -90,10 +90,50 @@ void add_goal_options(OptionTable& table, ArmCommand& to) {
   tolerance("--angle-tolerance", to.angle_tolerance, "RADIANS");
 }
 
+/// What the tip holds, straight motions, and questions without a motion.
+void add_tip_options(OptionTable& table, ArmCommand& to) {
+  table.file("--held", to.held, "What the tip holds: bodies as in a scene, placed in its frame",
+             {".json"});
+  table.repeatable("--held-touches", "Link that it may touch (repeatable)", "LINK",
+                   [&to](const auto& link) { to.held_touches.push_back(link); });
+  table.flag("--straight", to.straight, "The tip goes straight to --goal-pose, turning evenly");
+  table.real("--straight-tolerance", to.straight_tolerance, ArmCommand::kLeastOff,
+             ArmCommand::kMostTolerance, "How far off that line (default 0.001)", "METRES");
+  table.real("--straight-angle", to.straight_angle, ArmCommand::kLeastOff,
+             ArmCommand::kMostTolerance,
+             "How far off that turn (default 0.01; pi or more: turned as it likes)", "RADIANS");
+  table.integer("--inverse", to.inverse, 1, ArmCommand::kMostInverse,
+                "No motion: at most N joint values that reach the goal, nearest to the start first",
+                "N");
+  table.flag("--nearest", to.nearest,
+             "Tell which two things are nearest to each other at start and end; without a goal, at "
+             "the start");
+}
+
+void finish_tip_options(const OptionTable& table, ArmCommand& to) {
+  if (to.straight && to.inverse > 0)
+    throw UsageError("--inverse makes no motion; leave it or --straight out");
+  const auto of_pose = [](const ArmGoal& goal) { return goal.kind == ArmGoal::Kind::pose; };
+  if (to.straight && !std::ranges::all_of(to.goals, of_pose))
+    throw UsageError("--straight goes to poses; give goals by --goal-pose");
+  if (to.straight && table.given("--objective"))
+    throw UsageError("--straight: the line is the way; leave --objective out");
+  const auto is_json = [](const std::string& file) { return file.ends_with(".json"); };
+  if (to.inverse > 0 && !std::ranges::all_of(to.outputs, is_json))
+    throw UsageError("--inverse makes no motion; -o takes .json with it");
+  const auto idle = [&](const char* option, const char* other, bool has_other) {
+    if (table.given(option) && !has_other)
+      to.notes.push_back(std::string(option) + " has no effect without " + other);
+  };
+  idle("--straight-tolerance", "--straight", to.straight);
+  idle("--straight-angle", "--straight", to.straight);
+  idle("--held-touches", "--held", !to.held.empty());
+}
+
 void finish_goals(const OptionTable& table, ArmCommand& to) {
   for (const auto& [option, value] : table.in_order("--goal"))
     to.goals.push_back(arm_goal(option, value));
-  if (to.goals.empty())
+  if (to.goals.empty() && (!to.nearest || to.straight || to.inverse > 0))
     throw UsageError("a goal is required: --goal, --goal-pose, --goal-joints or --goal-state");
   if (table.given("--goal-pose")) return;
   for (const char* option : {"--position-tolerance", "--angle-tolerance"})
@@ -121,6 +161,7 @@ Subcommand add_arm(CLI::App& app) {
       ->required();
   add_goal_options(table, *to);
   add_robot_options(table, *to);
+  add_tip_options(table, *to);
   add_search_options(
       table, *to,
       {.seed = "Seed, from 0 to 2^53-1 (default 1)",
@@ -160,7 +201,10 @@ Subcommand add_arm(CLI::App& app) {
   return table.command(
       {.examples = {{"lasius arm maps/arms/industrial6.json --scene maps/arms/cell.json "
                      "--start -0.9,0.3,0.4,0,0.4,0 --goal 0.45,0.4,0.5 -o motion.csv",
-                     "a motion, and its trajectory as a table"}},
+                     "a motion, and its trajectory as a table"},
+                    {"lasius arm maps/arms/industrial6.json --scene maps/arms/cell.json "
+                     "--start -0.9,0.3,0.4,0,0.4,0 --goal 0.45,0.4,0.5 --inverse 3",
+                     "joint values that reach it, and what is nearest there"}},
        .exits =
            {{kFound, "a motion was returned"},
             {kBadFile, "robot, scene or another file is missing or broken"},
@@ -177,8 +221,9 @@ Subcommand add_arm(CLI::App& app) {
           throw UsageError("--seed " + table.in_order("--seed").front().second +
                            ": arm takes one seed; several are for plan and batch");
         if (*plain) to->named.insert(to->named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
-        to->inputs = {to->robot, to->scene, to->srdf, to->joint_limits};
+        to->inputs = {to->robot, to->scene, to->srdf, to->joint_limits, to->held};
         finish_goals(table, *to);
+        finish_tip_options(table, *to);
         return run_command(*to);
       });
 }

@@ -23,6 +23,21 @@ TEST(Recheck, SeesContactsAndBrokenLimits) {
   EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
 }
 
+TEST(Recheck, SeesJerkAboveItsLimit) {
+  // From rest to an acceleration of 0.1 and back in two seconds each way: 0.05 a second.
+  const JointVector none = joints({0, 0}), some = joints({0.1, 0});
+  const Trajectory even({{0, none, none}, {2, none, some}, {4, none, none}});
+  const Trajectory jump({{0, none, some}, {4, none, none}});
+  Robot robot = two_links();
+  EXPECT_EQ(recheck(robot, {}, even, 3).limits, 0);
+  EXPECT_EQ(recheck(robot, {}, jump, 3).limits, 0);
+  robot.joints[0].jerk = 0.0501;
+  EXPECT_EQ(recheck(robot, {}, even, 3).limits, 0);
+  EXPECT_EQ(recheck(robot, {}, jump, 3).limits, 1);  // at the start only
+  robot.joints[0].jerk = 0.0499;
+  EXPECT_EQ(recheck(robot, {}, even, 3).limits, 2);
+}
+
 TEST(Recheck, LooksBetweenItsSamples) {
   // Swings over a thin rod between two samples, or stops before it.
   const Robot robot = two_links();

@@ -89,6 +89,28 @@ TEST(TipLine, KeepsToTheLineAllAlong) {
   EXPECT_GT(before, 4U);
 }
 
+TEST(TipLine, ItsMotionKeepsToTheLineAllAlong) {
+  const Robot robot = shipped("industrial6");
+  const SceneSensor sensor(robot, {});
+  Pose goal = tip_pose(robot, bent());
+  goal.translation() += Eigen::Vector3d(0.05, -0.2, -0.1);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const TipLine line =
+        tip_line(robot, sensor, bent(), goal, {.tolerance = tolerance, .motion = true});
+    ASSERT_EQ(line.status, Status::solved) << line.error;
+    EXPECT_FALSE(line.stops);
+    TipLine samples = line;
+    constexpr int kCount = 300;
+    samples.joints.resize(robot.size(), kCount + 1);
+    for (int i = 0; i <= kCount; ++i)
+      samples.joints.col(i) = line.trajectory.at(i * line.trajectory.duration() / kCount).q;
+    const auto [off, turned] = worst_of(robot, samples, goal);
+    EXPECT_LE(off, tolerance);
+    EXPECT_LE(turned, 0.01);
+    EXPECT_EQ(recheck(robot, {}, line.trajectory, 50).limits, 0);
+  }
+}
+
 TEST(TipLine, EndsWhereSomethingIsInTheWayAndSaysWhat) {
   const Robot robot = shipped("industrial6");
   Pose goal = tip_pose(robot, bent());
