@@ -227,6 +227,8 @@ class TourSearch {
     for (std::vector<int>& task : problem_.tasks) std::erase_if(task, here);
     std::erase_if(problem_.tasks, [](const auto& task) { return task.empty(); });
     tour_.left_out.push_back({stop, why});
+    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
+              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
     bound_.reset();
     for (const auto& order : best_)
       if (std::any_of(order.begin(), order.end(), here)) {
@@ -253,8 +255,6 @@ class TourSearch {
   }
 
   void conclude() {
-    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
-              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
     tour_.status = status_after(cause_, request_.stop);
     if (best_.empty()) {
       if (tour_.status == Status::solved) tour_.status = Status::no_path;
