@@ -118,6 +118,9 @@ class VehicleTour final : public TourProblem {
     json["yaws"] = std::move(yaws);
     json["poses"] = std::move(poses);
     if (in_metres()) json["poses_world"] = std::move(poses_world);
+    for (const auto& [end, key] :
+         {std::pair(answer_.start, "start_world"), {answer_.goal, "goal_world"}})
+      if (end && in_metres()) json[key].push_back(number(*yaw_of(*end)));
     double duration = 0;
     int cusps = 0;
     for (std::size_t i = 0; i < legs_.size(); ++i) {
