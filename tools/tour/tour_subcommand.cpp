@@ -77,29 +77,6 @@ void check_robots(const OptionTable& table, const TourCommand& tour) {
     throw UsageError("--capacity: tours of several robots have no loads; leave it out");
 }
 
-/// What drives, and from where to where. @throws UsageError for what is of points and discs
-void take_vehicle(const OptionTable& table, TourCommand& tour, const VehicleCommand& vehicle,
-                  const std::vector<std::string>& starts, const std::string& goal) {
-  for (const char* option : {"--cover", "--capacity", "--most-stops", "--radius", "--prepare",
-                             "--prepared", "--corners", "--algorithm", "--set", "--preset"})
-    if (table.given(option))
-      throw UsageError(std::string(option) +
-                       " with --vehicle: it is of tours of points and "
-                       "discs; leave it out");
-  if (starts.size() > 1)
-    throw UsageError("--start is given " + std::to_string(starts.size()) +
-                     " times, and one vehicle goes; give one --start");
-  if (const auto page = std::ranges::find_if(tour.run.outputs, is_page);
-      page != tour.run.outputs.end())
-    throw UsageError("-o " + *page +
-                     ": pages are of tours of points and discs; give .json, .csv, "
-                     ".svg, .png or .yaml");
-  tour.vehicle = vehicle;
-  tour.run.inputs.push_back(vehicle.file);
-  if (!starts.empty()) tour.start = pose_value("--start", starts.front(), tour.run.frame);
-  if (!goal.empty()) tour.goal = pose_value("--goal", goal, tour.run.frame);
-}
-
 /// @throws UsageError where an option of stops is given with --cover.
 void check_cover(const OptionTable& table, const RunOptions& run) {
   for (const char* option : {"--stops", "--goal", "--capacity", "--most-stops", "--cost",

@@ -8,8 +8,10 @@
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/sheet.h"
+#include "tools/command_line/map_options.h"
 #include "tools/console/values.h"
 #include "tools/draw/page.h"
+#include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
 #include "tools/tour/stops_file.h"
 #include "tools/tour/tour_kind.h"
@@ -160,6 +162,28 @@ class VehicleTour final : public TourProblem {
 };
 
 }  // namespace
+
+void take_vehicle(const OptionTable& table, TourCommand& tour, const VehicleCommand& vehicle,
+                  const std::vector<std::string>& starts, const std::string& goal) {
+  for (const char* option : {"--cover", "--capacity", "--most-stops", "--radius", "--prepare",
+                             "--prepared", "--corners", "--algorithm", "--set", "--preset"})
+    if (table.given(option))
+      throw UsageError(std::string(option) +
+                       " with --vehicle: it is of tours of points and "
+                       "discs; leave it out");
+  if (starts.size() > 1)
+    throw UsageError("--start is given " + std::to_string(starts.size()) +
+                     " times, and one vehicle goes; give one --start");
+  if (const auto page = std::ranges::find_if(tour.run.outputs, is_page);
+      page != tour.run.outputs.end())
+    throw UsageError("-o " + *page +
+                     ": pages are of tours of points and discs; give .json, .csv, "
+                     ".svg, .png or .yaml");
+  tour.vehicle = vehicle;
+  tour.run.inputs.push_back(vehicle.file);
+  if (!starts.empty()) tour.start = pose_value("--start", starts.front(), tour.run.frame);
+  if (!goal.empty()) tour.goal = pose_value("--goal", goal, tour.run.frame);
+}
 
 std::unique_ptr<Problem> vehicle_tour(TourCommand command, const Json* recorded) {
   std::optional<LoadedVehicle> vehicle;
