@@ -77,7 +77,7 @@ double Bound::over_weights(Point start, Point goal, bool joined, const StopCondi
   return answer.lower_bound * (1 - 1e-9) - moved;
 }
 
-double Bound::least(const Request& request) const {
+double Bound::least(const Request& request, bool around) const {
   constexpr std::size_t kMost = 16;  // goals, around the obstacles
   const Pose& start = request.start;
   Steering steering(vehicle_);
@@ -90,7 +90,7 @@ double Bound::least(const Request& request) const {
       bound = std::max(bound, steering.least(start, goal));
     }
     // Within a tolerance it may end on the other side of a wall.
-    if (request.goals.size() <= kMost && request.goal_tolerance == 0) {
+    if (around && request.goals.size() <= kMost && request.goal_tolerance == 0) {
       const Point from{start.x, start.y}, to{goal.x, goal.y};
       bound = std::max(bound, prices_.weighted()
                                   ? over_weights(from, to, request.goals.size() == 1, request.stop)

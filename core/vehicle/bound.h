@@ -24,8 +24,8 @@ class Bound {
   Bound(const Grid& grid, const Vehicle& vehicle, const Prices& prices);
 
   /// Of the length of the way to any of the goals, cells, or over weights of what Prices has it
-  /// cost. There is one. Stopped: a smaller one.
-  double least(const Request& request) const;
+  /// cost. There is one. Stopped, or not `around` the obstacles: a smaller one.
+  double least(const Request& request, bool around = true) const;
   /// The bound as it is told of a path: at most what the path has, which it may be above by
   /// rounding, and over weights by what the chords are beside the arcs. None where it is above by
   /// more: then one of both is wrong.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <span>
 #include <string>
@@ -222,6 +223,13 @@ const Space& Planner::space() const noexcept { return impl_->space; }
 
 double Planner::cost(std::span<const Segment> segments) const {
   return impl_->prices.unit() * impl_->prices.of(segments);
+}
+
+double Planner::lower_bound(const Request& request, bool around) const {
+  check(request);
+  if (around && impl_->bound.cut_off(request)) return std::numeric_limits<double>::infinity();
+  const double unit = impl_->over_costs ? impl_->prices.unit() : 1;
+  return unit * impl_->bound.least(request, around);
 }
 
 Result Planner::plan(const Request& asked) const {

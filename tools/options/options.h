@@ -159,7 +159,8 @@ struct TourStops {
   std::vector<std::string> names = {};       ///< empty text: without a name
   std::vector<std::vector<int>> after = {};  ///< stops that come before each
   std::vector<int> loads = {};
-  std::vector<std::string> groups = {};  ///< of which one stop is visited; empty text: none
+  std::vector<std::string> groups = {};          ///< of which one stop is visited; empty text: none
+  std::vector<std::optional<double>> yaws = {};  ///< of a vehicle, as PoseEnd has them
 };
 
 /// A polygon world, and what the command line says in place of what it holds.
@@ -186,9 +187,10 @@ struct TourCommand {
   bool open = false;
   std::optional<int> capacity = {};
   std::optional<double> cover = {};  ///< a width, as MapOptions::radius; then there are no stops
-  std::optional<End> start = {}, goal = {};
-  std::vector<End> robots = {};        ///< where each of several begins
-  std::optional<int> most_stops = {};  ///< of a robot
+  std::optional<PoseEnd> start = {}, goal = {};  ///< yaws of a vehicle alone
+  std::vector<End> robots = {};                  ///< where each of several begins
+  std::optional<int> most_stops = {};            ///< of a robot
+  std::optional<VehicleCommand> vehicle = {};    ///< what drives; not its run and ends
   int generations = 20;
 };
 

@@ -12,11 +12,13 @@
 #include "core/base/text_lines.h"
 #include "core/tour/order/partial_order.h"
 #include "lasius/error.h"
+#include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
 #include "tools/record/json_values.h"
 #include "tools/record/outputs.h"
 #include "tools/record/queries.h"
+#include "tools/vehicle/vehicle_json.h"
 
 namespace lasius::tool {
 namespace {
@@ -36,11 +38,13 @@ struct Details {
   std::vector<std::string> after = {};
   std::optional<int> load = {};
   std::string group = {};
+  std::optional<double> yaw = {};
 };
 
 class Reader {
  public:
-  Reader(const std::string& file, Frame frame) : file_(file), frame_(frame) {
+  Reader(const std::string& file, Frame frame, bool poses)
+      : file_(file), frame_(frame), poses_(poses) {
     auto in = opened(file, "name a file of stops: .tsv, .json or .geojson");
     text_.assign(std::istreambuf_iterator<char>(in), {});
     if (text_.starts_with("\xef\xbb\xbf")) text_.erase(0, 3);
@@ -90,6 +94,13 @@ class Reader {
            "give a whole number, as 1 where something is picked and -1 where it is delivered");
     return static_cast<int>(value);
   }
+  double yaw(const std::string& text, const At& at) const {
+    try {
+      return angle_value("yaw", text, -kMostTurned, kMostTurned);
+    } catch (const UsageError& error) {
+      fail(at, error.what(), "leave it empty where any will do");
+    }
+  }
   static std::vector<std::string> names_in(std::string_view list) {
     std::vector<std::string> names;
     for (const auto part : split(list, ','))
@@ -100,7 +111,7 @@ class Reader {
   void read_table() {
     std::vector<std::string> header;
     std::size_t x = 0, y = 1;
-    std::optional<std::size_t> name, after, loads, group;
+    std::optional<std::size_t> name, after, loads, group, yaw;
     bool tabs = false;
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
@@ -121,6 +132,7 @@ class Reader {
           after = column(header, "after", at);
           loads = column(header, "load", at);
           group = column(header, "group", at);
+          if (poses_) yaw = column(header, "yaw", at);
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
@@ -137,6 +149,7 @@ class Reader {
       if (loads && !fields[*loads].empty())
         details.load = load(number("load", fields[*loads], at), fields[*loads], at);
       if (group) details.group = fields[*group];
+      if (yaw && !fields[*yaw].empty()) details.yaw = this->yaw(fields[*yaw], at);
       add({number("x", fields[x], at), number("y", fields[y], at)},
           parse_whole(fields[x]) && parse_whole(fields[y]), std::move(details), at);
     }
@@ -206,7 +219,16 @@ class Reader {
     if (pair.is_object() && pair.contains("x") && pair.contains("y"))
       return both(pair["x"], pair["y"], details_of(pair, path));
     const bool long_enough = pair.is_array() && pair.size() >= 2;
-    both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), details);
+    Details more = details;
+    if (poses_ && text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array() &&
+        pair.size() == 3)
+      more.yaw = yaw_of(pair[2], path);
+    both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), std::move(more));
+  }
+
+  std::optional<double> yaw_of(const Json& value, const std::string& path) const {
+    if (value.is_null()) return std::nullopt;
+    return yaw(value.is_string() ? value.get<std::string>() : value.dump(), {.path = path});
   }
 
   Details details_of(const Json& object, const std::string& path) const {
@@ -228,6 +250,7 @@ class Reader {
       else
         details.after = names_in(text_of(*after, "after"));
     }
+    if (const Json* value = poses_ ? given("yaw") : nullptr) details.yaw = yaw_of(*value, path);
     if (const Json* value = given("load"))
       details.load =
           load(value->is_number() ? value->get<double>() : 0.5, value->dump(), {.path = path});
@@ -274,6 +297,8 @@ class Reader {
       for (const Details& one : details_) stops_.loads.push_back(one.load.value_or(0));
     if (any([](const Details& one) { return !one.group.empty(); }))
       for (const Details& one : details_) stops_.groups.push_back(one.group);
+    if (any([](const Details& one) { return one.yaw.has_value(); }))
+      for (const Details& one : details_) stops_.yaws.push_back(one.yaw);
     if (!any([](const Details& one) { return !one.after.empty(); })) return;
     std::map<std::string_view, std::vector<int>> named;
     std::vector<std::string_view> known;
@@ -310,6 +335,7 @@ class Reader {
 
   const std::string& file_;
   Frame frame_;
+  bool poses_;
   std::string text_;
   TourStops stops_;
   std::vector<Details> details_;  // of the stops
@@ -318,6 +344,8 @@ class Reader {
 
 }  // namespace
 
-TourStops read_stops(const std::string& file, Frame frame) { return Reader(file, frame).read(); }
+TourStops read_stops(const std::string& file, Frame frame, bool poses) {
+  return Reader(file, frame, poses).read();
+}
 
 }  // namespace lasius::tool

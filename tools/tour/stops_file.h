@@ -18,8 +18,9 @@ inline constexpr std::size_t kMostStops = 20'000;
 ///   others    a TSV whose header names x and y among others, split at tabs, or where the header
 ///   has
 ///             none at blanks and commas; without a header, x and y a line
-/// A cell is two whole numbers; with decimals it is a point, and so are metres. @throws
+/// `poses`: also yaws, of a column or member "yaw", or as a third number of a list; radians, or as
+/// in 90deg. A cell is two whole numbers; with decimals it is a point, and so are metres. @throws
 /// Error(file_missing, file_broken) naming file and line.
-TourStops read_stops(const std::string& file, Frame frame);
+TourStops read_stops(const std::string& file, Frame frame, bool poses = false);
 
 }  // namespace lasius::tool

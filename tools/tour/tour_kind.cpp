@@ -42,7 +42,8 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
   if (polygons) read_recorded_world(from, command);
 #endif
   for (const auto& [key, end] : {std::pair("start", &command.start), {"goal", &command.goal}})
-    if (!value_at(result, key).is_null()) *end = recorded_end(result, key);
+    if (!value_at(result, key).is_null() && !of_vehicle(result))
+      *end = PoseEnd{recorded_end(result, key)};
   if (result.contains("cover")) {
     read_recorded_cover(result, command);
     return cover_problem(std::move(command));
@@ -65,7 +66,8 @@ std::unique_ptr<Problem> tour_again(const Recorded& from, const Problem*) {
     command.most_stops = static_cast<int>(
         recorded_integer(result, "parameters/most_stops", 1, TourCommand::kMostLoad));
   if (result.contains("starts")) command.robots = recorded_ends(result, "starts");
-  return tour_problem(std::move(command));
+  return of_vehicle(result) ? vehicle_tour(std::move(command), &result)
+                            : tour_problem(std::move(command));
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ void write_tour_picture(const std::string& file, Page page, const TourGround& gr
 }
 
 void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
-                        const TourAnswer& answer) {
+                        const TourAnswer& answer,
+                        const std::function<void(Canvas&, const Axes&)>& below,
+                        const std::vector<Key>& more) {
   std::vector<Cell> cells;
   for (const Place& stop : answer.stops) cells.push_back(stop.cell);
   const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, cells)};
@@ -107,7 +109,11 @@ void write_tour_picture(const std::string& file, std::string_view algorithm, con
       .paint =
           [&](Canvas& canvas, const Box& box) {
             paint_map(canvas, box, sheet, free_ground);
-            return sheet.axes(box);
+            const Axes axes = sheet.axes(box);
+            canvas.clip(box);
+            if (below) below(canvas, axes);
+            canvas.unclip();
+            return axes;
           },
       .path = [&](Canvas& canvas, const Box& box, const std::vector<Point>& path,
                   Colour colour) { draw_path(canvas, box, sheet, path, 2.5, 1, colour); },
@@ -117,8 +123,9 @@ void write_tour_picture(const std::string& file, std::string_view algorithm, con
           },
       .length = [&](double length) { return sheet.length(length); },
       .shows = [&](const Place& place) { return sheet.grid.contains(place.cell); }};
-  write_tour_picture(file, sheet.page("tour, " + map_title(answer.map, run, algorithm)), ground,
-                     answer);
+  Page page = sheet.page("tour, " + map_title(answer.map, run, algorithm));
+  page.legend.insert(page.legend.end(), more.begin(), more.end());
+  write_tour_picture(file, std::move(page), ground, answer);
 }
 
 }  // namespace lasius::tool

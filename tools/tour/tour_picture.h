@@ -26,9 +26,12 @@ struct TourGround {
 };
 
 /// The map, the tour, by `algorithm`, and its stops, which are numbered from 1 in their order where
-/// they are few; each robot has its colour. @throws Error(output_failed)
+/// they are few; each robot has its colour. `below` draws on the map, below the tour, what the keys
+/// `more` are of. @throws Error(output_failed)
 void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
-                        const TourAnswer& answer);
+                        const TourAnswer& answer,
+                        const std::function<void(Canvas&, const Axes&)>& below = {},
+                        const std::vector<Key>& more = {});
 /// The same in any world. The page's legend begins with the keys of start and goal.
 void write_tour_picture(const std::string& file, Page page, const TourGround& ground,
                         const TourAnswer& answer);

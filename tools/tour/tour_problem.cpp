@@ -28,7 +28,7 @@ std::optional<std::int64_t> TourProblem::read(const std::stop_token& token) {
   for (const End& stop : command_.stops.points) answer_.stops.push_back(to_place(stop));
   answer_.start = index_of(command_.start);
   answer_.goal = index_of(command_.goal);
-  for (const End& robot : command_.robots) answer_.robots.push_back(*index_of(robot));
+  for (const End& robot : command_.robots) answer_.robots.push_back(*index_of(PoseEnd{robot}));
   check_ends_of_groups();
   return std::nullopt;
 }
@@ -154,15 +154,25 @@ bool TourProblem::is_end(int stop) const {
 }
 
 // Of a stop at the same place, at which no robot begins yet; it is added where there is none.
-std::optional<int> TourProblem::index_of(const std::optional<End>& end) {
+std::optional<int> TourProblem::index_of(const std::optional<PoseEnd>& end) {
   if (!end) return std::nullopt;
   const Place place = to_place(*end);
   const int count = static_cast<int>(answer_.stops.size());
+  std::vector<std::optional<double>>& yaws = command_.stops.yaws;
+  if (command_.vehicle) yaws.resize(answer_.stops.size());
+  const auto looks_elsewhere = [&](int stop) {
+    const auto i = static_cast<std::size_t>(stop);
+    return command_.vehicle && yaws[i] && *yaws[i] != end->yaw;
+  };
   int index = 0;
-  while (index < count &&
-         (place_at(index).at() != place.at() || std::ranges::count(answer_.robots, index) > 0))
+  while (index < count && (looks_elsewhere(index) || place_at(index).at() != place.at() ||
+                           std::ranges::count(answer_.robots, index) > 0))
     ++index;
   if (index == count) answer_.stops.push_back(place);
+  if (command_.vehicle) {
+    yaws.resize(answer_.stops.size());
+    yaws[static_cast<std::size_t>(index)] = end->yaw;
+  }
   return index;
 }
 
@@ -274,11 +284,13 @@ Json TourProblem::answer_of(const Record& record, const Json& findings) const {
   }
   json["priced"] = tour.priced;
   add_course(json, record);
+  add_answer(json);
   json.update(findings);
   return json;
 }
 
 std::unique_ptr<Problem> tour_problem(TourCommand command) {
+  if (command.vehicle) return vehicle_tour(std::move(command));
   if (!is_polygon_file(command.run.map.file))
     return std::make_unique<TourProblem>(std::move(command));
 #ifdef LASIUS_WITH_POLYGON

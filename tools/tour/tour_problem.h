@@ -27,6 +27,8 @@ class TourProblem : public Problem {
   virtual void read_world(const std::stop_token& token);
   virtual Place to_place(const End& end) const;
   virtual TourResult tour_of(const TourRequest& request, const Watch& watch);
+  /// Of another world, what else is told: in `json`, the answer.
+  virtual void add_answer(Json&) const {}
   /// Why a stop is left out that is called so.
   virtual std::string why_not(const Place& place, const std::string& name) const;
   /// More of a start or goal that cannot be.
@@ -34,19 +36,19 @@ class TourProblem : public Problem {
   /// The record's beginning; what else is to be told of the answer goes to `findings`.
   virtual Record head(Json& findings) const;
 
+  bool in_metres() const { return command_.run.frame == Frame::world; }
   const Place& place_at(int stop) const { return answer_.stops[static_cast<std::size_t>(stop)]; }
 
   TourCommand command_;
   TourAnswer answer_{};
 
  private:
-  bool in_metres() const { return command_.run.frame == Frame::world; }
   std::string unit() const { return in_metres() ? "m" : ""; }
   const Place& end_place(const std::optional<int>& end) const {
     return end ? place_at(*end) : answer_.stops.front();
   }
   bool is_end(int stop) const;
-  std::optional<int> index_of(const std::optional<End>& end);
+  std::optional<int> index_of(const std::optional<PoseEnd>& end);
   std::vector<int> groups() const;
   void check_ends_of_groups() const;
   std::string group_name(const LeftOut& out) const {
@@ -62,6 +64,8 @@ class TourProblem : public Problem {
 
 /// `lasius tour WORLD.geojson`.
 std::unique_ptr<Problem> polygon_tour(TourCommand command);
+/// `lasius tour MAP --vehicle`. @param recorded  the result that is made again
+std::unique_ptr<Problem> vehicle_tour(TourCommand command, const Json* recorded = nullptr);
 /// The polygon world of a result. @throws UsageError
 void read_recorded_world(const Recorded& from, TourCommand& command);
 

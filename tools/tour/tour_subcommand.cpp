@@ -32,7 +32,7 @@ constexpr const char* kTourOutputs =
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
   for (const char* option : {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame",
                              "--radius", "--unknown-free", "--prepare", "--prepared", "--corners",
-                             "--cost", "--inflation", "--most-stops", "--spacing"})
+                             "--cost", "--inflation", "--most-stops", "--spacing", "--vehicle"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
                        " is a problem of TSPLIB; leave it out");
@@ -47,8 +47,8 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
 /// @throws UsageError where an option of bitmaps is given with a polygon world.
 void check_polygons(const OptionTable& table, const RunOptions& run) {
   refuse_radius(table);
-  for (const char* option : {"--cover", "--frame", "--unknown-free", "--prepare", "--prepared",
-                             "--corners", "--cost", "--inflation", "--spacing"})
+  for (const char* option : {"--cover", "--vehicle", "--frame", "--unknown-free", "--prepare",
+                             "--prepared", "--corners", "--cost", "--inflation", "--spacing"})
     if (table.given(option))
       throw UsageError(std::string(option) + " is for bitmaps, and " + run.map.file +
                        " is a polygon world; leave it out");
@@ -99,6 +99,7 @@ Subcommand add_tour(CLI::App& app) {
     std::vector<std::string> starts;
     int capacity_given = 0, most_given = 0;
     double cover_given = 0;
+    VehicleCommand driven;
   };
   auto text = std::make_shared<Text>();
   OptionTable table(
@@ -114,6 +115,11 @@ Subcommand add_tour(CLI::App& app) {
              "In place of stops: cover the map with a tool that works on WIDTH cells (metres with "
              "--frame world), by swaths side by side; its centre keeps --radius",
              "WIDTH");
+  table.file("--vehicle", text->driven.file,
+             "A vehicle goes, of this footprint and smallest turn (see lasius help vehicles), by "
+             "motions whose sweep meets nothing; stops have a yaw (a column, or [x, y, yaw]), or "
+             "the best of eight headings; start and goal are X,Y,YAW",
+             kDocuments);
   table.flag("--open", text->open, "End at the last stop (default: back at the first)");
   table.repeatable("--start", text->starts,
                    "Where the tour begins: a stop, or one more; given several times a robot begins "
@@ -223,11 +229,16 @@ Subcommand add_tour(CLI::App& app) {
           run.notes.emplace_back("--prepare has no effect over costs");
         }
         const Frame frame = polygons ? Frame::world : run.frame;  // any numbers
+        if (!text->driven.file.empty()) {
+          take_vehicle(table, tour, text->driven, text->starts, text->goal_text);
+          return run_command(tour);
+        }
         for (const std::string& start : text->starts)
           tour.robots.push_back(point_value("--start", start, frame));
-        if (!text->goal_text.empty()) tour.goal = point_value("--goal", text->goal_text, frame);
+        if (!text->goal_text.empty())
+          tour.goal = PoseEnd{point_value("--goal", text->goal_text, frame)};
         check_robots(table, tour);
-        if (tour.robots.size() == 1) tour.start = std::exchange(tour.robots, {}).front();
+        if (tour.robots.size() == 1) tour.start = PoseEnd{std::exchange(tour.robots, {}).front()};
         return run_command(tour);
       });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
@@ -240,6 +241,41 @@ std::vector<vehicle::TimedPose> timed_poses(const VehicleMap& on, const VehicleC
   if (!answer.has_path()) return {};
   return vehicle::Profile(answer.result.segments, on.vehicle.speeds)
       .samples(spacing_of(on.map, command.run));
+}
+
+void write_timed_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
+                       std::span<const VehicleAnswer> answers) {
+  const double unit = in_metres(command) ? on.map.metres(1) : 1;
+  out << "x,y,yaw,kappa,v,t,gear\n";
+  double begun = 0;
+  for (const VehicleAnswer& answer : answers) {
+    double time = begun;
+    for (const vehicle::TimedPose& timed : timed_poses(on, command, answer)) {
+      const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
+      const double kappa =
+          timed.at.curvature == 0 ? 0 : (in_metres(command) ? -1 : 1) * timed.at.curvature / unit;
+      const double speed = timed.at.gear == 0 ? timed.speed : timed.speed * unit;
+      time = begun + timed.time;
+      for (const double value : {pose.x, pose.y, pose.yaw, kappa, speed, time})
+        out << to_text(value) << ",";
+      out << timed.at.gear << "\n";
+    }
+    begun = time;
+  }
+}
+
+void write_ros_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
+                     std::span<const VehicleAnswer> answers) {
+  std::vector<lasius::Pose> poses;
+  for (const VehicleAnswer& answer : answers)
+    for (const vehicle::TimedPose& timed : timed_poses(on, command, answer)) {
+      const vehicle::Pose& cells = timed.at.pose;
+      const vehicle::Pose pose = in_metres(command) ? pose_in_frame(on, command, answer, cells)
+                                 : on.map.frame     ? to_world(on.map, cells)
+                                                    : cells;
+      poses.push_back({pose.x, pose.y, pose.yaw});
+    }
+  write_ros_path(out, poses);
 }
 
 vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,

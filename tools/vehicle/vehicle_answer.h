@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lasius/vehicle/planner.h"
@@ -61,6 +62,14 @@ VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
 /// Poses along the answer's path, at most the command's spacing apart, timed.
 std::vector<vehicle::TimedPose> timed_poses(const VehicleMap& on, const VehicleCommand& command,
                                             const VehicleAnswer& answer);
+/// x, y, yaw, curvature, speed, time and gear of each pose, in the command's frame, of plans one
+/// after another.
+void write_timed_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
+                       std::span<const VehicleAnswer> answers);
+/// The same as nav_msgs/Path: in metres of the map's frame where it has one. A pose that stands
+/// twice is a cusp.
+void write_ros_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
+                     std::span<const VehicleAnswer> answers);
 /// A pose as the command's frame has it: of the ends as they were given.
 vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,
                             const VehicleAnswer& answer, const vehicle::Pose& cells);

@@ -15,23 +15,6 @@
 namespace lasius::tool {
 namespace {
 
-/// x, y, yaw, curvature, speed, time and gear of each pose, in the command's frame.
-void write_timed_poses(std::ostream& out, const VehicleMap& on, const VehicleCommand& command,
-                       const VehicleAnswer& answer) {
-  const bool metres = command.run.frame == Frame::world;
-  const double unit = metres ? on.map.metres(1) : 1;
-  out << "x,y,yaw,kappa,v,t,gear\n";
-  for (const vehicle::TimedPose& timed : timed_poses(on, command, answer)) {
-    const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
-    const double kappa =
-        timed.at.curvature == 0 ? 0 : (metres ? -1 : 1) * timed.at.curvature / unit;
-    const double speed = timed.at.gear == 0 ? timed.speed : timed.speed * unit;
-    for (const double value : {pose.x, pose.y, pose.yaw, kappa, speed, timed.time})
-      out << to_text(value) << ",";
-    out << timed.at.gear << "\n";
-  }
-}
-
 /// `plan` of a vehicle.
 class VehicleProblem : public Problem {
  public:
@@ -64,28 +47,20 @@ class VehicleProblem : public Problem {
   }
   Record record() const override { return vehicle_record(*on_, command_, answer_); }
   Forms show(const Record& run) const override {
-    return {.csv = [&](auto& out) { write_timed_poses(out, *on_, command_, answer_); },
+    return {.csv =
+                [&](auto& out) {
+                  write_timed_poses(out, *on_, command_, {&answer_, 1});
+                },
             .picture = [&](auto& file) { write_vehicle_picture(file, *on_, command_, answer_); },
-            .yaml = [&](auto& out) { write_ros_path(out, ros_poses()); },
+            .yaml =
+                [&](auto& out) {
+                  write_ros_poses(out, *on_, command_, {&answer_, 1});
+                },
             .page = [&](auto& out) { write_vehicle_page(out, run, *on_, command_, answer_); }};
   }
   SearchOptions& options() override { return command_.run; }
 
  private:
-  /// In metres of the map's frame where it has one. A pose that stands twice is a cusp.
-  std::vector<lasius::Pose> ros_poses() const {
-    std::vector<lasius::Pose> poses;
-    for (const vehicle::TimedPose& timed : timed_poses(*on_, command_, answer_)) {
-      const vehicle::Pose& cells = timed.at.pose;
-      const vehicle::Pose pose = command_.run.frame == Frame::world
-                                     ? pose_in_frame(*on_, command_, answer_, cells)
-                                 : on_->map.frame ? to_world(on_->map, cells)
-                                                  : cells;
-      poses.push_back({pose.x, pose.y, pose.yaw});
-    }
-    return poses;
-  }
-
   VehicleCommand command_;
   std::optional<LoadedVehicle> vehicle_;
   std::optional<Json> recorded_;

@@ -102,6 +102,10 @@ class LASIUS_EXPORT Planner {
   double cost(std::span<const Segment> segments) const;
   /// @throws Error(invalid_parameter) where a number is out of range or there is no goal
   [[nodiscard]] Result plan(const Request& request) const;
+  /// What Result::lower_bound is of a way, before one is planned; infinite where it is proven that
+  /// there is none. `around`: with regard to obstacles; of stops of a tour both parts are asked for
+  /// apart. Smaller where stopped. @throws as plan
+  [[nodiscard]] double lower_bound(const Request& request, bool around = true) const;
 
   class Impl;  ///< internal
 

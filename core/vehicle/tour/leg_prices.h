@@ -1,0 +1,65 @@
+// What legs of a vehicle's tour cost: plans where there are some, else what no plan is below.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/tour/order/costs.h"
+#include "lasius/vehicle/planner.h"
+
+namespace lasius::vehicle {
+
+/// A pose at one of the places of a tour.
+struct TourPose {
+  Pose pose;
+  int place = 0;
+};
+
+/// From one such pose, by its index, to another.
+using PosePair = std::pair<int, int>;
+
+/// Between all poses of a tour, either way.
+class LegPrices {
+ public:
+  /// Finds the bounds: of each pair of places around the obstacles, of each pair of poses without
+  /// them. Of less worth where stopped.
+  LegPrices(const Planner& planner, std::vector<TourPose> poses, int threads,
+            const StopCondition& stop);
+
+  const TourPose& at(int pose) const { return poses_[pose]; }
+  tour::Costs costs() const { return {size(), costs_.data()}; }
+  /// Bounds, each way or the lower of both ways.
+  tour::Costs lower() const { return {size(), lower_.data()}; }
+  std::vector<tour::Cost> lower_both_ways() const;
+  double scale() const noexcept { return scale_; }  ///< grains of a length, or over costs of a cost
+
+  /// Plans legs that are not known. A stopped plan is none.
+  void price(std::span<const PosePair> legs, int threads, const StopCondition& stop);
+  bool known(const PosePair& leg) const { return plans_.contains(leg); }
+  bool has_way(const PosePair& leg) const { return !plans_.at(leg).segments.empty(); }
+  /// Of a known one; without a path where none was found.
+  const Result& plan(const PosePair& leg) const { return plans_.at(leg); }
+  const std::map<PosePair, Result>& plans() const noexcept { return plans_; }
+  static double value(const Result& plan) { return plan.over_costs ? plan.cost : plan.length; }
+
+ private:
+  int size() const noexcept { return static_cast<int>(poses_.size()); }
+  std::size_t index(const PosePair& leg) const {
+    return static_cast<std::size_t>(leg.first) * poses_.size() +
+           static_cast<std::size_t>(leg.second);
+  }
+  void avoid(int from, int to);  // places
+
+  const Planner& planner_;
+  std::vector<TourPose> poses_;
+  double scale_ = 1;
+  std::vector<double> bounds_;
+  std::vector<tour::Cost> costs_, lower_;
+  std::map<PosePair, Result> plans_;
+  std::map<PosePair, int> failed_;  // of places: plans without a path; none where there is one
+};
+
+}  // namespace lasius::vehicle

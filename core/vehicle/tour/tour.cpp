@@ -1,0 +1,322 @@
+#include "lasius/vehicle/tour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
+#include "core/tour/route_tour.h"
+#include "core/tour/routes/exact_routes.h"
+#include "core/tour/routes/find_routes.h"
+#include "core/tour/routes/route_bound.h"
+#include "core/vehicle/sweep.h"
+#include "core/vehicle/tour/leg_prices.h"
+
+namespace lasius::vehicle {
+
+namespace {
+
+using tour::RoutesFound;
+
+constexpr std::size_t kMostPoses = 2000;
+constexpr int kIdle = 10;   // searches for an order without a shorter tour, where it is not proven
+constexpr int kEffort = 5;  // the share of generations that each such search has
+constexpr int kUnjoined = 3;      // places to which no way was found that make a stop one left out
+constexpr double kSpacing = 0.5;  // cells, of a leg's path
+
+std::optional<double> yaw_of(const TourRequest& request, int stop) {
+  return request.yaws.empty() ? std::nullopt : request.yaws[static_cast<std::size_t>(stop)];
+}
+
+void check_tour(const TourRequest& request, int n) {
+  check(request, n);
+  if (!request.after.empty() || !request.load.empty() || request.capacity || by_ants(request))
+    throw invalid_parameter("tours of vehicles have no order given in part, and no ants",
+                            "leave after, load, capacity and the algorithm out");
+  if (!request.yaws.empty() && request.yaws.size() != static_cast<std::size_t>(n))
+    throw invalid_parameter("yaws has " + number_text(request.yaws.size()) + " entries",
+                            "give one a stop, " + number_text(n));
+  for (const auto& yaw : request.yaws)
+    require_parameter(!yaw || std::fabs(*yaw) <= 1e5, "a yaw", yaw.value_or(0),
+                      "give radians, at most 100000");
+  for (const int end : ends_of(request))
+    if (!yaw_of(request, end))
+      throw invalid_parameter("stop " + number_text(end) + ", an end of the tour, has no yaw",
+                              "say where the vehicle looks there");
+}
+
+std::vector<Pose> free_poses(const Planner& planner, Point at, std::optional<double> yaw) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < (yaw ? 1 : kTourHeadings); ++i) {
+    const Pose pose{at.x, at.y, yaw.value_or(i * 2 * std::numbers::pi / kTourHeadings)};
+    if (planner.space().free(pose)) poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// Stops are of one region where the disc in the footprint gets from one to the other.
+StopPlaces places_of(const Planner& planner, std::span<const Point> points,
+                     const std::vector<std::vector<Pose>>& poses) {
+  StopPlaces places{std::vector<std::vector<int>>(points.size()), {}};
+  std::vector<Pose> regions;
+  const Space::Impl& map = planner.space().impl();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point p = points[i];
+    places.outside.push_back(!(p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height()));
+    if (poses[i].empty()) continue;
+    const Pose& pose = poses[i].front();
+    const auto found = std::find_if(regions.begin(), regions.end(), [&](const Pose& other) {
+      return std::isfinite(planner.lower_bound(
+          {.start = other, .goals = {pose}, .heading_tolerance = std::numbers::pi}));
+    });
+    places.regions[i] = {static_cast<int>(found - regions.begin())};
+    if (found == regions.end()) regions.push_back(pose);
+  }
+  return places;
+}
+
+class TourSearch {
+ public:
+  TourSearch(const Planner& planner, const TourRequest& request, const TourObserver& observer,
+             TourStops stops, const std::vector<std::vector<Pose>>& poses, TourResult& tour)
+      : request_(request),
+        observer_(observer),
+        stops_(std::move(stops)),
+        tour_(tour),
+        legs_(planner, poses_of(stops_, poses), request.threads, without_deadline(request.stop)) {
+    std::vector<std::vector<int>> at(stops_.indices.size());
+    for (int a = 0; a < legs_.costs().size(); ++a) at[legs_.at(a).place].push_back(a);
+    problem_ = stops_.routes;
+    for (std::vector<int>& task : problem_.tasks) {
+      std::vector<int> all;
+      for (const int place : task) all.insert(all.end(), at[place].begin(), at[place].end());
+      task = std::move(all);
+    }
+    for (tour::Ends& ends : problem_.routes)
+      for (int* const end : {&ends.start, &ends.goal})
+        if (*end >= 0) *end = at[*end].front();
+  }
+
+  void run() {
+    for (int idle = 0; idle < kIdle;) {
+      const bool first = tour_.priced == 0;
+      const RoutesFound found =
+          find_routes(problem_, legs_.costs(),
+                      {.seed = request_.seed,
+                       .generations = (request_.generations + kEffort - 1) / kEffort,
+                       .stop = first ? without_deadline(request_.stop) : request_.stop});
+      const std::vector<PosePair> order = legs_of(found.orders);
+      if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
+      std::vector<PosePair> missing;
+      for (const PosePair& leg : order)
+        if (!legs_.known(leg)) missing.push_back(leg);
+      legs_.price(missing, request_.threads,
+                  first ? without_deadline(request_.stop) : request_.stop);
+      tour_.priced += static_cast<std::int64_t>(missing.size());
+      const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
+      const bool all_known = std::all_of(order.begin(), order.end(), known);
+      const bool better = all_known && offer(found.orders, order);
+      if (better && !tell()) break;
+      cause_ = request_.stop.poll();
+      if (cause_ != StopCondition::Cause::none) break;
+      const int lost = unjoined(missing.empty() ? order : std::vector<PosePair>{});
+      if (lost >= 0 && !leave_out(lost)) return;
+      if (lost < 0 && missing.empty()) break;
+      idle = better || lost >= 0 || found.optimal || best_.empty() ? 0 : idle + 1;
+    }
+    conclude();
+  }
+
+ private:
+  static std::vector<TourPose> poses_of(const TourStops& stops,
+                                        const std::vector<std::vector<Pose>>& poses) {
+    std::vector<TourPose> all;
+    for (int place = 0; place < stops.size(); ++place)
+      for (const Pose& pose : poses[static_cast<std::size_t>(stops.indices[place])])
+        all.push_back({pose, place});
+    if (all.size() > kMostPoses)
+      throw invalid_parameter(number_text(all.size()) + " poses are too many for a tour",
+                              "give at most " + number_text(kMostPoses) +
+                                  "; a stop without a yaw "
+                                  "has " +
+                                  number_text(kTourHeadings));
+    return all;
+  }
+
+  // As add_legs has them.
+  std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders) const {
+    std::vector<PosePair> legs;
+    for (const std::vector<int>& order : orders) {
+      const std::size_t n = order.size(), count = n < 2 ? 0 : request_.open ? n - 1 : n;
+      for (std::size_t i = 0; i < count; ++i) legs.emplace_back(order[i], order[(i + 1) % n]);
+    }
+    return legs;
+  }
+
+  // Takes orders all of whose legs are known, if they have ways and are cheaper.
+  bool offer(const std::vector<std::vector<int>>& orders, const std::vector<PosePair>& legs) {
+    std::int64_t cost = 0;
+    for (const PosePair& leg : legs) {
+      if (!legs_.has_way(leg)) return false;
+      cost += legs_.costs()(leg.first, leg.second);
+    }
+    if (!best_.empty() && cost >= best_cost_) return false;
+    best_ = orders;
+    best_cost_ = cost;
+    return true;
+  }
+  // False where the observer or the gap ends the search.
+  bool tell() {
+    if (observer_) {
+      std::vector<int> told;
+      for (const auto& order : best_)
+        for (const int a : order) told.push_back(stops_.indices[legs_.at(a).place]);
+      if (!observer_(told, static_cast<double>(best_cost_) / legs_.scale())) return false;
+    }
+    return request_.target_gap <= 0 || best_cost_ > target_of(bound(), request_.target_gap);
+  }
+
+  // A place that no way was found to, or from, of several tried; `order`: there is no other one
+  // without such legs, and the place with most of them is meant. -1: none.
+  int unjoined(const std::vector<PosePair>& order) const {
+    const auto places = static_cast<std::size_t>(stops_.size());
+    std::vector<std::set<int>> tried[2]{std::vector<std::set<int>>(places),
+                                        std::vector<std::set<int>>(places)};
+    std::vector<char> live[2]{std::vector<char>(places, 0), std::vector<char>(places, 0)};
+    for (const auto& [leg, plan] : legs_.plans()) {
+      const int ends[2]{legs_.at(leg.first).place, legs_.at(leg.second).place};
+      for (const int side : {0, 1}) {
+        if (left_out_.contains(ends[1 - side])) continue;
+        tried[side][static_cast<std::size_t>(ends[side])].insert(ends[1 - side]);
+        if (!plan.segments.empty()) live[side][static_cast<std::size_t>(ends[side])] = 1;
+      }
+    }
+    const auto left = places - left_out_.size();
+    int worst = -1;
+    std::size_t most = std::min<std::size_t>(kUnjoined, left - 1);
+    for (std::size_t v = 0; v < places; ++v)
+      for (const int side : {0, 1})
+        if (!left_out_.contains(static_cast<int>(v)) && live[side][v] == 0 && left > 1 &&
+            tried[side][v].size() >= most && !tried[side][v].empty() &&
+            (worst < 0 || tried[side][v].size() > most || is_end(worst))) {
+          worst = static_cast<int>(v);
+          most = tried[side][v].size();
+        }
+    if (worst >= 0) return worst;
+    for (const PosePair& leg : order)
+      if (!legs_.has_way(leg))
+        for (const int a : {leg.second, leg.first})
+          if (worst < 0 || is_end(worst)) worst = legs_.at(a).place;
+    return worst;
+  }
+  bool is_end(int place) const {
+    const std::vector<int> ends = ends_of(request_);
+    return std::count(ends.begin(), ends.end(), stops_.indices[place]) > 0;
+  }
+
+  // False where the tour cannot be without it.
+  bool leave_out(int place) {
+    const int stop = stops_.indices[place];
+    const Point at = stops_.points[stop];
+    const std::string why = "stop " + number_text(stop) + " at " + pair_text(at.x, at.y) +
+                            ": no way was found between it and the others";
+    const auto here = [&](int a) { return legs_.at(a).place == place; };
+    left_out_.insert(place);
+    for (std::vector<int>& task : problem_.tasks) std::erase_if(task, here);
+    std::erase_if(problem_.tasks, [](const auto& task) { return task.empty(); });
+    tour_.left_out.push_back({stop, why});
+    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
+              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
+    bound_.reset();
+    for (const auto& order : best_)
+      if (std::any_of(order.begin(), order.end(), here)) {
+        best_.clear();
+        break;
+      }
+    if (!is_end(place)) return true;
+    tour_.status = Status::no_path;
+    tour_.error = why;
+    return false;
+  }
+
+  std::int64_t bound() {
+    if (bound_) return *bound_;
+    Poller poller(request_.stop);
+    if (const auto exact = tour::exact_routes(problem_, legs_.lower(), poller)) {
+      bound_ = tour::cost_of(legs_.lower(), *exact, request_.open);
+    } else {
+      const std::vector<tour::Cost> both = legs_.lower_both_ways();
+      bound_ =
+          tour::routes_bound(problem_, {legs_.costs().size(), both.data()}, best_cost_, poller);
+    }
+    return *bound_;
+  }
+
+  void conclude() {
+    tour_.status = status_after(cause_, request_.stop);
+    if (best_.empty()) {
+      if (tour_.status == Status::solved) tour_.status = Status::no_path;
+      tour_.error = "no tour was found all of whose legs have plans";
+      return;
+    }
+    Orders places;
+    for (const std::vector<int>& order : best_) {
+      std::vector<int>& told = places.orders.emplace_back();
+      for (const int a : order) {
+        told.push_back(legs_.at(a).place);
+        tour_.poses.push_back(legs_.at(a).pose);
+      }
+    }
+    set_orders(request_, stops_, places, tour_);
+    const std::vector<PosePair> legs = legs_of(best_);
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      const Result& plan = tour_.plans.emplace_back(legs_.plan(legs[i]));
+      TourLeg& leg = tour_.legs[i];
+      leg.length = plan.length;
+      leg.cost = plan.cost;
+      for (const PathPose& along : vehicle::poses(plan.segments, kSpacing))
+        leg.path.push_back({along.pose.x, along.pose.y});
+      if (plan.over_costs) tour_.cost = 0;
+    }
+    sum_up(tour_);
+    const double sum = tour_.cost.value_or(tour_.length);
+    tour_.lower_bound = std::min(sum, static_cast<double>(bound()) / legs_.scale());
+    if (*tour_.lower_bound <= 0 && sum > 0) tour_.lower_bound.reset();
+    settle_optimal(tour_);
+  }
+
+  const TourRequest& request_;
+  const TourObserver& observer_;
+  TourStops stops_;
+  TourResult& tour_;
+  LegPrices legs_;
+  tour::RouteProblem problem_;  // over poses
+  std::vector<std::vector<int>> best_;
+  std::int64_t best_cost_ = 0;
+  std::optional<std::int64_t> bound_;
+  std::set<int> left_out_;  // places
+  StopCondition::Cause cause_ = StopCondition::Cause::none;
+};
+
+}  // namespace
+
+TourResult plan_tour(const Planner& planner, const TourRequest& request,
+                     const TourObserver& observer) {
+  TourResult tour;
+  const std::vector<Point> points = points_of(request);
+  check_tour(request, static_cast<int>(points.size()));
+  std::vector<std::vector<Pose>> poses;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    poses.push_back(free_poses(planner, points[i], yaw_of(request, static_cast<int>(i))));
+  TourStops stops = stops_of(places_of(planner, points, poses), request, tour);
+  if (stops.size() > 0 && !is_routed(request)) add_routes(request, stops, tour);
+  if (stops.size() == 0) return tour;
+  tour.status = Status::interrupted;
+  if (request.stop.token.stop_requested()) return tour;
+  TourSearch(planner, request, observer, std::move(stops), poses, tour).run();
+  return tour;
+}
+
+}  // namespace lasius::vehicle

@@ -1,0 +1,295 @@
+// Tours of vehicles: legs that join, that the oracle sees touch nothing; orders against all orders
+// over the plans of all pairs.
+#include "lasius/vehicle/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "lasius/error.h"
+#include "tests/oracle/vehicle/footprint_judge.h"
+#include "tests/oracle/vehicle/motions.h"
+#include "tests/worlds/grids.h"
+
+namespace lasius::vehicle {
+namespace {
+
+using oracle::FootprintJudge;
+
+Grid rooms(int width, int height, int blocks, std::mt19937& random) {
+  Grid grid(width, height);
+  for (int i = 0; i < blocks; ++i) {
+    const int w = random_in(1, 7, random), h = random_in(1, 7, random);
+    grid.fill({random_in(0, width - w, random), random_in(0, height - h, random), w, h}, true);
+  }
+  return grid;
+}
+
+/// Free poses at whole yaws.
+TourRequest poses_on(const Grid& grid, const Planner& planner, int count, std::mt19937& random) {
+  TourRequest request;
+  while (static_cast<int>(request.points.size()) < count) {
+    const int x = random_in(0, grid.width() - 1, random);
+    const int y = random_in(0, grid.height() - 1, random);
+    const Pose pose{x + 0.5, y + 0.5, 1.0 * random_in(0, 6, random)};
+    if (!planner.space().free(pose)) continue;
+    request.points.push_back({pose.x, pose.y});
+    request.yaws.emplace_back(pose.yaw);
+  }
+  return request;
+}
+
+double turned(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+/// Poses, joints, contacts, sums.
+void judge(const Grid& grid, const Vehicle& vehicle, const TourRequest& request,
+           const TourResult& tour) {
+  ASSERT_EQ(tour.poses.size(), tour.order.size());
+  ASSERT_EQ(tour.plans.size(), tour.legs.size());
+  FootprintJudge judged(grid, vehicle.footprint);
+  std::map<int, Pose> at;
+  for (std::size_t i = 0; i < tour.order.size(); ++i) {
+    const int stop = tour.order[i];
+    const Pose& pose = at[stop] = tour.poses[i];
+    EXPECT_EQ((Point{pose.x, pose.y}), request.points[stop]);
+    if (!request.yaws.empty() && request.yaws[stop]) {
+      EXPECT_EQ(pose.yaw, *request.yaws[stop]);
+    }
+  }
+  double length = 0;
+  for (std::size_t i = 0; i < tour.legs.size(); ++i) {
+    const Result& plan = tour.plans[i];
+    const Pose from = at.at(tour.legs[i].from), to = at.at(tour.legs[i].to);
+    const Pose begin = plan.segments.front().begin, end = plan.segments.back().end();
+    EXPECT_EQ((Point{begin.x, begin.y}), (Point{from.x, from.y}));
+    EXPECT_LE(turned(begin.yaw, from.yaw), 1e-9);
+    EXPECT_LE(std::hypot(end.x - to.x, end.y - to.y) + turned(end.yaw, to.yaw), 1e-6);
+    EXPECT_FALSE(judged.first_touch(oracle::motions_of(plan.segments)));
+    EXPECT_EQ(tour.legs[i].path.front(), (Point{from.x, from.y}));
+    EXPECT_LE(plan.lower_bound, plan.length);
+    length += plan.length;
+  }
+  EXPECT_DOUBLE_EQ(tour.length, length);
+  ASSERT_TRUE(tour.lower_bound);
+  EXPECT_LE(*tour.lower_bound, tour.length);
+}
+
+/// The least length over all orders and given poses of stops, by the plans of all pairs.
+double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops, bool open) {
+  std::vector<Pose> poses;
+  std::vector<std::vector<std::size_t>> at;
+  for (const auto& stop : stops) {
+    at.emplace_back();
+    for (const Pose& pose : stop) {
+      at.back().push_back(poses.size());
+      poses.push_back(pose);
+    }
+  }
+  const std::size_t n = poses.size();
+  std::vector<double> lengths(n * n, 1e9);
+  for (std::size_t s = 0; s < stops.size(); ++s)
+    for (std::size_t t = 0; t < stops.size(); ++t)
+      for (const std::size_t a : at[s])
+        for (const std::size_t b : at[t]) {
+          if (s == t) continue;
+          const Result plan = planner.plan({.start = poses[a], .goals = {poses[b]}});
+          if (plan.goal >= 0) lengths[a * n + b] = plan.length;
+        }
+  std::vector<std::size_t> order(stops.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  double best = 1e9;
+  do {
+    std::vector<std::size_t> turn(stops.size(), 0);
+    for (bool more = true; more;) {
+      double sum = 0;
+      for (std::size_t i = 0; i + (open ? 1 : 0) < order.size(); ++i) {
+        const std::size_t s = order[i], t = order[(i + 1) % order.size()];
+        sum += lengths[at[s][turn[s]] * n + at[t][turn[t]]];
+      }
+      best = std::min(best, sum);
+      more = false;
+      for (std::size_t s = 0; s < stops.size() && !more; ++s) {
+        more = ++turn[s] < at[s].size();
+        if (!more) turn[s] = 0;
+      }
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+Vehicle truck() {
+  Vehicle vehicle = car(rectangle(1, 3, 1.25), 4);
+  vehicle.reverse = false;
+  return vehicle;
+}
+
+TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
+  std::mt19937 random(5);
+  int whole = 0;
+  for (const Vehicle& vehicle :
+       {car(rectangle(2, 2, 1.25), 3), truck(), differential(rectangle(2, 2, 1.25))})
+    for (const bool open : {false, true}) {
+      const Grid grid = rooms(60, 50, 10, random);
+      const Planner planner(grid, vehicle);
+      TourRequest request = poses_on(grid, planner, 6, random);
+      request.open = open;
+      const TourResult tour = plan_tour(planner, request);
+      std::vector<Pose> all;
+      for (std::size_t i = 0; i < request.points.size(); ++i)
+        all.push_back({request.points[i].x, request.points[i].y, *request.yaws[i]});
+      for (const LeftOut& out : tour.left_out) {  // no way there, or none away
+        const auto joins = [&](const Pose& from, const Pose& to) {
+          return planner.plan({.start = from, .goals = {to}}).goal >= 0;
+        };
+        const Pose& at = all[static_cast<std::size_t>(out.stop)];
+        const auto others = [&](const auto& any) {
+          return std::ranges::count_if(all, [&](const Pose& p) { return !(p == at) && any(p); });
+        };
+        EXPECT_TRUE(others([&](const Pose& p) { return joins(p, at); }) == 0 ||
+                    others([&](const Pose& p) { return joins(at, p); }) == 0);
+      }
+      if (!tour.left_out.empty()) continue;
+      ++whole;
+      ASSERT_EQ(tour.status, Status::solved) << tour.error;
+      judge(grid, vehicle, request, tour);
+      std::vector<std::vector<Pose>> stops;
+      for (const Pose& pose : all) stops.push_back({pose});
+      EXPECT_NEAR(tour.length, least(planner, stops, open), 0.01);
+      for (const int threads : {1, 2, 5}) {
+        request.threads = threads;
+        const TourResult again = plan_tour(planner, request);
+        EXPECT_EQ(again.order, tour.order);
+        EXPECT_EQ(again.length, tour.length);
+        EXPECT_EQ(again.lower_bound, tour.lower_bound);
+        EXPECT_EQ(again.priced, tour.priced);
+      }
+    }
+  EXPECT_GE(whole, 4);
+}
+
+TEST(VehicleTour, ChoosesHeadingsAmongEight) {
+  std::mt19937 random(6);
+  const Grid grid = rooms(40, 30, 4, random);
+  const Vehicle vehicle = truck();
+  const Planner planner(grid, vehicle);
+  TourRequest request = poses_on(grid, planner, 3, random);
+  std::vector<std::vector<Pose>> stops;
+  for (std::size_t i = 0; i < request.points.size(); ++i) {
+    const Point p = request.points[i];
+    stops.emplace_back();
+    if (i == 0) stops[i].push_back({p.x, p.y, *request.yaws[i]});
+    for (int h = 0; h < kTourHeadings && i > 0; ++h)
+      if (const Pose pose{p.x, p.y, h * 2 * std::numbers::pi / kTourHeadings};
+          planner.space().free(pose))
+        stops[i].push_back(pose);
+  }
+  request.yaws[1].reset();
+  request.yaws[2].reset();
+  request.start = 0;
+  const TourResult tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.status, Status::solved) << tour.error;
+  judge(grid, vehicle, request, tour);
+  EXPECT_EQ(tour.order.front(), 0);
+  EXPECT_NEAR(tour.length, least(planner, stops, false), 0.01);
+  EXPECT_LT(tour.priced, 100);  // of 144 pairs
+}
+
+TEST(VehicleTour, OfRobotsAndOfManyStops) {
+  std::mt19937 random(7);
+  const Grid grid = rooms(80, 60, 12, random);
+  const Vehicle vehicle = car(rectangle(2, 2, 1.25), 3);
+  const Planner planner(grid, vehicle);
+  TourRequest request = poses_on(grid, planner, 15, random);
+  request.generations = 5;
+  const TourResult one = plan_tour(planner, request);
+  ASSERT_EQ(one.status, Status::solved) << one.error;
+  judge(grid, vehicle, request, one);
+  EXPECT_EQ(one.order.size() + one.left_out.size(), 15U);
+  TourRequest two = request;
+  two.points.resize(6);
+  two.yaws.resize(6);
+  two.robots = {0, 1};
+  two.most_stops = 2;
+  const TourResult shared = plan_tour(planner, two);
+  ASSERT_EQ(shared.status, Status::solved) << shared.error;
+  judge(grid, vehicle, two, shared);
+  ASSERT_EQ(shared.tours.size(), 2U);
+  for (const RobotTour& robot : shared.tours) EXPECT_EQ(robot.order.size(), 3U);
+}
+
+TEST(VehicleTour, OverCostsIsOfTheCost) {
+  std::mt19937 random(8);
+  const Grid grid(40, 30);
+  std::vector<double> weights(40 * 30, 1);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = i % 40 < 20 ? 1 : 3;
+  const Vehicle vehicle = car(rectangle(2, 2, 1.25), 3);
+  const Planner planner(grid, vehicle, CostField(40, 30, weights));
+  const TourResult tour = plan_tour(planner, poses_on(grid, planner, 5, random));
+  ASSERT_EQ(tour.status, Status::solved) << tour.error;
+  ASSERT_TRUE(tour.cost && tour.lower_bound);
+  double cost = 0;
+  for (const Result& plan : tour.plans) cost += plan.cost;
+  EXPECT_DOUBLE_EQ(*tour.cost, cost);
+  EXPECT_LE(*tour.lower_bound, *tour.cost);
+  EXPECT_GT(*tour.lower_bound, 0);
+}
+
+TEST(VehicleTour, NamesWhatItLeavesOut) {
+  Grid grid(60, 40);
+  grid.fill({40, 0, 1, 20}, true);  // a room of its own
+  grid.fill({40, 20, 20, 1}, true);
+  grid.fill({0, 30, 10, 1}, true);  // an end that is dead for what cannot reverse
+  grid.fill({0, 34, 10, 1}, true);
+  const Planner planner(grid, truck());
+  TourRequest request;
+  request.points = {{20, 10}, {50, 10}, {40.5, 5}, {5, 32.5}, {30, 30}, {-4, 3}, {15, 20}};
+  request.yaws = {0.0, 0.0, std::nullopt, std::numbers::pi, std::nullopt, 0.0, 0.0};
+  const TourResult tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.status, Status::solved) << tour.error;
+  judge(grid, truck(), request, tour);
+  ASSERT_EQ(tour.left_out.size(), 4U);
+  const auto why = [&](std::size_t i) { return tour.left_out[i].why; };
+  EXPECT_EQ(why(0), "stop 1 at (50, 10) cannot be reached from the others");
+  EXPECT_EQ(why(1), "stop 2 at (40.5, 5) is blocked");
+  EXPECT_EQ(why(2), "stop 3 at (5, 32.5): no way was found between it and the others");
+  EXPECT_EQ(why(3), "stop 5 at (-4, 3) is outside the map");
+  request.start = 3;
+  const TourResult none = plan_tour(planner, request);
+  EXPECT_EQ(none.status, Status::no_path);
+  EXPECT_EQ(none.error, why(2));
+  EXPECT_TRUE(none.order.empty());
+}
+
+TEST(VehicleTour, RefusesAndStops) {
+  const Grid grid(60, 40);
+  const Planner planner(grid, truck());
+  TourRequest request;
+  request.points = {{20, 10}, {50, 10}, {30, 30}};
+  EXPECT_EQ(plan_tour(planner, request).status, Status::solved);
+  request.start = 0;
+  EXPECT_THROW((void)plan_tour(planner, request), Error);  // no yaw
+  request.yaws = {0.0};
+  EXPECT_THROW((void)plan_tour(planner, request), Error);
+  request.yaws = {0.0, std::nan(""), std::nullopt};
+  EXPECT_THROW((void)plan_tour(planner, request), Error);
+  request.yaws = {0.0, 1.0, std::nullopt};
+  request.after = {{}, {2}, {}};
+  EXPECT_THROW((void)plan_tour(planner, request), Error);
+  request.after.clear();
+  request.stop.deadline = Clock::now();
+  const TourResult late = plan_tour(planner, request);
+  EXPECT_EQ(late.status, Status::limit);
+  judge(grid, truck(), request, late);
+  std::stop_source source;
+  source.request_stop();
+  request.stop = {.token = source.get_token()};
+  EXPECT_EQ(plan_tour(planner, request).status, Status::interrupted);
+}
+
+}  // namespace
+}  // namespace lasius::vehicle

@@ -1,0 +1,73 @@
+"""tour of a vehicle: stops as poses, legs that check-path and verify confirm."""
+import json
+import math
+import unittest
+
+from program import ProgramTest
+
+FREE = "type octile\nheight 20\nwidth 30\nmap\n" + ("." * 30 + "\n") * 20
+ROS = "image: world.pgm\nresolution: 0.5\norigin: [-1, -2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n"
+CAR = "footprint: [[-1, -0.6], [1.4, -0.6], [1.4, 0.6], [-1, 0.6]]\nturning_radius: 2\nunits: cells\n"
+STOPS = [(4, 4, 0), (24, 5, math.pi / 2), (20, 15, None), (6, 14, None)]
+
+
+class VehicleTours(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("free.map", FREE)
+        self.write("car.yaml", CAR)
+        self.write("s.json", json.dumps([list(stop) for stop in STOPS]))
+
+    def tour(self, *arguments, stops="s.json", map_file="free.map"):
+        return self.run_program("tour", map_file, "--stops", stops, "--vehicle", "car.yaml", *arguments)
+
+    def test_a_tour_that_is_checked_and_replayed(self):
+        self.write("s.tsv", "x\ty\tyaw\n4\t4\t0\n24\t5\t90deg\n20\t15\t\n6\t14\t\n")
+        table = self.tour("--json", stops="s.tsv").json
+        result = self.quiet(self.tour("--json", "-o", "t.json", "-o", "t.csv", "-o", "t.svg", "-o", "t.yaml")).json
+        self.assertEqual(table["order"], result["order"])
+        self.assertEqual(sorted(result["order"]), [0, 1, 2, 3])
+        poses = dict(zip(result["order"], result["poses"]))
+        for stop, (x, y, yaw) in enumerate(STOPS):
+            self.assertEqual(poses[stop][:2], [x + 0.5, y + 0.5])
+            if yaw is not None:
+                self.assertEqual(poses[stop][2], yaw)
+            else:
+                self.assertEqual(poses[stop][2] % (math.pi / 4), 0)
+        self.assertAlmostEqual(sum(leg["length"] for leg in result["legs"]), result["length"], places=9)
+        self.assertLessEqual(result["lower_bound"], result["length"])
+        for leg in result["legs"]:
+            first = leg["segments"][0]
+            self.assertEqual([first["x"], first["y"]], poses[leg["from"]][:2])
+        self.ended(self.run_program("verify", "t.json"), 0)
+        self.ended(self.run_program("check-path", "free.map", "t.csv", "--vehicle", "car.yaml"), 0)
+        times = [float(row["t"]) for row in self.rows("t.csv")]
+        self.assertEqual(times, sorted(times))
+        self.assertAlmostEqual(times[-1], result["duration"], places=9)
+
+    def test_from_pose_to_pose_in_metres(self):
+        self.write("world.pgm", b"P5 30 20 255 " + b"\xfe" * 600)
+        self.write("world.yaml", ROS)
+        self.write("s.json", json.dumps([[1.5, 0.5, 0], [10.5, 1, "90deg"], [8, 4.5], [2, 4]]))
+        result = self.tour("--json", "--frame", "world", "--start", "0,0,90deg", "--goal", "11,5,0", "-o", "m.json",
+                           map_file="world.yaml").json
+        self.assertEqual((result["order"][0], result["order"][-1]), (result["stops_world"].index([0, 0]),
+                                                                    result["stops_world"].index([11, 5])))
+        self.assertAlmostEqual(result["poses_world"][0][2], math.pi / 2, places=12)
+        self.assertAlmostEqual(result["length_m"], 0.5 * result["length"], places=9)
+        self.assertEqual((result["start_world"], result["goal_world"]), ([0, 0, math.pi / 2], [11, 5, 0]))
+        self.ended(self.run_program("verify", "m.json"), 0)
+
+    def test_what_is_refused(self):
+        self.ended(self.tour("--start", "4,4"), 2)
+        self.ended(self.tour("--radius", "2"), 2)
+        self.ended(self.tour("--start", "4,4,0", "--start", "8,8,0"), 2)
+        self.ended(self.tour("--start", "0,0,0"), 4)
+        self.write("bad.tsv", "x\ty\tyaw\n4\t4\tnorth\n")
+        self.ended(self.tour(stops="bad.tsv"), 3)
+        self.write("after.json", json.dumps([{"x": 4, "y": 4, "name": "a"}, {"x": 9, "y": 9, "after": "a"}]))
+        self.ended(self.tour(stops="after.json"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
