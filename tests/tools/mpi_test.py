@@ -114,7 +114,7 @@ class MpiTest(ProgramTest):
 class Batches(MpiTest):
     def setUp(self):
         super().setUp()
-        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "".join(f"{14 + i}\t14\t380\t{150 + i % 30}\n" for i in range(60)))
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "".join(f"{14 + i}\t14\t380\t{150 + i % 30}\n" for i in range(30)))
         self.asked = ("batch", FAN, "q.tsv", "--algorithm", "acs", "--islands", "3", "--ants", "6", "--iterations", "2",
                       "-q", "--threads")
         self.alone = timeless(self.quiet(self.run_program(*self.asked, "2")).lines)
@@ -131,7 +131,7 @@ class Batches(MpiTest):
         mpi, ranks, _ = RANKS[-1]
         run = self.run_job(mpi, ranks, *self.asked, 1, *files)
         self.assertEqual(run.code, 0, run.err)
-        self.assertEqual(len(self.rows("all.csv")), 60)
+        self.assertEqual(len(self.rows("all.csv")), 30)
         self.assertEqual(self.read("all.json").decode(), run.out)
         self.quiet(self.run_program(*self.asked, 1, "-o", "alone.svg"))
         self.assertEqual(self.words("all.svg"), self.words("alone.svg"))
@@ -150,7 +150,7 @@ class Batches(MpiTest):
             with self.subTest(number=number, mpi=mpi):
                 number += 1
                 job = self.start_job(mpi, 3, *self.asked, 1)
-                printed = [job.stdout.readline() for _ in range(DRAWN.randrange(1, 40))]  # these are on disk
+                printed = [job.stdout.readline() for _ in range(DRAWN.randrange(1, 20))]  # these are on disk
                 code, _ = self.ended_by(job, signal.SIGKILL)
                 if journals := self.journals():  # else it had ended
                     hits += 1
@@ -161,8 +161,8 @@ class Batches(MpiTest):
         self.assertGreater(2 * hits, number)
 
     def test_a_signal_to_any_rank_interrupts_the_job(self):
-        for mpi in PROGRAMS:
-            for ranks in ((0,), (1,), (0, 1)):
+        for mpi, signalled in zip(PROGRAMS, (((0,), (1,), (0, 1)) if KILLS else ((0,), (1,)), ((1,), (0, 1)))):
+            for ranks in signalled:
                 with self.subTest(mpi=mpi, ranks=ranks):
                     job = self.start_job(mpi, 2, *self.asked, 1)
                     first = job.stdout.readline()
@@ -207,10 +207,14 @@ class Batches(MpiTest):
             self.assertEqual(job.wait(60), 0)
 
     def test_an_answer_of_any_size_comes_whole(self):
-        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "14\t14\t380\t150\n" * 6)
-        asked = ("batch", FAN, "q.tsv", "--algorithm", "acs", "--ants", "2", "--iterations", "1", "--seed", "1-40", "-q",
-                 "--threads", 1)
-        alone = timeless(self.quiet(self.run_program(*asked)).lines)
+        rows = ["." * 150, "@" * 149 + ".", "." * 150, "." + "@" * 149] * 37 + ["." * 150]
+        self.write("long.map", map_text(rows))  # one way, by 11 000 cells
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + f"0\t0\t149\t{len(rows) - 1}\n" * 6)
+        asked = ("batch", "long.map", "q.tsv", "--algorithm", "as", "--ants", "2", "--iterations", "1", "--polish", "none",
+                 "-q", "--threads", 1)
+        run = self.quiet(self.run_program(*asked))
+        self.assertGreater(len(run.out), 6 << 16)
+        alone = timeless(run.lines)
         for mpi in PROGRAMS:
             run = self.run_job(mpi, 3, *asked)
             self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
@@ -233,7 +237,7 @@ class Batches(MpiTest):
 
 class Studies(MpiTest):
     asked = ("study", "run", FAN, "--start", "14,14", "--goal", "380,179", "--algorithm", "acs,mmas", "--set",
-             "islands=1,3", "--set", "iterations=2", "--seeds", "6", "-q", "-o")
+             "islands=1,2", "--set", "iterations=2", "--seeds", "4", "-q", "-o")
 
     def table(self, folder):
         return [{**row, "seconds": None} for row in self.rows(os.path.join(folder, "runs.csv"))]
@@ -249,7 +253,7 @@ class Studies(MpiTest):
                 run = self.run_job(mpi, ranks, *self.asked, folder, "--threads", threads)
                 self.assertEqual((run.code, run.out), (0, folder + "/report.md\n"), run.err)
                 self.assertEqual(self.table(folder), self.table("alone"))
-                self.assertEqual(len(self.table(folder)), 24)
+                self.assertEqual(len(self.table(folder)), 16)
 
     def goes_on(self, mpi, folder, kept):
         run = self.run_job(mpi, DRAWN.choice((1, 2, 5)), *self.asked, folder)
@@ -268,7 +272,7 @@ class Studies(MpiTest):
                 folder = f"killed{number}"
                 number += 1
                 job = self.start_job(mpi, 3, *self.asked, folder)
-                self.run_files(folder, job, DRAWN.randrange(1, 16))
+                self.run_files(folder, job, DRAWN.randrange(1, 11))
                 code, _ = self.ended_by(job, signal.SIGKILL)
                 hits += code != 0
                 self.goes_on(mpi, folder, self.run_files(folder))
@@ -282,6 +286,42 @@ class Studies(MpiTest):
             code, out = self.ended_by(job, signal.SIGTERM, 1)
             self.assertEqual((code, out), (130, ""))
             self.goes_on(mpi, folder, self.run_files(folder))
+
+
+class Plans(MpiTest):
+    """Of one query, with many seeds: what is shared are the seeds."""
+    asked = ("plan", FAN, "--start", "14,14", "--goal", "380,179", "--algorithm", "acs", "--ants", "4", "--iterations", "2",
+             "--seed", "3-42", "--json", "-q", "--threads")
+
+    def test_seeds_are_shared_and_a_dead_job_goes_on(self):
+        run = self.quiet(self.run_program(*self.asked, "2", "-o", "alone.csv"))
+        alone, out = timeless(run.lines), [json.loads(line)["seed"] for line in run.out.splitlines()]
+        self.assertEqual(out, list(range(3, 43)))
+        for mpi in PROGRAMS:
+            job = self.start_job(mpi, 2, *self.asked, 1)
+            printed = [job.stdout.readline() for _ in range(4)]
+            self.ended_by(job, signal.SIGKILL)
+            self.assertEqual(len(self.journals()), 1)
+            run = self.run_job(mpi, 3, *self.asked, 1, "-o", f"{mpi}.csv")
+            self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
+            self.assertEqual(len(self.rows(f"{mpi}.csv")), 40)
+
+    def test_a_query_of_a_batch_is_divided_among_its_seeds(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n9\t5\t0\t0\n9\t0\t0\t5\n")
+        for seeds in ("2-2", "2-3", "2-41"):  # more and fewer than a chunk's
+            asked = ("batch", "small.map", "q.tsv", "--algorithm", "acs", "--ants", "2", "--iterations", "1", "--seed",
+                     seeds, "-q", "--threads", 1)
+            alone = self.quiet(self.run_program(*asked))
+            run = self.run_job(list(PROGRAMS)[-1], 2, *asked)
+            self.assertEqual((run.code, timeless(run.lines)), (0, timeless(alone.lines)), run.err)
+
+    def test_a_plan_without_a_path_says_so(self):
+        self.write("walls.map", map_text([".@."] * 3))
+        asked = ("plan", "walls.map", "--start", "0,0", "--goal", "2,2", "--algorithm", "acs", "--seed", "1-3", "--json")
+        run = self.run_job(list(PROGRAMS)[-1], 2, *asked)
+        alone = self.run_program(*asked)
+        self.assertEqual((run.code, run.err, timeless(run.lines)), (alone.code, alone.err, timeless(alone.lines)))
+        self.assertEqual(run.code, 5)
 
 
 class Keys(MpiTest):
