@@ -1,7 +1,7 @@
 """lasius_mpi: what lasius prints, on any ranks and threads, by Open MPI and MPICH; a job that died goes on.
 
-LASIUS_MPI_KILLS: jobs to kill of each kind, after so many answers or runs (without it one), and then also all ranks by
-all threads, and a rank that is late.
+LASIUS_MPI_KILLS: jobs to kill of each kind, after so many answers or runs and a moment (without it one), and then
+also all ranks by all threads, and a rank that is late.
 """
 import json
 import os
@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 import unittest
 
 from layers import map_text, pgm, yaml
@@ -23,7 +24,7 @@ KILLS = int(os.environ.get("LASIUS_MPI_KILLS", 0))
 AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 RANKS = [(mpi, ranks, threads) for mpi in PROGRAMS
-         for ranks, threads in ([(r, t) for r in (1, 2, 3, 5, 8) for t in (1, 2, 4)] if KILLS else [(1, 2), (3, 1)])]
+         for ranks, threads in ([(r, t) for r in (1, 2, 3, 5, 8) for t in (1, 2, 4)] if KILLS else [(3, 1) if mpi == "openmpi" else (2, 2)])]
 SKIPPED = 77
 
 
@@ -89,6 +90,8 @@ class MpiTest(ProgramTest):
 
     def ended_by(self, job, number, *ranks):
         """A signal to these ranks, or to any one. The exit code, and what was printed after."""
+        if KILLS:
+            time.sleep(DRAWN.uniform(0, 0.1))  # so that it is at any moment
         pids = descendants(job.pid)
         for pid in [pid for pid in pids if rank_of(pid) in ranks] if ranks else DRAWN.sample(pids, min(1, len(pids))):
             os.kill(pid, number)
@@ -112,12 +115,14 @@ class MpiTest(ProgramTest):
 
 
 class Batches(MpiTest):
+    alone = None
+
     def setUp(self):
         super().setUp()
         self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "".join(f"{14 + i}\t14\t380\t{150 + i % 30}\n" for i in range(30)))
         self.asked = ("batch", FAN, "q.tsv", "--algorithm", "acs", "--islands", "3", "--ants", "6", "--iterations", "2",
                       "-q", "--threads")
-        self.alone = timeless(self.quiet(self.run_program(*self.asked, "2")).lines)
+        Batches.alone = Batches.alone or timeless(self.quiet(self.run_program(*self.asked, "2")).lines)
 
     def test_any_ranks_print_what_one_process_prints(self):
         for mpi, ranks, threads in RANKS:
@@ -161,7 +166,7 @@ class Batches(MpiTest):
         self.assertGreater(2 * hits, number)
 
     def test_a_signal_to_any_rank_interrupts_the_job(self):
-        for mpi, signalled in zip(PROGRAMS, (((0,), (1,), (0, 1)) if KILLS else ((0,), (1,)), ((1,), (0, 1)))):
+        for mpi, signalled in zip(PROGRAMS, [((0,), (1,), (0, 1))] * 2 if KILLS else [((0,),), ((1,),)]):
             for ranks in signalled:
                 with self.subTest(mpi=mpi, ranks=ranks):
                     job = self.start_job(mpi, 2, *self.asked, 1)
@@ -179,7 +184,7 @@ class Batches(MpiTest):
     def test_only_the_leader_needs_the_folder_of_outputs(self):
         os.makedirs(self.path("out"))
         other = self.other_folder(self.read("q.tsv"))
-        for mpi in PROGRAMS:
+        for mpi in PROGRAMS if KILLS else list(PROGRAMS)[:1]:
             run = self.run_job(mpi, 1, *self.asked, 1, "-o", "out/all.csv", other_folder=other)
             self.assertEqual((run.code, timeless(run.lines)), (0, self.alone), run.err)
             run = self.run_job(mpi, 1, *Studies.asked, "study-" + mpi, other_folder=other)
@@ -220,7 +225,7 @@ class Batches(MpiTest):
             self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
 
     def test_what_is_wrong_is_said_once(self):
-        for mpi in PROGRAMS:
+        for mpi in list(PROGRAMS)[-1:]:
             for arguments, code, words in ((("batch", "none.map", "q.tsv"), 3, "none.map"), (("batch", "--what"), 2, "--what")):
                 run = self.run_job(mpi, 3, *arguments)
                 self.assertEqual(run.code, code, run.err)
@@ -238,13 +243,16 @@ class Batches(MpiTest):
 class Studies(MpiTest):
     asked = ("study", "run", FAN, "--start", "14,14", "--goal", "380,179", "--algorithm", "acs,mmas", "--set",
              "islands=1,2", "--set", "iterations=2", "--seeds", "4", "-q", "-o")
+    alone = None
 
     def table(self, folder):
         return [{**row, "seconds": None} for row in self.rows(os.path.join(folder, "runs.csv"))]
 
     def setUp(self):
         super().setUp()
-        self.quiet(self.run_program(*self.asked, "alone", "--threads", "2"))
+        if not Studies.alone:
+            self.quiet(self.run_program(*self.asked, "alone", "--threads", "2"))
+            Studies.alone = self.table("alone")
 
     def test_any_ranks_make_one_report(self):
         for number, (mpi, ranks, threads) in enumerate(RANKS):
@@ -252,13 +260,13 @@ class Studies(MpiTest):
                 folder = f"run{number}"
                 run = self.run_job(mpi, ranks, *self.asked, folder, "--threads", threads)
                 self.assertEqual((run.code, run.out), (0, folder + "/report.md\n"), run.err)
-                self.assertEqual(self.table(folder), self.table("alone"))
+                self.assertEqual(self.table(folder), self.alone)
                 self.assertEqual(len(self.table(folder)), 16)
 
     def goes_on(self, mpi, folder, kept):
-        run = self.run_job(mpi, DRAWN.choice((1, 2, 5)), *self.asked, folder)
+        run = self.run_job(mpi, DRAWN.choice((1, 2, 5) if KILLS else (1, 2)), *self.asked, folder)
         self.assertEqual(run.code, 0, run.err)
-        self.assertEqual(self.table(folder), self.table("alone"))
+        self.assertEqual(self.table(folder), self.alone)
         files = self.run_files(folder)
         self.assertEqual({path: files[path] for path in kept}, kept)
         left = [name for _, _, names in os.walk(self.path(folder)) for name in names if not name[0].isalnum()]
@@ -279,7 +287,7 @@ class Studies(MpiTest):
         self.assertGreater(2 * hits, number)
 
     def test_a_signal_to_another_rank_interrupts_a_study(self):
-        for mpi in PROGRAMS:
+        for mpi in PROGRAMS if KILLS else list(PROGRAMS)[:1]:
             folder = "cut-" + mpi
             job = self.start_job(mpi, 2, *self.asked, folder)
             self.run_files(folder, job, 1)
@@ -297,7 +305,7 @@ class Plans(MpiTest):
         run = self.quiet(self.run_program(*self.asked, "2", "-o", "alone.csv"))
         alone, out = timeless(run.lines), [json.loads(line)["seed"] for line in run.out.splitlines()]
         self.assertEqual(out, list(range(3, 43)))
-        for mpi in PROGRAMS:
+        for mpi in PROGRAMS if KILLS else list(PROGRAMS)[-1:]:
             job = self.start_job(mpi, 2, *self.asked, 1)
             printed = [job.stdout.readline() for _ in range(4)]
             self.ended_by(job, signal.SIGKILL)
@@ -318,10 +326,8 @@ class Plans(MpiTest):
     def test_a_plan_without_a_path_says_so(self):
         self.write("walls.map", map_text([".@."] * 3))
         asked = ("plan", "walls.map", "--start", "0,0", "--goal", "2,2", "--algorithm", "acs", "--seed", "1-3", "--json")
-        run = self.run_job(list(PROGRAMS)[-1], 2, *asked)
-        alone = self.run_program(*asked)
-        self.assertEqual((run.code, run.err, timeless(run.lines)), (alone.code, alone.err, timeless(alone.lines)))
-        self.assertEqual(run.code, 5)
+        run, alone = self.run_job(list(PROGRAMS)[-1], 2, *asked), self.run_program(*asked)
+        self.assertEqual((run.code, run.err, timeless(run.lines)), (5, alone.err, timeless(alone.lines)))
 
 
 class Keys(MpiTest):
