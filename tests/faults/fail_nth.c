@@ -1,6 +1,8 @@
 // Makes one call fail: LD_PRELOAD this library, with LASIUS_FAULT=CALL:N[:HOW]. CALL: malloc, mmap,
 // open, write, rename, link, fsync or flush (of standard output); N from 1; HOW: an errno's number
 // (default EIO, of malloc and mmap ENOMEM), or "short": half of a write. Writes are those to files.
+// clock:N:SECONDS: from the N-th look at it on the clock is off by so many; only that of the day
+// goes back.
 // LASIUS_FAULT_COUNT=FILE: at the end the number of such calls is written there.
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -14,6 +16,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 static char call_name[16];
@@ -131,6 +134,14 @@ int fflush(FILE* file) {
   if (next == NULL) next = NEXT(int (*)(FILE*), "fflush");
   if (fails(file == stdout ? "flush" : "other")) return EOF;
   return next(file);
+}
+
+int clock_gettime(clockid_t clock, struct timespec* now) {
+  const int result = (int)syscall(SYS_clock_gettime, clock, now);
+  if (result != 0 || !ready || strcmp(call_name, "clock") != 0) return result;
+  const int jumps = clock == CLOCK_REALTIME || (clock == CLOCK_MONOTONIC && fail_how > 0);
+  if (atomic_fetch_add(&calls, 1) + 1 >= fail_at && jumps) now->tv_sec += fail_how;
+  return result;
 }
 
 int fdatasync(int file) {

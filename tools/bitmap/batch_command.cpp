@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -79,14 +80,20 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
 }
 
 void plan_over_costs(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
-                     const BatchOptions& how, const BatchReceiverOf<CostResult>& receive) {
-  run_batch<CostResult>(queries, run.params.seed, how, receive, [&] {
+                     std::uint64_t first_seed, const BatchOptions& how,
+                     const BatchReceiverOf<CostResult>& receive) {
+  run_batch<CostResult>(queries, first_seed, how, receive, [&] {
     return [&, options = cost_options(run)](const Request& request, std::uint64_t seed) mutable {
       options.params.seed = seed;
       options.params.threads = 1;
       return map.costs->planner->plan(request, options);
     };
   });
+}
+
+Params seeded(Params params, std::uint64_t seed) {
+  params.seed = seed;
+  return params;
 }
 
 /// Start and goal as they were asked for, a coordinate a text.
@@ -113,9 +120,9 @@ int run_bitmap_batch(const PlanCommand& command) {
   keep_part(file.queries, command.queries, run.part);
   note_map(map, run);
   const std::vector<Request> queries = requests_of(file, map, run);
-  const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+  const auto answer_part = [&](const Batch::Part& asked, const BatchOptions& how,
                                const Batch::Take& take) {
-    const auto part = std::span(queries).subspan(first, count);
+    const auto part = std::span(queries).subspan(asked.first, asked.count);
     std::vector<std::optional<double>> any_angle, by_moves;
     std::vector<CostResult> least(run.with_optimum && map.costs ? part.size() : 0);
     if (!least.empty()) {
@@ -129,7 +136,7 @@ int run_bitmap_batch(const PlanCommand& command) {
       by_moves = own_optima(map, run, part, how.token);
     }
     const auto receive = [&](const auto& found) {
-      const std::size_t index = first + found.index;
+      const std::size_t index = asked.first + found.index;
       const auto [start, goal] = ends_of(file, index, map, run.frame);
       Answer answer{.start = start,
                     .goal = goal,
@@ -148,17 +155,17 @@ int run_bitmap_batch(const PlanCommand& command) {
     };
     in_metres_asked(map, run, [&] {
       if (map.costs)
-        plan_over_costs(map, run, part, how, receive);
+        plan_over_costs(map, run, part, asked.seed, how, receive);
       else
-        plan_batch(*map.planner, part, run.params, how, receive);
+        plan_batch(*map.planner, part, seeded(run.params, asked.seed), how, receive);
     });
   };
   // Optima are asked beside each part, so that answers still stream.
-  const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+  const auto answer_all = [&](const Batch::Part& asked, const BatchOptions& how,
                               const Batch::Take& take) {
-    const std::size_t most = run.with_optimum ? 256 : std::max<std::size_t>(count, 1);
-    for (std::size_t done = 0; done < count && !how.token.stop_requested(); done += most)
-      answer_part(first + done, std::min(most, count - done), how, take);
+    const std::size_t most = run.with_optimum ? 256 : std::max<std::size_t>(asked.count, 1);
+    for (std::size_t done = 0; done < asked.count && !how.token.stop_requested(); done += most)
+      answer_part({asked.first + done, std::min(most, asked.count - done), asked.seed}, how, take);
   };
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_batch_picture(picture, map, run, paths, caption);

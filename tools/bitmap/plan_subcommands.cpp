@@ -7,6 +7,7 @@
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/command_line/map_options.h"
+#include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/options/commands.h"
@@ -265,6 +266,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
 int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   RunOptions& asked = text.run;
   asked.called = call.line;
+  if (text.queries.empty() && !asked.ranged) leave_to_leader();  // one search
   if (!text.vehicle.file.empty()) return run_command(vehicle_command(table, text));
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);

@@ -220,14 +220,14 @@ std::string MpiCrew::follow(const Work& work) {
 std::optional<std::string> MpiCrew::lead(const Work& work) {
   Ledger ledger(work);
   OwnWork own(work);
-  std::vector<int> waiting;
   Naps naps;
-  const auto give = [&](int rank) {
+  const auto give = [&] {  // to the last that waits
     const std::vector<int> items = ledger.next();
-    if (items.empty()) return waiting.push_back(rank);
+    if (items.empty()) return;
     std::string text(1, kItems);
     for (const int item : items) put(text, item);
-    send(rank, text);
+    send(waiting_.back(), text);
+    waiting_.pop_back();
   };
   // Once it stops what others have under way is not waited for: it is done again.
   while (!ledger.done() && !(ledger.stopping() && own.idle())) {
@@ -255,12 +255,13 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
         send(letter->from, farewells_[sharing]);
         continue;
       }
+      waiting_.push_back(letter->from);
       if (take_text(text) != work.key)
         throw Error(ErrorCode::file_broken, {},
                     "rank " + std::to_string(letter->from) + " has other input than rank 0",
                     "give all ranks the same files and the same lasius");
       ledger.enter(text);
-      give(letter->from);
+      give();
     }
     if (rest)
       own.wait(naps.next());
@@ -271,12 +272,17 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
   if (ledger.done()) summary = work.summary ? work.summary() : std::string();
   farewells_.push_back(summary && !ledger.stopping() ? kEnd + *summary
                                                      : std::string(1, kDismissed));
-  for (const int rank : waiting) send(rank, farewells_.back());
+  bid_farewell(farewells_.back());
   return summary;
+}
+
+void MpiCrew::bid_farewell(const std::string& text) {
+  for (const int rank : std::exchange(waiting_, {})) send(rank, text);
 }
 
 void MpiCrew::leave(int code) {
   if (!leads()) return send(0, kGone + std::to_string(code));
+  bid_farewell(std::string(1, kDismissed));  // what ended the command left them waiting
   const auto until = std::chrono::steady_clock::now() + 10s;
   while (std::ranges::count(gone_, true) < ranks_ - 1) {
     const auto letter = post();

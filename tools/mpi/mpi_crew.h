@@ -26,11 +26,14 @@ class MpiCrew final : public Crew {
  private:
   std::optional<std::string> lead(const Work& work);
   std::string follow(const Work& work);
+  /// To all that wait.
+  void bid_farewell(const std::string& text);
 
   int rank_ = 0, ranks_ = 1;
   int shared_ = 0;                      ///< how often work was
   std::vector<std::string> farewells_;  ///< of the leader: what ended each sharing
   std::vector<bool> gone_;              ///< of the leader
+  std::vector<int> waiting_;            ///< of the leader: ranks that it owes an answer
 };
 
 }  // namespace lasius::tool

@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
   using namespace lasius::tool;
   MpiCrew ranks(&argc, &argv);
-  constexpr std::array<std::string_view, 3> kShared{"batch", "study", "tune"};
+  constexpr std::array<std::string_view, 4> kShared{"batch", "plan", "study", "tune"};
   bool shares = false;
   for (const auto command : kShared) shares = shares || (argc > 1 && command == argv[1]);
   int code = kFound;

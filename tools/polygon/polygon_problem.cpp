@@ -157,7 +157,7 @@ std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last
 int run_polygon_batch(PolygonCommand plan) {
   check_files(plan);
   SignalWatcher signals;
-  const auto parameters = make_params<polygon::Params>(plan, polygon_kind());
+  auto parameters = make_params<polygon::Params>(plan, polygon_kind());
   const LoadedWorld world = load_world(plan.world);
   note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
   std::vector<polygon::Request> queries;
@@ -168,13 +168,14 @@ int run_polygon_batch(PolygonCommand plan) {
                        .goal = goal,
                        .target_gap = plan.target_gap,
                        .goal_tolerance = plan.goal_tolerance});
-  const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+  const auto answer_all = [&](const Batch::Part& part, const BatchOptions& how,
                               const Batch::Take& take) {
-    const auto asked = std::span<const polygon::Request>(queries).subspan(first, count);
+    const auto asked = std::span<const polygon::Request>(queries).subspan(part.first, part.count);
+    parameters.seed = part.seed;
     const auto receive = [&](const polygon::BatchAnswer& found) {
       const auto one = to_answer(parameters, asked[found.index], found.result, found.elapsed);
       Record record = polygon_record(world, plan, one);
-      record.index = plan.part.among_all(first + found.index);
+      record.index = plan.part.among_all(part.first + found.index);
       record.seed = found.seed;
       const auto [start, goal] = std::pair(one.start, one.goal);
       take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},

@@ -209,8 +209,12 @@ class SharedBatch {
         batch_(batch),
         how_(how),
         output_(output),
-        chunk_(std::clamp<std::size_t>(
-            static_cast<std::size_t>(std::sqrt(static_cast<double>(batch.queries)) / 4), 1, 1024)) {
+        seeds_(static_cast<std::size_t>(how.seeds)) {
+    const auto root = std::sqrt(static_cast<double>(batch.queries * seeds_));
+    const auto answers = std::clamp<std::size_t>(static_cast<std::size_t>(root / 4), 1, 1024);
+    chunk_ = std::max<std::size_t>(answers / seeds_, 1);
+    seeds_at_once_ = std::min(answers, seeds_);
+    pieces_ = (seeds_ + seeds_at_once_ - 1) / seeds_at_once_;
   }
 
   /// False where it was stopped before all is done.
@@ -219,7 +223,7 @@ class SharedBatch {
     if (crew_.leads()) {
       ready_ =
           std::move(journal_.emplace("lasius-batch-" + work.key + ".journal", work.key).kept());
-      const auto chunks = static_cast<int>((batch_.queries + chunk_ - 1) / chunk_);
+      const auto chunks = static_cast<int>((batch_.queries + chunk_ - 1) / chunk_ * pieces_);
       for (int i = 0; i < chunks; ++i)
         if (!ready_.contains(i)) work.items.push_back(i);
       give_on();
@@ -245,9 +249,13 @@ class SharedBatch {
   /// A line an answer; nothing where it was stopped.
   std::string answered(std::size_t chunk) const {
     std::string text;
-    const std::size_t first = chunk * chunk_;
-    batch_.answer(first, std::min(chunk_, batch_.queries - first), how_,
-                  [&](const auto&... answer) { text += text_of(output_.told(answer...)); });
+    const std::size_t first = chunk / pieces_ * chunk_, seed = chunk % pieces_ * seeds_at_once_;
+    BatchOptions how = how_;
+    how.seeds = static_cast<int>(std::min(seeds_at_once_, seeds_ - seed));
+    batch_.answer({.first = first,
+                   .count = std::min(chunk_, batch_.queries - first),
+                   .seed = batch_.options.seed + seed},
+                  how, [&](const auto&... answer) { text += text_of(output_.told(answer...)); });
     return how_.token.stop_requested() ? std::string() : text;
   }
 
@@ -264,7 +272,10 @@ class SharedBatch {
   const Batch& batch_;
   const BatchOptions& how_;
   BatchOutput& output_;
-  std::size_t chunk_;  ///< queries
+  std::size_t seeds_;          ///< of each query
+  std::size_t chunk_;          ///< queries, of which a chunk has all seeds but where it is of one:
+  std::size_t seeds_at_once_;  ///< then it may have so many, and the query
+  std::size_t pieces_;         ///< such chunks
   std::optional<Journal> journal_;
   std::map<int, std::string> ready_;
   int next_ = 0;
@@ -284,7 +295,7 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
   if (crew() != nullptr)
     whole = shared.emplace(*crew(), batch, how, output).run();
   else
-    batch.answer(0, batch.queries, how,
+    batch.answer({.count = batch.queries, .seed = options.seed}, how,
                  [&](const auto&... answer) { output.add(output.told(answer...)); });
   output.write_files();
   const bool interrupted = signals.interrupted() || !whole;

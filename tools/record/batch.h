@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,18 +27,21 @@ struct Batch {
   bool poses = false;    ///< starts and goals have a yaw
   bool costs = false;    ///< answers are over costs: another column
   bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
-  /// Answers `count` queries from the `first`-th on with each seed, in order, each taken in its
-  /// turn.
-  std::function<void(std::size_t first, std::size_t count, const BatchOptions&, const Take&)>
-      answer;
+  /// Queries, each with BatchOptions::seeds from this one on.
+  struct Part {
+    std::size_t first = 0, count = 0;
+    std::uint64_t seed = 0;
+  };
+  /// Answers a part with each seed, in order, each taken in its turn.
+  std::function<void(const Part&, const BatchOptions&, const Take&)> answer;
   using Paths = std::vector<std::vector<Point>>;
   /// Draws all paths into a file; the caption counts them, and the answers by their status.
   std::function<void(const std::string& file, const Paths&, const std::string& caption)> draw;
 };
 
 /// Answers all queries, prints the answers as they come, and writes the files that are asked for.
-/// With a crew chunks of queries are shared, and its leader keeps a journal of those that are done
-/// in the working folder until all are. The program's exit code.
+/// With a crew chunks of queries, or of one's seeds, are shared, and its leader keeps a journal of
+/// those that are done in the working folder until all are. The program's exit code.
 int run_batch(const Batch& batch, const SignalWatcher& signals);
 
 }  // namespace lasius::tool

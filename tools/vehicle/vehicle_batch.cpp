@@ -104,19 +104,19 @@ int run_vehicle_batch(const VehicleCommand& command) {
   std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
   SearchOptions options = run;
   keep_part(queries, command.queries, options.part);
-  const auto answer_all = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+  const auto answer_all = [&](const Batch::Part& part, const BatchOptions& how,
                               const Batch::Take& take) {
     const BatchReceiverOf<VehicleAnswer> receive = [&](const auto& found) {
       VehicleAnswer answer = found.result;
       Record record = vehicle_record(on, command, answer);
-      record.index = options.part.among_all(first + found.index);
+      record.index = options.part.among_all(part.first + found.index);
       std::vector<Point> path;
       for (const auto& timed : timed_poses(on, command, answer))
         path.push_back({timed.at.pose.x, timed.at.pose.y});
       take(record, end_texts(answer), path);
     };
-    const auto asked = std::span<const PoseQuery>(queries).subspan(first, count);
-    run_batch<VehicleAnswer>(asked, run.seed, how, receive, [&] {
+    const auto asked = std::span<const PoseQuery>(queries).subspan(part.first, part.count);
+    run_batch<VehicleAnswer>(asked, part.seed, how, receive, [&] {
       return [&](const PoseQuery& query, std::uint64_t) {
         return plan_vehicle(on, command, query.start, query.goals, query.stop);
       };
