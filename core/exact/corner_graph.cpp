@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/base/thread_team.h"
 #include "core/exact/corner_sight.h"
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
@@ -233,7 +234,10 @@ void CornerGraph::Builder::list_one_ways() {
 
 std::shared_ptr<CornerGraph> CornerGraph::make(const Grid& grid, const PrepareOptions& options,
                                                Preparation& report) {
-  return Builder(grid, options).run(grid, report);
+  std::shared_ptr<CornerGraph> graph;
+  ThreadTeam::lead(thread_count(options.threads),
+                   [&] { graph = Builder(grid, options).run(grid, report); });
+  return graph;
 }
 
 std::int64_t CornerGraph::expected_bytes(const Grid& grid, const PrepareOptions& options) {

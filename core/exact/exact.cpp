@@ -55,6 +55,7 @@ constexpr int kMostScans = 4;
 // was in vain more of the next searches do without.
 constexpr std::int64_t kFewTies = 8;
 constexpr std::int64_t kExpansionsForTie = 32;
+constexpr std::int64_t kFirstLook = 64;  // expansions until the way in hand is looked at
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 constexpr int kMorePause = 8, kMostPause = 256;
 
@@ -182,7 +183,7 @@ void ExactSearch::run_plain(const StopCondition& stop, std::int64_t work, Interl
   std::uint32_t index = CornerTable::kStart;
   do {
     expand(index);
-  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && !given_up() &&
+  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && !given_up(index) &&
            next_corner(index));
   poller_ = nullptr;
   cause_ = poller.cause();
@@ -200,7 +201,7 @@ bool ExactSearch::search_only(const ExactOptions& options, const StopCondition& 
   }
   only_ = true;
   run_plain(stop, kNoLimit, options.beside);
-  if (cause_ != StopCondition::Cause::none || (!given_up() && is_only())) {
+  if (cause_ != StopCondition::Cause::none || (!in_vain_ && !goal_tied_ && is_only(last_))) {
     if (pause_ > 0) --pause_;
     rest_ = pause_;
     counters_.ties = exact::Counters::Ties::none;
@@ -211,15 +212,22 @@ bool ExactSearch::search_only(const ExactOptions& options, const StopCondition& 
   return false;
 }
 
-bool ExactSearch::given_up() const noexcept {
-  return only_ && ties_ > kFewTies && ties_ * kExpansionsForTie > counters_.expansions;
+// Where ties are frequent, or one lies on the way to the corner in hand: the best one begins so,
+// too, as a rule.
+bool ExactSearch::given_up(std::uint32_t index) noexcept {
+  if (!only_ || ties_ == 0) return false;
+  if (counters_.expansions >= next_look_) {
+    next_look_ = counters_.expansions * 3 / 2;
+    in_vain_ = !is_only(index);
+  }
+  in_vain_ = in_vain_ || (ties_ > kFewTies && ties_ * kExpansionsForTie > counters_.expansions);
+  return in_vain_;
 }
 
 // Is no other path as short as the best? Let one be, and let it join the best one at a corner, or
 // at the goal: it came there by a corner that was expanded at its least length, which was noted.
-bool ExactSearch::is_only() const noexcept {
-  if (goal_tied_) return false;
-  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent)
+bool ExactSearch::is_only(std::uint32_t index) const noexcept {
+  for (std::uint32_t i = index; i != CornerTable::kStart; i = corners_[i].parent)
     if (corners_[i].tied) return false;
   return true;
 }
@@ -245,7 +253,8 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   improving_ = false;
   near_lines_ = exact::kLeastNear;
   barren_tests_ = exact::kFirstBarrenTests;
-  only_ = goal_tied_ = false;
+  only_ = goal_tied_ = in_vain_ = false;
+  next_look_ = kFirstLook;
   ties_ = 0;
   root_ = {};
   passes_goal_ = false;

@@ -145,8 +145,8 @@ class ExactSearch {
   void run(const ExactOptions& options, const StopCondition& stop);
   void run_plain(const StopCondition& stop, std::int64_t work, InterleavedWork* beside = nullptr);
   bool search_only(const ExactOptions& options, const StopCondition& stop);
-  bool is_only() const noexcept;
-  bool given_up() const noexcept;
+  bool is_only(std::uint32_t index) const noexcept;
+  bool given_up(std::uint32_t index) noexcept;
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
   /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
@@ -202,7 +202,9 @@ class ExactSearch {
   int barren_tests_ = 0;                // that are still worth their time
   bool only_ = false;                   // ways as long as the one kept are noted
   bool goal_tied_ = false;              // another way to it is as short as the best
+  bool in_vain_ = false;                // the search for the only path was given up
   std::int64_t ties_ = 0;               // noted
+  std::int64_t next_look_ = 0;          // for one on the way in hand
   int rest_ = 0, pause_ = 0;            // searches until that is tried again, and after a failure
   exact::Counters counters_;
 };

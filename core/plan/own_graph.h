@@ -57,7 +57,7 @@ class OwnGraph {
   static constexpr std::int64_t kLeastWork = 2000;
   static constexpr std::int64_t kWorkPerByteDone = 4, kWorkPerByteToCome = 16;
 
-  bool in_vain() const noexcept { return 8 * told_ < 7 * asked_; }
+  bool in_vain() const noexcept { return 4 * told_ < 3 * asked_; }
 
   void make(const Grid& grid, std::int64_t done, const StopCondition& stop) {
     const std::int64_t mean = work_ / done;

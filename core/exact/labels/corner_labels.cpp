@@ -7,6 +7,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/parallel.h"
+#include "core/base/thread_team.h"
 #include "core/exact/labels/tile_views.h"
 
 namespace lasius::exact {
@@ -124,30 +125,26 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const auto give_up = [&](HubsEnd how) {
-    end(how == HubsEnd::stopped ? State::stopped : State::too_large);
-  };
-  const TautGraph taut(graph);
-  {
+  const auto run = [&] {
+    const TautGraph taut(graph);
     Hubs hubs;
     const std::int64_t most = std::min({std::int64_t{options.max_label_entries} * graph.size(),
                                         options.max_label_bytes / kEntryBytes, kMostPlaces});
     const HubsEnd found = find_hubs(taut, most, threads, options.stop, hubs, std::move(order));
-    if (found != HubsEnd::ready) {
-      give_up(found);
-      return nullptr;
-    }
+    if (found != HubsEnd::ready) return found;
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
-  }
-  labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
-  const std::int64_t most_seen = std::min(options.max_label_bytes / kTileCornerBytes, kMostPlaces);
-  const HubsEnd listed = list_tiles(grid, taut, most_seen, threads, options.stop, labels->arrays_);
-  if (listed != HubsEnd::ready) {
-    give_up(listed);
-    return nullptr;
-  }
-  if (options.stop.poll() != StopCondition::Cause::none) {
-    end(State::stopped);
+    hubs = {};
+    labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
+    const std::int64_t most_seen =
+        std::min(options.max_label_bytes / kTileCornerBytes, kMostPlaces);
+    return list_tiles(grid, taut, most_seen, threads, options.stop, labels->arrays_);
+  };
+  HubsEnd how = HubsEnd::stopped;
+  ThreadTeam::lead(threads, [&] { how = run(); });
+  if (how == HubsEnd::ready && options.stop.poll() != StopCondition::Cause::none)
+    how = HubsEnd::stopped;
+  if (how != HubsEnd::ready) {
+    end(how == HubsEnd::stopped ? State::stopped : State::too_large);
     return nullptr;
   }
   report.entries = labels->entry_count();
