@@ -210,8 +210,9 @@ class ArmProblem : public Problem {
     json["joint_travel"] = found ? number(plan.joint_travel) : Json(nullptr);
     json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);
     json["notes"] = plan.notes;
-    json["lattice"] = {
-        {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
+    json["lattice"] = {{"pitch", number(plan.pitch)},
+                       {"points", plan.points},
+                       {"postures", plan.asked.empty() ? 0 : 1}};
     return json;
   }
   Json findings() const {
