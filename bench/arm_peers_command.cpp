@@ -1,4 +1,4 @@
-// lasius_bench arm-peers: arms beside OMPL's RRT-Connect, and the questions that a proof takes.
+// lasius_bench arm-peers: arms beside OMPL's RRT-Connect.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -23,7 +23,6 @@ struct ArmPeersOptions {
   std::vector<std::string> robots;
   std::vector<int> obstacles{0, 5, 15};
   int queries = 20;
-  int proofs = 5;
   double cap = 2;
   std::uint64_t seed = 1;
   std::string markdown;
@@ -173,59 +172,6 @@ void compare(const NamedRobot& named, int obstacles, const ArmPeersOptions& opti
   }
 }
 
-/// Questions until the way is proven to be its lattice's shortest, of those that get there.
-struct Proof {
-  std::string what;
-  arm::Params parameters;
-  bool known = false;  ///< by a search that knows where to ask, and gives one way
-  std::vector<double> first = {}, questions = {};
-};
-
-double asked(const arm::Questions& q) { return static_cast<double>(q.positions + q.motions); }
-
-std::vector<Proof> proofs() {
-  arm::Params colony = rival("postures");
-  colony.direct = false;
-  colony.trees = 0;
-  colony.refine = 0;
-  arm::Params trailless = colony;
-  trailless.alpha = 0;
-  const arm::Params source = rival("goritov2020");
-  return {{"colony", colony},
-          {"colony without trail (alpha 0)", trailless},
-          {"lazy shortest way, the colony's lattice", colony, true},
-          {"goritov2020, its lattice of one posture", source},
-          {"lazy shortest way, goritov2020's lattice", source, true}};
-}
-
-void ask(const arm::Robot& robot, const PeersCase& c, double cap, Proof& proof) {
-  arm::Request request = c.request();
-  request.motion = false;
-  request.target_gap = 1e-9;
-  request.stop.deadline = deadline_in(std::chrono::duration<double>(cap));
-  proof.parameters.seed = c.seed;
-  const auto found = proof.known ? arm::lazy_lattice_way(robot, c.sensor, request, proof.parameters)
-                                 : arm::plan(robot, c.sensor, request, proof.parameters);
-  for (std::size_t i = 0; i < std::min(found.best.size(), found.asked.size()); ++i) {
-    if (!std::isfinite(found.best[i])) continue;
-    proof.first.push_back(asked(found.asked[i]));
-    break;
-  }
-  if (found.gap() && *found.gap() <= request.target_gap)
-    proof.questions.push_back(asked(found.questions));
-}
-
-void prove(const NamedRobot& named, int obstacles, const ArmPeersOptions& options, Table& table) {
-  auto all = proofs();
-  for (int i = 0; i < options.proofs; ++i) {
-    const PeersCase c(named.robot, obstacles, options.seed + i);
-    for (Proof& proof : all) ask(named.robot, c, options.cap, proof);
-  }
-  for (const Proof& proof : all)
-    table.row({named.name, std::to_string(obstacles), proof.what, median_text(proof.first),
-               std::to_string(proof.questions.size()), median_text(proof.questions)});
-}
-
 void run_arm_peers(const ArmPeersOptions& options) {
   std::vector<NamedRobot> robots;
   for (const auto& robot : options.robots) robots.push_back(read(robot));
@@ -233,10 +179,8 @@ void run_arm_peers(const ArmPeersOptions& options) {
     for (const char* name : {"planar3", "industrial6", "redundant7"})
       robots.push_back(read(std::string(LASIUS_MAPS_DIR "/arms/") + name + ".json"));
   constexpr auto kText = Table::Align::left;
-  const auto count = [&](int queries) {
-    return std::to_string(queries) + " questions each from seed " + std::to_string(options.seed);
-  };
-  Table table(count(options.queries) + ", at most " + short_number(options.cap) +
+  Table table(std::to_string(options.queries) + " questions each from seed " +
+                  std::to_string(options.seed) + ", at most " + short_number(options.cap) +
                   " s, one thread; seconds, questions and joint travel are medians; joint travel "
                   "is that of the motion / of RRT-Connect's path, shortcut for as long as the "
                   "motion took to plan.",
@@ -251,30 +195,21 @@ void run_arm_peers(const ArmPeersOptions& options) {
                "questions",
                "joint travel"},
               options.markdown);
-  const auto each = [&](const auto& measure) {
-    for (const NamedRobot& named : robots)
-      for (const int obstacles : options.obstacles) measure(named, obstacles, options, table);
-  };
-  each(compare);
-  table.next("Questions until the way is proven to be the shortest of its lattice, " +
-                 count(options.proofs) +
-                 "; until the end of the iteration of a first path, and until the proof:",
-             {"robot", "obstacles", {"search", kText}, "first path", "proven", "proof"});
-  each(prove);
+  for (const NamedRobot& named : robots)
+    for (const int obstacles : options.obstacles) compare(named, obstacles, options, table);
 }
 
 }  // namespace
 
 void add_arm_peers_command(CLI::App& app) {
-  const auto [command, options] = add_command(
-      app, "arm-peers", "Arms beside OMPL's RRT-Connect; questions to a proof", run_arm_peers);
+  const auto [command, options] =
+      add_command(app, "arm-peers", "Arms beside OMPL's RRT-Connect", run_arm_peers);
   command
       .add_option("--robot", options.robots,
                   "A robot's file, or FILE:BASE:TIP (repeatable; default the shipped ones)")
       ->allow_extra_args(false);
   command.add_option("--obstacles", options.obstacles, "Numbers of obstacles")->delimiter(',');
   add_number(command, "--queries", options.queries, "Questions a robot and number", 1, 100000);
-  add_number(command, "--proofs", options.proofs, "Questions of them to be proven", 0, 100000);
   add_number(command, "--cap", options.cap, "Seconds a question");
   add_number(command, "--seed", options.seed, "Of the first question");
   add_output(command, options.markdown);

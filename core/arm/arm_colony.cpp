@@ -41,10 +41,9 @@ struct Tours {
 
 class ArmColony final : public ColonyWorld {
  public:
-  ArmColony(const Robot& robot, const Lattice& lattice, const Request& request,
-            const Params& parameters, const Observer& observer)
-      : robot_(robot),
-        lattice_(lattice),
+  ArmColony(const Lattice& lattice, const Request& request, const Params& parameters,
+            const Observer& observer)
+      : lattice_(lattice),
         request_(request),
         parameters_(parameters),
         observer_(observer),
@@ -56,12 +55,6 @@ class ArmColony final : public ColonyWorld {
         ants_(parameters.ants),
         tours_(parameters.ants) {
     if (parameters.line_ants > 0) seed_line();
-    if (parameters.scout) update_bound();
-    if (parameters.leash > 0) {
-      const auto moves = static_cast<double>(straight_moves(lattice).size());
-      most_steps_ = std::max(1LL, std::llround(parameters.leash * (1 + moves)));
-    }
-    walkers_.limit_steps(most_steps_);
   }
 
   Result run() {
@@ -75,7 +68,7 @@ class ArmColony final : public ColonyWorld {
   // What the loop asks for.
   Cause send_ants(int q) override {
     trail_.refresh();
-    const Cause cause = walkers_.walk(q, ants_, request_.stop, known_way_);
+    const Cause cause = walkers_.walk(q, ants_, request_.stop);
     for (int a = 0; a < parameters_.ants; ++a) {
       const LatticeAnt& ant = ants_[a];
       result_.steps += ant.steps;
@@ -123,18 +116,11 @@ class ArmColony final : public ColonyWorld {
     if (lattice_.goals_blocked(false)) settled_ = true;
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
       settled_ = true;
-    // Without an arrival it may be that there is no way: what was learned can tell.
-    if (run.arrived.back() == 0) after_no_arrival();
-    // What is learned raises the bound, the best tour stays: now and then that is looked at, too.
-    constexpr int kLook = 4;
-    const bool look = idle_ == 0 || (parameters_.prove && run.iterations % kLook == 0);
-    const bool ends = request_.target_gap > 0 || parameters_.prove;
-    if (parameters_.scout || (ends && !best_.empty() && look)) {
-      update_bound();
-      const double gap =
-          parameters_.prove ? std::max(request_.target_gap, kRounding) : request_.target_gap;
-      settled_ |= ends && bound_ && best_length_ <= *bound_ * (1 + gap);
-    }
+    // Without an arrival it may be that there is no way: what was learned can tell. With a shorter
+    // tour the gap may be what was asked for.
+    const bool gains = request_.target_gap > 0 && !best_.empty() && idle_ == 0;
+    if (run.arrived.back() == 0 || gains) update_bound();
+    settled_ |= gains && bound_ && best_length_ <= *bound_ * (1 + request_.target_gap);
     settled_ |= all_closed_;
     result_.asked.push_back(lattice_.questions());
     return cause;
@@ -156,44 +142,6 @@ class ArmColony final : public ColonyWorld {
     return parameters_.ants / (nearest() * lattice_.unit());
   }
 
-  /// Where ants ran out of steps they get twice as many, and random detours are tried.
-  void after_no_arrival() {
-    const bool out_of_steps = std::ranges::any_of(ants_, &LatticeAnt::out_of_steps);
-    if (!out_of_steps && !parameters_.scout) update_bound();
-    if (!best_.empty() || !out_of_steps) return;
-    most_steps_ *= 2;
-    walkers_.limit_steps(most_steps_);
-    constexpr std::uint32_t kSeries = 1u << 30;  // of random values: goals have those below
-    for (int i = 0; i < parameters_.vias && !lattice_.spent(); ++i) {
-      if (request_.stop.poll() != Cause::none) return;
-      // Near the start, and anywhere.
-      const double share = std::ldexp(1, -static_cast<int>(tries_ % 3));
-      JointVector via = random_values(robot_, request_.start, parameters_.seed, kSeries, tries_++);
-      via = request_.start + share * (via - request_.start);
-      const int end = lattice_.end_by_way_of(via);
-      if (end < 0) continue;
-      detour_ = {request_.start, std::move(via), lattice_.end(end).q};
-      detour_end_ = end;
-      settled_ = true;
-      return;
-    }
-  }
-
-  /// The way past random joint values, which is none of the lattice's.
-  void take_detour() {
-    result_.status = Status::solved;
-    const End& end = lattice_.end(detour_end_);
-    result_.goal = end.goal;
-    result_.joints.resize(request_.start.size(), 3);
-    result_.tips.resize(3, 3);
-    result_.length = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      result_.joints.col(i) = detour_[i];
-      result_.tips.col(i) = tip_position(robot_, detour_[i]);
-      if (i > 0) result_.length += lattice_.length_between(detour_[i - 1], detour_[i]);
-    }
-  }
-
   double nearest() const { return lattice_.least(lattice_.start()); }
 
   void seed_line() {
@@ -212,7 +160,6 @@ class ArmColony final : public ColonyWorld {
     if (way.cause != Cause::none) return;
     bound_questions_ = lattice_.questions();
     all_closed_ = !way.cost;
-    if (parameters_.scout) known_way_ = way.moves;
     if (way.cost) bound_ = *way.cost * lattice_.unit();
   }
 
@@ -226,11 +173,11 @@ class ArmColony final : public ColonyWorld {
       result_.error = "the arm touches something at the goal";
     }
     result_.questions = lattice_.questions();
-    if (result_.status == Status::no_path && detour_.empty())
-      result_.error =
-          lattice_.not_found() + (all_closed_ ? ", every way in it is closed; " + lattice_.larger()
-                                              : "; try more iterations");
-    if (!found && !detour_.empty()) take_detour();
+    if (result_.status == Status::no_path) {
+      result_.error = lattice_.not_found();
+      result_.error += all_closed_ ? ", every way in it is closed; " : "; try more iterations";
+      if (all_closed_) result_.error += kTryElse;
+    }
     if (!found) return;
     result_.length = best_length_;
     if (bound_) result_.lower_bound = std::min(*bound_, best_length_);
@@ -260,7 +207,6 @@ class ArmColony final : public ColonyWorld {
     return values;
   }
 
-  const Robot& robot_;
   const Lattice& lattice_;
   const Request& request_;
   const Params& parameters_;
@@ -276,12 +222,7 @@ class ArmColony final : public ColonyWorld {
   double best_length_ = kInfinity;
   int idle_ = 0;  // iterations since it was found
   bool settled_ = false;
-  std::vector<int> known_way_;       // moves of a shortest way of edges that may be open
-  bool all_closed_ = false;          // every way is known to be
-  std::int64_t most_steps_ = 0;      // of an ant; 0: any number
-  std::uint32_t tries_ = 0;          // random joint values so far, for detours
-  std::vector<JointVector> detour_;  // start, such values, an end
-  int detour_end_ = -1;
+  bool all_closed_ = false;  // every way is known to be
   std::optional<double> bound_;
   Questions bound_questions_{.positions = -1};  // that were asked when it was computed
   Result result_;
@@ -289,9 +230,9 @@ class ArmColony final : public ColonyWorld {
 
 }  // namespace
 
-Result run_arm_colony(const Robot& robot, const Lattice& lattice, const Request& request,
-                      const Params& parameters, const Observer& observer) {
-  return ArmColony(robot, lattice, request, parameters, observer).run();
+Result run_arm_colony(const Lattice& lattice, const Request& request, const Params& parameters,
+                      const Observer& observer) {
+  return ArmColony(lattice, request, parameters, observer).run();
 }
 
 }  // namespace lasius::arm

@@ -11,8 +11,6 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kFarAway = 1e4;  // more than any joint turns
-
 /// Points of the padded box.
 Node count_points(const Box& box) {
   Node count = 1;
@@ -31,21 +29,16 @@ Lattice::Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor&
       joints_(kinematics.size()),
       pitch_(pitch),
       gamma_(parameters.gamma),
-      lines_(parameters.lines),
       joint_step_(parameters.joint_step),
       objective_(parameters.objective),
       most_asked_(parameters.max_questions),
       targets_(std::move(targets)),
       box_(box),
-      most_postures_(parameters.postures),
-      end_move_(kTipMoves + (most_postures_ > 1 ? most_postures_ : 0)),
-      moves_(end_move_ + (targets_.ends.empty() ? 0 : 1)),
-      row_(std::max(moves_, 8)),
-      points_(count_points(box)),
-      first_end_(points_ * most_postures_),
+      moves_(kTipMoves + (targets_.ends.empty() ? 0 : 1)),
+      first_end_(count_points(box)),
       nodes_(first_end_ + static_cast<Node>(targets_.ends.size())),
       values_(nodes_ * joints_),
-      guidance_(nodes_ * row_),
+      guidance_(nodes_ * kRow),
       nearby_(targets_.ends.empty() ? 0 : nodes_),
       solved_(nodes_),
       position_(nodes_),
@@ -65,7 +58,6 @@ Lattice::Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor&
     enter(end, targets_.ends[i].q);
     position_[end] = kYes;
   }
-  seeds_.push_back({start, {0, 0, 0}});
   enter(start_, start);
   fill_guidance(start_);
 }
@@ -75,22 +67,8 @@ void Lattice::enter(Node v, const JointVector& q) {
   solved_[v] = kYes;
 }
 
-void Lattice::add_posture(const JointVector& seed) {
-  if (postures() == most_postures_) return;
-  Kinematics::Poses poses;
-  kinematics_.place(as_span(seed), poses);
-  const auto at = rounded((1 / pitch_) * (kinematics_.tip(poses) - origin_));
-  for (int k = 0; k < postures(); ++k) {
-    const Node v = node(at) + k * points_;
-    if (configuration(v) != nullptr && largest_change(joint_values(v), seed) < joint_step_ / 2)
-      return;
-  }
-  seeds_.push_back({seed, at});
-}
-
 std::array<int, 3> Lattice::coordinates(Node v) const noexcept {
   if (v >= first_end_) return end_points_[v - first_end_];
-  v %= points_;
   const Node row = delta_[2], layer = delta_[4];
   return {static_cast<int>(v % row) - 1 + box_.low[0],
           static_cast<int>(v % layer / row) - 1 + box_.low[1],
@@ -134,7 +112,7 @@ const std::array<int, 3>& Lattice::nearest_target(Node v) const noexcept {
 int Lattice::target_of(Node v) const noexcept {
   if (v >= first_end_) return static_cast<int>(v - first_end_);
   for (std::size_t i = 0; i < targets_.points.size(); ++i) {
-    if (v % points_ == node(targets_.points[i].at)) return static_cast<int>(i);
+    if (v == node(targets_.points[i].at)) return static_cast<int>(i);
   }
   return -1;
 }
@@ -158,20 +136,13 @@ double Lattice::apart(const double* a, const double* b) const noexcept {
   for (int j = 0; j < joints_; ++j) {
     const double change = std::abs(b[j] - a[j]);
     sum += change * change;
-    most = std::max(most, objective_ == Objective::duration ? change * slowness_[j] : change);
+    most = std::max(most, change * slowness_[j]);
   }
-  if (objective_ == Objective::joint) return std::sqrt(sum);
-  return objective_ == Objective::duration ? most : std::ceil(most / joint_step_);
+  return objective_ == Objective::joint ? std::sqrt(sum) : most;
 }
 
 double Lattice::cost(Node v, int move) const {
-  if (objective_ == Objective::length && move < kTipMoves) return 1;
-  const Node w = to(v, move);
-  const double cost = apart(configuration(v), configuration(w));
-  if (objective_ != Objective::length) return cost;
-  if (move < end_move_) return std::max(1.0, cost);
-  const int moves = manhattan(v, coordinates(w));
-  return is_line(v, move) ? moves + cost : std::max(1, moves);
+  return counts_moves() ? 1 : apart(configuration(v), configuration(to(v, move)));
 }
 
 double Lattice::least(Node v) const {
@@ -186,10 +157,8 @@ double Lattice::least(Node v) const {
   const double* q = configuration(v);
   if (q == nullptr) return 0;
   for (const auto& point : targets_.points) {
-    for (int k = 0; k < postures(); ++k) {
-      const double* end = configuration(node(point.at) + k * points_);
-      if (end != nullptr) offer(apart(q, end));
-    }
+    const double* end = configuration(node(point.at));
+    if (end != nullptr) offer(apart(q, end));
   }
   for (Node end = first_end_; end < nodes_; ++end) offer(apart(q, values_.at(end * joints_)));
   return least;
@@ -198,21 +167,19 @@ double Lattice::least(Node v) const {
 void Lattice::find_nearby(Node v) const noexcept {
   double least = kInfinity;
   for (std::size_t i = 0; i < end_points_.size(); ++i) {
-    double change = largest_change(joint_values(v), targets_.ends[i].q);
-    // A short step comes before all lines.
-    if (change > joint_step_ || manhattan(v, end_points_[i]) > 1) change += kFarAway;
-    if (change >= least) continue;
+    const double change = largest_change(joint_values(v), targets_.ends[i].q);
+    if (change > joint_step_ || manhattan(v, end_points_[i]) > 1 || change >= least) continue;
     least = change;
     nearby_[v] = static_cast<std::int16_t>(i + 1);
   }
-  guidance_[v * row_ + end_move_] = least < kFarAway ? 1 : static_cast<float>(lines_);
+  guidance_[v * kRow + kTipMoves] = least < kInfinity ? 1 : 0;
 }
 
 void Lattice::fill_guidance(Node v) const noexcept {
   const auto at = coordinates(v), goal = nearest_target(v);
   double square = 0;
   for (int i = 0; i < 3; ++i) square += (goal[i] - at[i]) * (goal[i] - at[i]);
-  float* row = guidance_.at(v * row_);
+  float* row = guidance_.at(v * kRow);
   const auto weight = [&](double along) {
     const double across = std::sqrt(std::max(square - along * along, 0.0));
     const double theta = kernels::angle_between(1, 0, along, across);
@@ -220,47 +187,30 @@ void Lattice::fill_guidance(Node v) const noexcept {
   };
   for (int k = 0; k < kTipMoves; ++k)
     row[k] = weight((k % 2 == 0 ? 1 : -1) * (goal[k / 2] - at[k / 2]));
-  if (moves_ == kTipMoves) return;
-  square = std::max(square, 1.0);
-  for (int k = kTipMoves; k < end_move_; ++k) {
-    row[k] = k - kTipMoves == v / points_ ? 0 : weight(0);
-  }
-  if (end_move_ == moves_) return;
-  find_nearby(v);
+  if (moves_ > kTipMoves) find_nearby(v);
 }
 
 bool Lattice::has_target() const {
-  if (!targets_.ends.empty()) return true;
-  for (const auto& point : targets_.points) {
-    for (int k = 0; k < postures(); ++k) {
-      if (configuration(node(point.at) + k * points_) != nullptr) return true;
-    }
-  }
-  return false;
+  return !targets_.ends.empty() || std::ranges::any_of(targets_.points, [&](const auto& point) {
+    return configuration(node(point.at)) != nullptr;
+  });
 }
 
 bool Lattice::goals_blocked(bool ask) const {
   if (!targets_.ends.empty()) return false;
   bool any = false;
   for (const auto& point : targets_.points) {
-    for (int k = 0; k < postures(); ++k) {
-      const Node v = node(point.at) + k * points_;
-      if (load(solved_[v]) == kNo) continue;
-      if (ask && configuration(v) == nullptr) continue;
-      if (ask ? position_free(v) : !known_blocked(v)) return false;
-      any = true;
-    }
+    const Node v = node(point.at);
+    if (load(solved_[v]) == kNo) continue;
+    if (ask && configuration(v) == nullptr) continue;
+    if (ask ? position_free(v) : !known_blocked(v)) return false;
+    any = true;
   }
   return any;
 }
 
 std::string Lattice::not_found() const {
-  return "not found in this lattice (pitch " + number_text(pitch_) +
-         " m, postures tried: " + std::to_string(postures()) + ")";
-}
-std::string Lattice::larger() const {
-  return std::string("try a smaller pitch") +
-         (postures() < most_postures_ ? "" : ", more postures");
+  return "not found in this lattice (pitch " + number_text(pitch_) + " m)";
 }
 
 }  // namespace lasius::arm

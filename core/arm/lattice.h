@@ -18,18 +18,21 @@
 
 namespace lasius::arm {
 
-/// Moves of the tip: +x, -x, +y, -y, +z, -z. After them, of a lattice of several postures, changes
-/// to posture 0, 1 ..; at last, where there are ends, the move to the one nearby.
+/// Moves of the tip: +x, -x, +y, -y, +z, -z. After them, where there are ends, the move to the one
+/// nearby.
 inline constexpr int kTipMoves = 6;
-inline constexpr int kMostMoves = kTipMoves + 16 + 1;
+inline constexpr int kMostMoves = kTipMoves + 1;
 
-/// A point of the lattice in one of its postures, by number; the points around the box have numbers
-/// too. After all these, the ends.
+/// A point of the lattice, by number; the points around the box have numbers too. After all these,
+/// the ends.
 using Node = std::int64_t;
+
+/// What to try where a lattice has no way, for people.
+inline constexpr const char* kTryElse = "try a smaller pitch, or the algorithm postures";
 
 /// Where a way through a lattice may end.
 struct Targets {
-  /// A lattice point that was moved onto a position: any posture of it ends the way.
+  /// A lattice point that was moved onto a position.
   struct Point {
     std::array<int, 3> at;
     Vec3 position;
@@ -44,10 +47,10 @@ struct Box {
   std::array<int, 3> low, high;
 };
 
-/// Lattice points are numbered row by row, with one layer around the box that no ant enters, and
-/// once for each posture. A posture of a point is continued from that of the neighbour towards its
-/// seed: the start for posture 0. What is found out about a node or an edge is kept, by whichever
-/// thread comes first; a thread that wants to know what another one is finding out waits for it.
+/// Lattice points are numbered row by row, with one layer around the box that no ant enters. The
+/// posture of a point is continued from that of the neighbour towards the start. What is found out
+/// about a node or an edge is kept, by whichever thread comes first; a thread that wants to know
+/// what another one is finding out waits for it.
 /// The answers depend on the world only, so it does not matter who asks.
 class Lattice {
  public:
@@ -56,11 +59,6 @@ class Lattice {
           const Params& parameters, const StopCondition& stop = {}, const Questions& before = {});
 
   static constexpr Node kMostNodes = Node{1} << 24;
-
-  /// Another posture, with these joint values near the point where they bring the tip, unless it is
-  /// one that is there already, or there are as many as the parameters say.
-  void add_posture(const JointVector& seed);
-  int postures() const noexcept { return static_cast<int>(seeds_.size()); }
 
   Node nodes() const noexcept { return nodes_; }
   Node start() const noexcept { return start_; }
@@ -71,32 +69,20 @@ class Lattice {
   int moves() const noexcept { return moves_; }
   /// Precondition: the guidance of the move is not 0.
   Node to(Node v, int move) const noexcept {
-    if (move < kTipMoves) return v + delta_[move];
-    return move == end_move_ ? first_end_ + nearby_[v] - 1
-                             : v % points_ + (move - kTipMoves) * points_;
+    return move < kTipMoves ? v + delta_[move] : first_end_ + nearby_[v] - 1;
   }
   /// True for a point of the layer around the box.
   bool outside(Node v) const noexcept;
   std::array<int, 3> coordinates(Node v) const noexcept;
-  /// In posture 0.
   Node node(std::array<int, 3> v) const noexcept;
 
-  /// What a move adds to the objective, in steps(): one for a move of the tip; for a change of
-  /// posture, and a move to an end, as many as joint steps it takes, one at least. Of the other
-  /// objectives in radians or seconds. Precondition: both ends have joint values.
+  /// What a move adds to the objective, in unit(): one of `length`. Precondition: both ends have
+  /// joint values.
   double cost(Node v, int move) const;
-  /// A straight joint-space line to an end from afar, not of the lattice itself: outside of bounds.
-  bool is_line(Node v, int move) const noexcept {
-    return move == end_move_ && guidance(v)[move] < 1;
-  }
   /// The least that the way on may cost.
   double least(Node v) const;
-  /// True where a move of the tip costs one.
+  /// True where a move costs one.
   bool counts_moves() const noexcept { return objective_ == Objective::length; }
-  /// The length of a straight joint motion of which the tip's way does not count.
-  double length_between(const JointVector& a, const JointVector& b) const noexcept {
-    return apart(a.data(), b.data()) * unit();
-  }
   /// The objective's unit, in metres, radians or seconds.
   double unit() const noexcept { return objective_ == Objective::length ? pitch_ : 1; }
 
@@ -106,14 +92,14 @@ class Lattice {
   /// An undirected edge, by number; below moves() nodes().
   std::int64_t edge(Node v, int move) const noexcept {
     const Node w = to(v, move);
-    return v < w ? v * moves_ + move : w * moves_ + back(v, move);
+    return v < w ? v * moves_ + move : w * moves_ + (move ^ 1);
   }
 
   Vec3 position(Node v) const noexcept;
   /// Joint values, null where there are none. Kinematics only.
   const double* configuration(Node v) const;
   /// u^gamma of the moves() out of a node whose configuration was asked for (eq. 9); 0: no move.
-  const float* guidance(Node v) const noexcept { return guidance_.at(v * row_); }
+  const float* guidance(Node v) const noexcept { return guidance_.at(v * kRow); }
 
   /// True when the move can be made. Asks the sensor what is not known. Precondition: `v` has a
   /// configuration that is free.
@@ -122,21 +108,15 @@ class Lattice {
   bool maybe_open(Node v, int move) const;
   /// True when the sensor was asked and said no.
   bool known_blocked(Node v) const noexcept { return load(position_[v]) == kNo; }
-  /// True when the tip gets to a goal in any posture, as far as kinematics tells.
+  /// True when the tip gets to a goal, as far as kinematics tells.
   bool has_target() const;
-  /// True when there is no end, and the goals are known to be blocked in every posture that they
+  /// True when there is no end, and the goals are known to be blocked in the posture that they
   /// have. `ask` the sensor about it.
   bool goals_blocked(bool ask) const;
   /// Where no way was found, for people.
   std::string not_found() const;
-  /// What to try then: more postures only where it has all that it may have.
-  std::string larger() const;
 
   bool position_free(Node v) const;
-  /// Tries straight motions from the start to `via`, and on to the ends nearest to it: the end, -1
-  /// where none was free. Each call asks.
-  int end_by_way_of(const JointVector& via) const;
-  const End& end(int number) const noexcept { return targets_.ends[number]; }
   Questions questions() const noexcept {
     return {.positions = positions_asked_, .motions = motions_asked_};
   }
@@ -156,6 +136,7 @@ class Lattice {
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
+  static constexpr int kRow = 8;  // of guidance: kMostMoves, and a round number of bytes
 
   static std::uint8_t load(std::uint8_t& answer) noexcept {
     return std::atomic_ref(answer).load(std::memory_order_acquire);
@@ -168,15 +149,13 @@ class Lattice {
   Eigen::Map<const JointVector> joint_values(Node v) const {
     return {values_.at(v * joints_), joints_};
   }
-  /// The move from to(v, move) back to v.
-  int back(Node v, int move) const noexcept {
-    return move < kTipMoves ? move ^ 1 : kTipMoves + static_cast<int>(v / points_);
-  }
   int manhattan(Node v, const std::array<int, 3>& to) const noexcept;
   int target_of(Node v) const noexcept;
   void enter(Node v, const JointVector& q);
   bool solve(Node v, JointArray& q) const;
-  bool continued(Node v, Node from, double bend, std::span<const double> rest, JointArray& q) const;
+  /// The joint values of a node from other ones, bent before.
+  bool continued(Node v, const double* from, double bend, std::span<const double> rest,
+                 JointArray& q) const;
   bool reachable_by_joints(Node a, int move) const noexcept;
   void fill_guidance(Node v) const noexcept;
   void find_nearby(Node v) const noexcept;
@@ -188,7 +167,6 @@ class Lattice {
   int joints_;
   double pitch_;
   double gamma_;
-  double lines_;
   double joint_step_;
   Objective objective_;
   std::int64_t most_asked_;
@@ -197,18 +175,13 @@ class Lattice {
   std::vector<double> slowness_;                // 1 / velocity, by joint
   Box box_;
   std::array<Node, kTipMoves> delta_;
-  int most_postures_, end_move_, moves_, row_;
-  Node points_, first_end_, nodes_, start_;
+  int moves_;
+  Node first_end_, nodes_, start_;
   Vec3 origin_;
-  struct Seed {
-    JointVector q;
-    std::array<int, 3> at;
-  };
-  std::vector<Seed> seeds_;  // by posture
 
   // What was worked out or asked so far.
   mutable ZeroArray<double> values_;          // joint values by node
-  mutable ZeroArray<float> guidance_;         // row_ a node
+  mutable ZeroArray<float> guidance_;         // kRow a node
   mutable ZeroArray<std::int16_t> nearby_;    // number of the end nearby, from 1, by node
   mutable ZeroArray<std::uint8_t> solved_;    // Answer by node: it has joint values
   mutable ZeroArray<std::uint8_t> position_;  // Answer by node: it is free

@@ -48,48 +48,44 @@ const double* Lattice::configuration(Node v) const {
   return yes ? values_.at(v * joints_) : nullptr;
 }
 
-bool Lattice::continued(Node v, Node from, double bend, std::span<const double> rest,
+bool Lattice::continued(Node v, const double* from, double bend, std::span<const double> rest,
                         JointArray& q) const {
-  const double* values = from < 0 ? seeds_[v / points_].q.data() : configuration(from);
-  if (values == nullptr) return false;
-  std::copy_n(values, joints_, q.begin());
+  if (from == nullptr) return false;
+  std::copy_n(from, joints_, q.begin());
   const std::span span(q.data(), static_cast<std::size_t>(joints_));
   kinematics_.bend(span, bend);
-  return kinematics_.reach_for(position(v), rest, span, most_postures_ > 1);
+  return kinematics_.reach_for(position(v), rest, span);
 }
 
 bool Lattice::solve(Node v, JointArray& q) const {
-  const auto posture = static_cast<std::size_t>(v / points_);
-  if (posture >= seeds_.size() || outside(v)) return false;
-  const Seed& seed = seeds_[posture];
-  // Towards the seed along the axis that is furthest from it; ties to x, then y.
-  auto at = coordinates(v);
-  for (int i = 0; i < 3; ++i) at[i] -= seed.at[i];
+  if (outside(v)) return false;
+  // Towards the start along the axis that is furthest from it; ties to x, then y.
+  const auto at = coordinates(v);
   std::array<int, 3> axes{0, 1, 2};
   std::ranges::stable_sort(axes, [&](int a, int b) { return std::abs(at[a]) > std::abs(at[b]); });
   // Stretched out, an arm is drawn in by no small change of its joints: a second try bends it
-  // first; where there are other postures, near the seed only.
+  // first.
   constexpr double kBend = 0.3;  // radians or metres
-  const bool near = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]) <= 3;
+  const double* const start = values_.at(start_ * joints_);
   for (const double bend : {0.0, kBend}) {
-    if (bend > 0 && most_postures_ > 1 && !near) break;
     JointArray values;
-    std::copy_n(seed.q.data(), joints_, values.begin());
+    std::copy_n(start, joints_, values.begin());
     const std::span rest(values.data(), static_cast<std::size_t>(joints_));
     kinematics_.bend(rest, bend);
-    if (at[axes[0]] == 0 && continued(v, -1, bend, rest, q)) return true;
+    if (at[axes[0]] == 0 && continued(v, start, bend, rest, q)) return true;
     for (const int axis : axes) {
       if (at[axis] == 0) break;
-      if (continued(v, to(v, 2 * axis + (at[axis] > 0 ? 1 : 0)), bend, rest, q)) return true;
+      const Node nearer = to(v, 2 * axis + (at[axis] > 0 ? 1 : 0));
+      if (continued(v, configuration(nearer), bend, rest, q)) return true;
     }
   }
   return false;
 }
 
-/// Postures may change by any motion, which is seen to be free; moves of the tip are short ones.
+/// Moves of the tip, and to an end, are short ones.
 bool Lattice::reachable_by_joints(Node a, int move) const noexcept {
-  if (move >= kTipMoves) return true;
-  return largest_change(joint_values(a), joint_values(to(a, move))) <= joint_step_;
+  return move == kTipMoves ||
+         largest_change(joint_values(a), joint_values(to(a, move))) <= joint_step_;
 }
 
 bool Lattice::position_free(Node v) const {
@@ -97,27 +93,6 @@ bool Lattice::position_free(Node v) const {
     positions_asked_.fetch_add(1, std::memory_order_relaxed);
     return sensor_.position_free(joint_values(v));
   });
-}
-
-int Lattice::end_by_way_of(const JointVector& via) const {
-  constexpr std::size_t kTried = 3;
-  positions_asked_.fetch_add(1, std::memory_order_relaxed);
-  if (!sensor_.position_free(via)) return -1;
-  const auto free = [&](const JointRef& from, const JointRef& to) {
-    if (spent()) return false;
-    motions_asked_.fetch_add(1, std::memory_order_relaxed);
-    return sensor_.try_motion(from, to, stop_).value_or(false);
-  };
-  if (!free(joint_values(start_), via)) return -1;
-  std::vector<std::pair<double, int>> nearest;
-  for (std::size_t i = 0; i < targets_.ends.size(); ++i)
-    nearest.emplace_back(largest_change(via, targets_.ends[i].q), static_cast<int>(i));
-  std::ranges::sort(nearest);
-  if (nearest.size() > kTried) nearest.resize(kTried);
-  for (const auto& [change, end] : nearest) {
-    if (free(via, targets_.ends[end].q)) return end;
-  }
-  return -1;
 }
 
 bool Lattice::open(Node v, int move) const {

@@ -26,16 +26,15 @@ LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
 }
 
 StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,
-                                       const StopCondition& stop, std::span<const int> known_way) {
+                                       const StopCondition& stop) {
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   const auto count = static_cast<int>(ants.size());
   parallel_for(count, static_cast<int>(scratch_.size()), [&](int a, int thread) {
-    ants[a].arrived = ants[a].out_of_steps = false;
+    ants[a].arrived = false;
     ants[a].moves.clear();
     ants[a].steps = 0;
     if (cause != StopCondition::Cause::none) return;
-    const auto seen = walk_one(scratch_[thread], iteration, a, ants[a], stop,
-                               a == 0 ? known_way : std::span<const int>());
+    const auto seen = walk_one(scratch_[thread], iteration, a, ants[a], stop);
     if (seen != StopCondition::Cause::none) cause = seen;
   });
   return cause;
@@ -62,8 +61,7 @@ int LatticeAnts::draw_open_move(const ThreadScratch& scratch, Node at, Dice& dic
 }
 
 StopCondition::Cause LatticeAnts::walk_one(ThreadScratch& scratch, int iteration, int number,
-                                           LatticeAnt& ant, const StopCondition& stop,
-                                           std::span<const int> known_way) const {
+                                           LatticeAnt& ant, const StopCondition& stop) const {
   constexpr int kSteps = 256;  // between two polls: kinematics takes its time
   static_assert(kSteps <= Poller::kSteps);
   // Many ants of few steps each would never spend the poller's budget.
@@ -84,17 +82,8 @@ StopCondition::Cause LatticeAnts::walk_one(ThreadScratch& scratch, int iteration
 
   while (!lattice_.arrived(at)) {
     if (poller.stop_after(1)) return poller.cause();
-    ant.out_of_steps = most_steps_ > 0 && ant.steps >= most_steps_;
-    if (ant.out_of_steps) return StopCondition::Cause::none;
     ++ant.steps;
-    int move = -1;
-    if (!known_way.empty() && lattice_.open(at, known_way.front())) {
-      move = known_way.front();
-      known_way = known_way.subspan(1);
-    } else {
-      known_way = {};
-      if (!poller.stop_after(0)) move = draw_open_move(scratch, at, dice, poller);
-    }
+    const int move = draw_open_move(scratch, at, dice, poller);
     if (poller.stopped()) return poller.cause();
     if (move >= 0) {
       at = lattice_.to(at, move);

@@ -14,7 +14,6 @@ namespace lasius::arm {
 /// One ant's walk. A cache line of its own: neighbours are walked by different threads.
 struct alignas(64) LatticeAnt {
   bool arrived = false;
-  bool out_of_steps = false;        // it took as many steps as it may
   std::vector<std::uint8_t> moves;  // of the tour, what was taken back left out
   std::int64_t steps = 0;           // moves made, those taken back twice
 };
@@ -25,11 +24,7 @@ class LatticeAnts {
 
   /// Walks every ant until it has arrived, is lost, or `stop` says so; then ants under way are
   /// lost. Which thread walks which ant changes nothing.
-  /// The first ant sets out along `known_way`, moves from the start, as far as they are open.
-  StopCondition::Cause walk(int iteration, std::span<LatticeAnt> ants, const StopCondition& stop,
-                            std::span<const int> known_way = {});
-  /// Steps that an ant may take from now on; 0: any number.
-  void limit_steps(std::int64_t steps) noexcept { most_steps_ = steps; }
+  StopCondition::Cause walk(int iteration, std::span<LatticeAnt> ants, const StopCondition& stop);
 
  private:
   /// Of one thread, for the ant that it walks.
@@ -40,7 +35,7 @@ class LatticeAnts {
   };
 
   StopCondition::Cause walk_one(ThreadScratch& scratch, int iteration, int number, LatticeAnt& ant,
-                                const StopCondition& stop, std::span<const int> known_way) const;
+                                const StopCondition& stop) const;
   int draw_open_move(const ThreadScratch& scratch, Node at, class Dice& dice,
                      LatticePoller& poller) const;
 
@@ -48,7 +43,6 @@ class LatticeAnts {
   const LatticeTrail& trail_;
   const Params& parameters_;
   std::vector<ThreadScratch> scratch_;
-  std::int64_t most_steps_ = 0;
 };
 
 }  // namespace lasius::arm

@@ -47,7 +47,7 @@ class WaySearch {
       }
       from_[at] = entry.from;
       by_[at] = static_cast<std::uint8_t>(entry.move + 1);
-      if (lattice_.arrived(at)) return {.cost = so_far, .moves = moves_to(at)};
+      if (lattice_.arrived(at)) return {.cost = so_far};
       settle(at, so_far, entry.total);
     }
     return {.cause = lattice_.cut()};
@@ -61,19 +61,12 @@ class WaySearch {
   void settle(Node v, double so_far, double total) {
     const float* guidance = lattice_.guidance(v);
     for (int k = 0; k < lattice_.moves(); ++k) {
-      if (!(guidance[k] > 0) || lattice_.is_line(v, k)) continue;
+      if (!(guidance[k] > 0)) continue;
       const Node next = lattice_.to(v, k);
       if (by_[next] != 0) continue;
       const double least = lattice_.counts_moves() ? so_far + 1 + lattice_.least(next) : 0;
       queue_.push({std::max(total, least), so_far, number_++, v, k, false});
     }
-  }
-
-  std::vector<int> moves_to(Node at) const {
-    std::vector<int> moves;
-    for (; at != lattice_.start(); at = from_[at]) moves.push_back(by_[at] - 1);
-    std::ranges::reverse(moves);
-    return moves;
   }
 
   const Lattice& lattice_;
@@ -88,23 +81,6 @@ class WaySearch {
 
 KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop) {
   return WaySearch(lattice, unknown).run(stop);
-}
-
-KnownWay shortest_tried_way(const Lattice& lattice, const StopCondition& stop) {
-  LatticePoller poller(lattice, stop, Poller::kSteps);
-  for (;;) {
-    KnownWay way = shortest_known_way(lattice, Unknown::counts_as_free, stop);
-    if (!way.cost) return way;
-    Node at = lattice.start();
-    bool open = true;
-    for (const int move : way.moves) {
-      open = lattice.open(at, move);
-      if (poller.stop_after(1)) return {.cause = poller.cause()};
-      if (!open) break;
-      at = lattice.to(at, move);
-    }
-    if (open) return way;
-  }
 }
 
 std::vector<int> straight_moves(const Lattice& lattice) {

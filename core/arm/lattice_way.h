@@ -13,7 +13,6 @@ namespace lasius::arm {
 struct KnownWay {
   StopCondition::Cause cause = StopCondition::Cause::none;
   std::optional<double> cost = {};  ///< empty although not stopped: proven, there is no way
-  std::vector<int> moves = {};
 };
 
 enum class Unknown { counts_as_free, is_asked };
@@ -22,10 +21,6 @@ enum class Unknown { counts_as_free, is_asked };
 /// over it is the next to go on with. Where what was not tried counts as free no way is cheaper;
 /// kinematics is worked out on the fly, the sensor is not asked.
 KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
-
-/// A cheapest open way, found with few questions: the cheapest that may be open is tried edge by
-/// edge, and searched anew where one is closed (as LPA* and LazySP do).
-KnownWay shortest_tried_way(const Lattice& lattice, const StopCondition& stop);
 
 /// The moves from start to the nearest goal that keep nearest to the straight line: each along the
 /// axis that lags most behind its share of the way. Asks nothing.

@@ -43,25 +43,10 @@ constexpr std::array kEntries{
                   "ants whose deposits lie on the straight way before the first iteration"),
     Table::choice<&Params::shortcut, kSwitch>("shortcut",
                                               "cut the lattice staircase before the trajectory"),
-    Table::number("postures", &Params::postures, 1, 16,
-                  "joint values that a lattice point may have, K; 1: the source's one, continued",
-                  "1"),
     Table::choice<&Params::direct, kSwitch>("direct", "first try the straight joint-space line",
                                             "off"),
     Table::number("trees", &Params::trees, 0, 1000000000,
-                  "then grow two trees by so many joint values; 0: none", "0"),
-    Table::number("lines", &Params::lines, 0, 0.99,
-                  "weight of the straight joint-space line from where an ant is to a goal", "0"),
-    Table::number("leash", &Params::leash, 0, 1e6,
-                  "steps that an ant may take, in those of the shortest way; 0: any number", "0"),
-    Table::number("vias", &Params::vias, 0, 1000,
-                  "random joint values tried to get past by, where ants ran out of steps", "0"),
-    Table::number("refine", &Params::refine, 0, 4,
-                  "halve the pitch so often where nothing is found", "0"),
-    Table::choice<&Params::prove, kSwitch>("prove",
-                                           "stop when no way in the lattice can be shorter", "off"),
-    Table::choice<&Params::scout, kSwitch>(
-        "scout", "the first ant sets out on the shortest way that may be open", "off"),
+                  "then grow two trees by so many joint values; 0: search the lattice", "0"),
     Table::choice<&Params::objective, kObjectiveNames>("objective", "what is optimised", "length"),
     Table::number("max_questions", &Params::max_questions, 0, 2000000000,
                   "questions that may be asked, the motion's included; 0: any number", "0"),
@@ -80,35 +65,26 @@ constexpr std::string_view kSource =
 
 constexpr std::array kAlgorithms{
     Algorithm{"postures",
-              "arms (lasius arm): two trees of motions that are free all along, then ants in "
-              "a lattice of tip positions, several postures a point",
+              "arms (lasius arm): the straight line, then two trees of motions that are free all "
+              "along, shortened",
               kSource, kInfos},
     Algorithm{"goritov2020",
               "arms among unknown obstacles: the source's ants, one posture a lattice point, drawn "
               "to pheromone and the direction of the goal",
               kSource, kInfos}};
 
-/// Ours: few questions.
+/// tau0 is "a small positive number", whatever m is.
+void goritov2020(Params& p) { p.initial_pheromone = 0.01; }
+
+/// Ours.
 void postures(Params& p) {
-  p.ants = 2;
-  p.iterations = 200;
-  p.gamma = 8;
+  goritov2020(p);
   p.joint_step = 1.5;
-  p.postures = 6;
   p.direct = true;
   p.trees = 50000;
-  p.lines = 0.05;
-  p.leash = 2;
-  p.vias = 16;
-  p.refine = 1;
-  p.prove = true;
-  p.scout = true;
   p.shortcuts = 100;
   p.timing = Timing::optimal;
 }
-
-/// tau0 is "a small positive number", whatever m is.
-void goritov2020(Params& p) { p.initial_pheromone = 0.01; }
 
 // In the order of kAlgorithms.
 constexpr std::array<void (*)(Params&), kAlgorithms.size()> kPresets{postures, goritov2020};

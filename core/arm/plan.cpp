@@ -56,11 +56,10 @@ Result answer_of(const KnownWay& way, const Lattice& lattice) {
   return result;
 }
 
-/// In one lattice, and nothing but it.
+/// The lattice, and nothing but it.
 Params lattice_alone(Params parameters) {
   parameters.direct = false;
   parameters.trees = 0;
-  parameters.refine = 0;
   return parameters;
 }
 
@@ -92,7 +91,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   }
   RequestSolver solver(robot, sensor, request, parameters);
   Result result = solver.solve([&](const Lattice& lattice, const Params& p) {
-    return run_arm_colony(robot, lattice, solver.request(), p, observer);
+    return run_arm_colony(lattice, solver.request(), p, observer);
   });
   if (result.joints.cols() == 0) return result;
   if (request.motion) {
@@ -131,14 +130,6 @@ Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
   return RequestSolver(robot, sensor, request, lattice_alone(parameters))
       .solve([&](const Lattice& lattice, const Params&) {
         return answer_of(shortest_known_way(lattice, Unknown::is_asked, request.stop), lattice);
-      });
-}
-
-Result lazy_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
-                        const Params& parameters) {
-  return RequestSolver(robot, sensor, request, lattice_alone(parameters))
-      .solve([&](const Lattice& lattice, const Params&) {
-        return answer_of(shortest_tried_way(lattice, request.stop), lattice);
       });
 }
 

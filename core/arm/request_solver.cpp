@@ -23,13 +23,12 @@ Result invalid(Fault fault, const std::string& why) {
 /// The box of the lattice: all that the arm can reach, or `side` points about the middle of start
 /// and the first target; start and targets within. Nothing where it has too many points.
 std::optional<Box> box_of(const Kinematics& arm, Vec3 from, double pitch, int side,
-                          std::span<const std::array<int, 3>> targets, int postures,
-                          double& nodes) {
+                          std::span<const std::array<int, 3>> targets, double& nodes) {
   const std::array<double, 3> start{from.x, from.y, from.z};
   const Vec3 s = arm.shoulder();
   const std::array<double, 3> shoulder{s.x, s.y, s.z};
   Box box;
-  nodes = postures;
+  nodes = 1;
   for (int i = 0; i < 3; ++i) {
     if (side > 0) {
       const int middle = targets[0][i] / 2;
@@ -60,20 +59,6 @@ std::array<int, 3> point_near(Vec3 from, Vec3 to, double pitch) {
                             "take a larger one");
   }
   return rounded(way);
-}
-
-/// What a finer lattice found comes after what the ones before did.
-void append(Result more, Result& result) {
-  const auto join = [](auto& before, auto& after) {
-    after.insert(after.begin(), before.begin(), before.end());
-  };
-  join(result.best, more.best);
-  join(result.mean, more.mean);
-  join(result.arrived, more.arrived);
-  join(result.asked, more.asked);
-  more.iterations += result.iterations;
-  more.steps += result.steps;
-  result = std::move(more);
 }
 
 }  // namespace
@@ -132,9 +117,8 @@ Result RequestSolver::reach_goals(const Search& search) {
     if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay_at_goal(g);
   }
   if (auto done = find_targets()) return *std::move(done);
-  if (parameters_.trees > 0 && !ends_.empty())
-    if (auto met = grow_trees()) return *std::move(met);
-  return search_lattices(search);
+  if (parameters_.trees == 0) return search_lattice(search);
+  return ends_.empty() ? no_ends() : grow_trees();
 }
 
 Result RequestSolver::stay_at_goal(int goal) const {
@@ -162,30 +146,29 @@ std::optional<Result> RequestSolver::find_targets() {
   for (const int g : goals_) {
     const bool point =
         std::ranges::any_of(points, [&](const Targets::Point& one) { return one.goal == g; });
-    if (parameters_.postures > 1 || parameters_.direct || parameters_.trees > 0 || !point)
-      wanted.push_back(g);
+    if (parameters_.direct || parameters_.trees > 0 || !point) wanted.push_back(g);
   }
   if (wanted.empty()) return std::nullopt;
-  const int most = std::max(4, 4 * parameters_.postures);
+  const int most = parameters_.trees > 0 ? 24 : 4;
   ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, 0, kAttempts, most);
-  const std::vector<End> first = ends_;
+  std::vector<End> all = ends_;
   if (auto line = drop_blocked_ends()) return line;
   if (!ends_.empty() || ended()) return std::nullopt;
   // Where all of them touch something, more are looked for before that is said.
   ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, kAttempts, 3 * kAttempts,
-                    3 * most, first);
-  const std::size_t found = first.size() + ends_.size();
+                    3 * most, all);
+  all.insert(all.end(), ends_.begin(), ends_.end());
   if (auto line = drop_blocked_ends()) return line;
-  if (!ends_.empty() || first.empty() || wanted.size() < goals_.size() || ended() ||
-      (parameters_.postures == 1 && is_point(wanted.front()))) {
+  if (!ends_.empty() || all.empty() || wanted.size() < goals_.size() || ended() ||
+      (parameters_.trees == 0 && is_point(wanted.front()))) {
     return std::nullopt;
   }
-  const std::string contact = sensor_.contact(first.front().q);
-  return invalid(
-      Fault::goal_blocked,
-      "the arm touches something at the goal, in " +
-          (found == 1 ? "the only posture" : "each of " + std::to_string(found) + " postures") +
-          " found" + (contact.empty() ? "" : ": " + contact));
+  const std::string contact = sensor_.contact(all.front().q);
+  return invalid(Fault::goal_blocked,
+                 "the arm touches something at the goal, in " +
+                     (all.size() == 1 ? "the only posture"
+                                      : "each of " + std::to_string(all.size()) + " postures") +
+                     " found" + (contact.empty() ? "" : ": " + contact));
 }
 
 std::optional<Result> RequestSolver::drop_blocked_ends() {
@@ -237,7 +220,7 @@ Result RequestSolver::straight_line_result(const End& end) const {
   return result;
 }
 
-std::optional<Result> RequestSolver::grow_trees() {
+Result RequestSolver::grow_trees() {
   const auto may_ask = [&] {
     if (ended()) return false;
     ++asked_.motions;
@@ -246,10 +229,14 @@ std::optional<Result> RequestSolver::grow_trees() {
   const TreesWay way = grow_two_trees(robot_, sensor_, request_, ends_, parameters_.trees,
                                       parameters_.seed, may_ask);
   Result result;
-  if (way.waypoints.empty() && !ended()) return std::nullopt;
-  end_run(result, way.waypoints.empty() ? cause() : StopCondition::Cause::none,
-          way.waypoints.empty() ? Status::no_path : Status::solved);
-  if (way.waypoints.empty()) return result;
+  const bool met = !way.waypoints.empty();
+  end_run(result, met ? StopCondition::Cause::none : cause(),
+          met ? Status::solved : Status::no_path);
+  if (!met) {
+    result.error = "two trees of motions did not meet, after " + std::to_string(parameters_.trees) +
+                   " joint values; try more (trees), or another seed";
+    return result;
+  }
   result.goal = way.goal;
   result.trees = true;
   const std::ptrdiff_t count = std::ssize(way.waypoints);
@@ -277,59 +264,51 @@ Targets RequestSolver::targets_at(double pitch) const {
   return targets;
 }
 
-Result RequestSolver::search_lattices(const Search& search) {
+Result RequestSolver::no_ends() {
   Result result;
-  for (int level = 0; level <= parameters_.refine; ++level) {
-    const double pitch = std::ldexp(parameters_.pitch, -level);
-    Targets targets = targets_at(pitch);
-    std::vector<std::array<int, 3>> at;
-    for (const auto& point : targets.points) at.push_back(point.at);
-    for (const End& end : targets.ends) at.push_back(point_near(from_, end.tip, pitch));
-    if (at.empty() && ended()) {
-      end_run(result, cause(), Status::no_path);
-      return result;
-    }
-    if (at.empty()) {
-      result.error = "no joint values were found that reach the goal, in " +
-                     std::to_string(4 * kAttempts) +
-                     " attempts from random ones; try larger tolerances, or another orientation";
-      return result;
-    }
-    double nodes = 0;
-    const auto box =
-        box_of(*arm_, from_, pitch, parameters_.side << level, at, parameters_.postures, nodes);
-    if (!box && level > 0) return result;
-    if (!box) {
-      throw invalid_parameter("pitch is " + number_text(pitch) + ", which makes a lattice of " +
-                                  number_text(nodes) + " points in all postures",
-                              "take a larger pitch, less postures or a smaller side: at most " +
-                                  std::to_string(Lattice::kMostNodes) + " fit");
-    }
-    Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
-                    parameters_, request_.stop, asked_);
-    add_postures(lattice);
-    if (lattice.has_target()) {
-      append(search(lattice, parameters_), result);
-    } else {  // or they were not looked for: it was told to stop
-      end_run(result, cause(), Status::no_path);
-      result.error = lattice.not_found() +
-                     ": joint values continued from the start do not reach the goal; " +
-                     lattice.larger();
-    }
-    asked_ = lattice.questions();
-    out_of_questions_ |= lattice.out_of_questions();
-    if (result.fault == Fault::goal_blocked && !every_posture_blocked()) {
-      result.fault = Fault::none;
-      end_run(result, cause(), Status::no_path);
-      result.error = lattice.not_found() +
-                     ", the posture tried at the goal touches something; try more postures";
-    }
-    result.questions = asked_;
-    result.pitch = pitch;
-    result.postures = lattice.postures();
-    for (int i = 0; i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
-    if (result.status != Status::no_path) break;
+  end_run(result, cause(), Status::no_path);
+  result.error = "no joint values were found that reach the goal, in " +
+                 std::to_string(4 * kAttempts) +
+                 " attempts from random ones; try larger tolerances, or another orientation";
+  return result;
+}
+
+Result RequestSolver::search_lattice(const Search& search) {
+  const double pitch = parameters_.pitch;
+  Targets targets = targets_at(pitch);
+  std::vector<std::array<int, 3>> at;
+  for (const auto& point : targets.points) at.push_back(point.at);
+  for (const End& end : targets.ends) at.push_back(point_near(from_, end.tip, pitch));
+  if (at.empty()) return no_ends();
+  double nodes = 0;
+  const auto box = box_of(*arm_, from_, pitch, parameters_.side, at, nodes);
+  if (!box) {
+    throw invalid_parameter("pitch is " + number_text(pitch) + ", which makes a lattice of " +
+                                number_text(nodes) + " points",
+                            "take a larger pitch or a smaller side: at most " +
+                                std::to_string(Lattice::kMostNodes) + " fit");
   }
+  const Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
+                        parameters_, request_.stop, asked_);
+  Result result;
+  if (lattice.has_target()) {
+    result = search(lattice, parameters_);
+  } else {  // or it was not looked for: it was told to stop
+    end_run(result, cause(), Status::no_path);
+    result.error = lattice.not_found() +
+                   ": joint values continued from the start do not reach the goal; " + kTryElse;
+  }
+  asked_ = lattice.questions();
+  out_of_questions_ |= lattice.out_of_questions();
+  if (result.fault == Fault::goal_blocked && !every_posture_blocked()) {
+    result.fault = Fault::none;
+    end_run(result, cause(), Status::no_path);
+    result.error = lattice.not_found() + ", the posture tried at the goal touches something; " +
+                   "try the algorithm postures";
+  }
+  result.questions = asked_;
+  result.pitch = pitch;
+  for (int i = 0; i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
   return result;
 }
 
@@ -340,19 +319,8 @@ void RequestSolver::fill_lattice_fields(Result& result) const {
   const std::array<std::array<int, 3>, 1> at{{point_near(from_, to, parameters_.pitch)}};
   double nodes = 0;
   result.pitch = parameters_.pitch;
-  const auto box = box_of(*arm_, from_, result.pitch, parameters_.side, at, 1, nodes);
+  const auto box = box_of(*arm_, from_, result.pitch, parameters_.side, at, nodes);
   for (int i = 0; box && i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
-}
-
-void RequestSolver::add_postures(Lattice& lattice) const {
-  if (parameters_.postures == 1) return;
-  for (const End& end : ends_) lattice.add_posture(end.q);
-  Request here{.start = request_.start, .goals = {Goal(Eigen::Vector3d(from_))}};
-  const std::array<int, 1> only{0};
-  for (const End& other : find_ends(robot_, *arm_, here, only, parameters_.seed, 0, kAttempts / 2,
-                                    2 * parameters_.postures)) {
-    lattice.add_posture(other.q);
-  }
 }
 
 }  // namespace lasius::arm

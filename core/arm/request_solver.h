@@ -1,4 +1,4 @@
-// One request on its way to a result: checks, the straight line, then lattices of falling pitch.
+// One request on its way to a result: checks, the straight line, then two trees or a lattice.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ class RequestSolver {
   RequestSolver(const Robot& robot, const Sensor& sensor, const Request& request,
                 const Params& given);
 
-  /// The result; `search` is called once for each pitch, unless none is needed.
+  /// The result; `search` is called where a lattice is needed.
   Result solve(const Search& search);
 
   const Request& request() const noexcept { return request_; }
@@ -43,18 +43,17 @@ class RequestSolver {
   std::optional<Result> drop_blocked_ends();
   /// False where some posture at the goals is free, or there was no time to look for one.
   bool every_posture_blocked();
-  /// Nothing where they do not meet; a result also where they are told to stop.
-  std::optional<Result> grow_trees();
+  Result grow_trees();
   /// The length of a straight line in the unit of the objective; of `length` pitch times the
   /// lattice moves between the tips, or times the joint steps where those are more.
   double line_length(const JointVector& a, const JointVector& b) const;
   Result straight_line_result(const End& end) const;
   Targets targets_at(double pitch) const;
-  Result search_lattices(const Search& search);
-  /// Pitch and points of the first lattice, where none was laid out.
+  Result search_lattice(const Search& search);
+  /// The answer where no posture reaches a goal, as far as it is known.
+  Result no_ends();
+  /// Pitch and points of the lattice, where none was laid out.
   void fill_lattice_fields(Result& result) const;
-  /// Adds the postures of ends_, then others in which the tip is where it starts.
-  void add_postures(Lattice& lattice) const;
 
   const Robot& robot_;
   const Sensor& sensor_;

@@ -1,5 +1,5 @@
-// The planner for arms: an ant colony in the lattice of tip positions around the start, which
-// learns of obstacles only by trying positions.
+// The planner for arms: two trees of certified motions, or an ant colony in the lattice of tip
+// positions around the start. Both learn of obstacles only by asking a sensor.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ constexpr std::string_view to_string(Objective v) noexcept { return name_of(v, k
 /// Parameters of one plan. The constructor sets the values of an algorithm, which `algorithms()`
 /// lists: `postures`, the default, or `goritov2020`, the source's system and base set (Goritov &
 /// Goncharov 2020). Both read all of them; `postures` is other values: it tries the straight line,
-/// then two trees (Params::trees), and then the lattice.
+/// then two trees (Params::trees) in place of the lattice.
 struct LASIUS_ARM_EXPORT Params {
   /// Those of `postures`.
   Params() : Params("postures") {}
@@ -61,17 +61,17 @@ struct LASIUS_ARM_EXPORT Params {
 
   // As given here, those of the source's base set.
   int ants = 64;         ///< m
-  int iterations = 100;  ///< T, in each lattice
+  int iterations = 100;  ///< T
   // Random proportional rule: weight of a move = tau^alpha eta^beta u^gamma, with eta = pitch /
   // weight of the edge and u = 1 / (1 + theta), theta the angle between the move and the way to the
-  // goal; a change of posture counts as a move across.
+  // goal.
   double alpha = 1;           ///< exponent of pheromone
   double beta = 1;            ///< of eta: without effect, a move is drawn as if all weighed a pitch
   double gamma = 0.25;        ///< exponent of the direction to the goal
   double persistence = 0.75;  ///< share of pheromone that remains: 1 - rho
   double elite_weight = 0;    ///< e: weight of the iteration's best tour
-  /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal. Of goritov2020 0.01:
-  /// the source's is "a small positive number", the same for any number of ants.
+  /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal. Of both algorithms
+  /// 0.01: the source's is "a small positive number", the same for any number of ants.
   double initial_pheromone = 0;
   Pheromone pheromone = Pheromone::arcs;  ///< what carries it
   DeadEnd dead_end = DeadEnd::backtrack;  ///< what an ant does when every move is closed
@@ -84,28 +84,11 @@ struct LASIUS_ARM_EXPORT Params {
   double line_ants = 0;     ///< ants whose deposits lie on the straight way before the first
   bool shortcut = true;     ///< leave out waypoints before the motion: TrajectoryOptions::shortcut
 
-  // What the source has not. With postures = 1 the goal is the lattice point next to it, moved onto
-  // it, as in the source; with more, it is joined by joint steps.
-  int postures = 1;     ///< K: joint values that a lattice point may have, 1 .. 16
+  // What the source has not.
   bool direct = false;  ///< first try the straight joint-space line to each posture of the goals
   /// Then two trees of straight motions grow from the start and the goals, by so many joint values
-  /// at most, 0 .. 10^9: what finds a way at once where questions are cheap. A lattice is searched
-  /// where they do not meet. 0: none.
+  /// at most, 0 .. 10^9, and no lattice is searched; 0: none.
   int trees = 0;
-  /// Weight of the straight joint-space line to the nearest posture of the goals, from wherever an
-  /// ant is: 0 .. 0.99. Such lines are not of the lattice, no bound counts them.
-  double lines = 0;
-  /// Steps that an ant may take, in those of the shortest way there might be; 0: any number. Twice
-  /// as many after each iteration in which none arrived for want of steps.
-  double leash = 0;
-  /// Random joint values, 0 .. 1000, by way of which an arm tries to get past after an iteration in
-  /// which no ant arrived for want of steps.
-  int vias = 0;
-  int refine = 0;      ///< halve the pitch so often where nothing is found, 0 .. 4
-  bool prove = false;  ///< stop when no way in the lattice can be shorter, as far as it is known
-  /// The first ant of an iteration sets out on the shortest way that may be open, as far as it is
-  /// known: what shows that there is none shorter is asked first.
-  bool scout = false;
   Objective objective = Objective::length;  ///< what is optimised
   /// Questions that may be asked, the motion's included; 0: any number. Otherwise one thread walks.
   int max_questions = 0;
@@ -189,21 +172,20 @@ struct Questions {
 /// `joints` and `tips` have no columns, and the trajectory is empty. Where the search is solved,
 /// `status` is that of the motion.
 struct Result : SearchResult {
-  Eigen::MatrixXd joints;       ///< q^(0) .. q^(p), a column for each lattice point of the path
-  Eigen::Matrix3Xd tips;        ///< where the tip is then, likewise
-  Trajectory trajectory;        ///< the motion along `joints`; empty where none was asked for
-  int waypoints = 0;            ///< of the motion, left after shortcutting
-  bool stops = false;           ///< the motion rests at each waypoint: see TrajectoryResult
-  int goal = -1;                ///< which of the request's was reached, from 0; -1: none
-  bool direct = false;          ///< the straight joint-space line was free: no lattice was searched
-  bool trees = false;           ///< two trees met: no lattice was searched
-  double tip_travel = 0;        ///< of the motion (without one, of `joints`), metres
-  double joint_travel = 0;      ///< likewise, how long the way is in joint space
-  double duration = 0;          ///< of the motion, seconds
-  double pitch = 0;             ///< as used, in the last lattice
-  int postures = 0;             ///< that its points have at most
-  std::array<int, 3> points{};  ///< of the lattice, by axis
-  Questions questions;          ///< that the sensor was asked
+  Eigen::MatrixXd joints;          ///< q^(0) .. q^(p), a column for each lattice point of the path
+  Eigen::Matrix3Xd tips;           ///< where the tip is then, likewise
+  Trajectory trajectory;           ///< the motion along `joints`; empty where none was asked for
+  int waypoints = 0;               ///< of the motion, left after shortcutting
+  bool stops = false;              ///< the motion rests at each waypoint: see TrajectoryResult
+  int goal = -1;                   ///< which of the request's was reached, from 0; -1: none
+  bool direct = false;             ///< the straight joint-space line was free
+  bool trees = false;              ///< two trees met
+  double tip_travel = 0;           ///< of the motion (without one, of `joints`), metres
+  double joint_travel = 0;         ///< likewise, how long the way is in joint space
+  double duration = 0;             ///< of the motion, seconds
+  double pitch = 0;                ///< as used, of the lattice
+  std::array<int, 3> points{};     ///< of the lattice, by axis
+  Questions questions;             ///< that the sensor was asked
   std::vector<Questions> asked;    ///< the same so far, after each iteration
   std::int64_t steps = 0;          ///< of all ants, those taken back included
   std::vector<std::string> notes;  ///< what of the request was changed, for people
@@ -229,8 +211,7 @@ using Observer = std::function<void(const ArmProgress&)>;
 /// values of a point are found by kinematics from those of the neighbour towards the start, along
 /// the axis with the largest |v_i| (or the next largest, where that one has none): a function of v
 /// alone. An edge is closed where an end has none, a joint would move further than `joint_step`, or
-/// the sensor says so. With Params::postures a point has as many, the others continued from joint
-/// values that reach a goal or stand where the tip starts; see docs/theory.md.
+/// the sensor says so.
 ///
 /// An ant draws among the neighbours that it has not visited, and tries what it drew: if the way is
 /// closed it draws again among the rest. That is the source's rule, and makes a walk depend on the
@@ -242,23 +223,18 @@ using Observer = std::function<void(const ArmProgress&)>;
 ///         out of range, a lattice that is too large, or (for a motion) a duration that is none or
 ///         a sensor's clearance below its least; what the sensor or the observer throws. A bad
 ///         start, or goals all of which are proven out of reach or blocked, are an answer:
-///         Status::invalid. That no way was found in the lattice is Status::no_path, with `error`
+///         Status::invalid. That no way was found is Status::no_path, with `error`
 ///         saying what to change.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Params& parameters = {}, const Observer& observer = {});
 
 /// The shortest way in the same lattice when everything is known: A*, which asks the sensor about
 /// whatever it needs. A measure for `plan`, not a planner for unknown worlds: neither the straight
-/// joint-space line is tried nor the pitch refined. Status::solved with `length`, `lower_bound` and
+/// joint-space line nor trees are tried. Status::solved with `length`, `lower_bound` and
 /// `questions`, Status::no_path, or as `plan`; no joints, no tips, no motion.
 LASIUS_ARM_EXPORT Result shortest_lattice_way(const Robot& robot, const Sensor& sensor,
                                               const Request& request,
                                               const Params& parameters = {});
-
-/// The same with few questions: the shortest way as far as it is known is tried edge by edge, and
-/// searched anew where one is closed.
-LASIUS_ARM_EXPORT Result lazy_lattice_way(const Robot& robot, const Sensor& sensor,
-                                          const Request& request, const Params& parameters = {});
 
 /// The way of the tip that keeps nearest to the straight line: Status::solved with its `length`
 /// where it is open, Status::no_path where something is in the way, or as `plan`. Likewise a

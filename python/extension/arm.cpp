@@ -36,8 +36,8 @@ py::tuple questions(const arm::Questions& q) {
 py::tuple fields(const arm::Result& r) {
   return py::make_tuple(search_fields(r), rows_of(r.joints), rows_of(r.tips), r.trajectory,
                         r.waypoints, r.stops, r.goal, r.direct, r.trees, r.tip_travel,
-                        r.joint_travel, r.duration, r.pitch, r.postures, r.points,
-                        questions(r.questions), r.steps, r.notes);
+                        r.joint_travel, r.duration, r.pitch, r.points, questions(r.questions),
+                        r.steps, r.notes);
 }
 
 py::tuple plan_motion(const arm::Robot& robot, const arm::SceneSensor& sensor,

@@ -363,7 +363,6 @@ class Result(SearchResult):
     joint_travel: float  #: how long the way is in joint space
     duration: float  #: of the motion, seconds
     pitch: float  #: of the lattice, metres
-    postures: int  #: that its points have at most
     points: List[int]  #: of the lattice, by axis
     questions: Questions
     steps: int  #: of all ants

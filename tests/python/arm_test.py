@@ -100,7 +100,7 @@ def test_what_is_refused(robot, query, tmp_path):
 
 
 def test_parameters_and_scenes(robot, maps):
-    assert arm.Params(prove=True).prove is True and arm.Params().prove in (True, False)
+    assert arm.Params(direct=False).direct is False and arm.Params().direct is True
     assert pickle.loads(pickle.dumps(arm.Params("goritov2020", ants=9))) == arm.Params("goritov2020", ants=9)
     assert len(arm.Scene()) == 0 and len(arm.Scene.read(maps / "arms/cell.json")) > 0
     assert arm.position_free(robot, arm.Scene(), np.zeros(3))

@@ -228,6 +228,14 @@ class Arm(ProgramTest):
         self.assertNotIn("no time", fewer.err)
         self.write("fewer.json", fewer.out)
         self.assertEqual(self.run_program("verify", "fewer.json").code, 0)
+        # Parameters that are gone: idle ones are passed over, others are refused.
+        old = self.arm("--json", "--algorithm", "goritov2020", "--iterations", "3").json
+        old["parameters"].update(postures=1, lines=0, leash=0, vias=0, refine=0, prove="off", scout="off")
+        self.write("old.json", json.dumps(old))
+        self.assertEqual(self.run_program("verify", "old.json").code, 0)
+        old["parameters"]["leash"] = 2
+        self.write("old.json", json.dumps(old))
+        self.refused(self.run_program("verify", "old.json"), 3, "parameter leash, which is gone")
         met = self.arm("--json", "--set", "direct=off").json
         self.assertEqual((met["trees"], met["iterations"], met["status"]), (True, 0, "solved"))
         for objective in ("joint", "duration"):
@@ -298,7 +306,7 @@ class Arm(ProgramTest):
         run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off", "--set", "trees=0",
                      "--goal-joints", "0.3,1.1,0.2", start="0,0,0", goal=None)
         self.assertIn("try a smaller pitch", run.err)
-        self.assertNotIn("more postures", run.err)
+        self.assertIn("did not meet", status(6, "no_path", "--set", "trees=1", "--set", "direct=off").err)
         status(6, "no_path", "--set", "iterations=0", "--set", "trees=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")

@@ -196,6 +196,15 @@ Json trajectory_json(const ArmAnswer& answer, double rate) {
 ArmCommand recorded_command(const Recorded& from) {
   const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
   const Json& result = from.result;
+  const Json& given = value_at(result, "parameters");
+  const bool ants = value_at(result, "iterations") != 0;
+  for (const std::string gone :
+       {"postures", "lines", "leash", "vias", "refine", "prove", "scout"}) {
+    const Json idle = gone == "postures" ? 1 : 0;
+    if (ants && given.contains(gone) && given[gone] != idle && given[gone] != "off")
+      throw UsageError("it was sought in a lattice with the parameter " + gone +
+                       ", which is gone: verify it with the version that wrote it");
+  }
   ArmCommand command;
   read_recorded(from, algorithm, command);
   command.robot = from.found(recorded<std::string>(result, "robot/file"));

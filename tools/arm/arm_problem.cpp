@@ -241,8 +241,9 @@ class ArmProblem : public Problem {
     json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);
     json["notes"] = plan.notes;
     add_tip_json(command_, found_, json);
-    json["lattice"] = {
-        {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
+    json["lattice"] = {{"pitch", number(plan.pitch)},
+                       {"points", plan.points},
+                       {"postures", plan.asked.empty() ? 0 : 1}};
     return json;
   }
   Json findings() const {

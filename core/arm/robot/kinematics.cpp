@@ -190,18 +190,17 @@ double Kinematics::step_towards(Vec3 target, const Poses& poses, std::span<const
   return moved;
 }
 
-bool Kinematics::reach_for(Vec3 target, std::span<const double> rest, std::span<double> q,
-                           bool quick) const noexcept {
-  const int most_steps = quick ? 20 : 60;
+bool Kinematics::reach_for(Vec3 target, std::span<const double> rest,
+                           std::span<double> q) const noexcept {
+  constexpr int kMostSteps = 60;
   constexpr double kStill = 1e-6;  // radians or metres: the pull has come to rest
   if (distance(target, shoulder()) > reach_ + kTolerance) return false;
 
   Poses poses;
-  for (int count = 0; count < most_steps; ++count) {
+  for (int count = 0; count < kMostSteps; ++count) {
     place(q, poses);
-    if (quick && distance(target, tip(poses)) <= kTolerance) return true;
     const double moved = step_towards(target, poses, rest, q);
-    if (moved < kStill || count + 1 == most_steps) {
+    if (moved < kStill || count + 1 == kMostSteps) {
       place(q, poses);
       if (distance(target, tip(poses)) <= kTolerance) return true;
     }

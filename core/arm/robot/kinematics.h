@@ -75,9 +75,7 @@ class Kinematics {
   /// Damped least squares with its damping proportional to the squared error (Levenberg's rule, as
   /// in Sugihara 2011), and a pull towards `rest` in the null space; a joint at its limit takes no
   /// further part in a step that would push it out.
-  /// `quick` ends as soon as the tip is there, wherever the pull is then, and gives up earlier.
-  bool reach_for(Vec3 target, std::span<const double> rest, std::span<double> q,
-                 bool quick = false) const noexcept;
+  bool reach_for(Vec3 target, std::span<const double> rest, std::span<double> q) const noexcept;
 
   /// Brings the tip's frame to within the tolerances of `target`, starting from `q`, which is
   /// overwritten; false where it does not get there. No pull towards rest values.

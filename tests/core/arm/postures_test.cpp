@@ -15,7 +15,7 @@
 #include "tests/core/arm/questions.h"
 #include "tests/core/base/refusal.h"
 
-// What `postures` adds to the source's system: more than one posture a point, goals of other kinds.
+// What `postures` plans: goals of every kind, in whatever posture they are reached.
 namespace lasius::arm {
 namespace {
 
@@ -71,7 +71,7 @@ TEST(ArmPostures, ReachesWhateverJointValuesReach) {
       const Eigen::Vector3d goal = tip_position(robot, random_values(robot, engine));
       for (const bool direct : {true, false}) {
         if (!direct && i % 5 != 0) continue;
-        Params p = in_lattice();
+        Params p = by_trees();
         p.direct = direct;
         const Result r = plan(robot, sensor, {.start = start, .goals = {goal}}, p);
         ASSERT_EQ(r.status, Status::solved) << name << " " << i << " " << r.error;
@@ -102,7 +102,7 @@ TEST(ArmPostures, ChangesToThePostureThatIsFree) {
   const Result source = plan(robot, sensor, request, Params("goritov2020"));
   EXPECT_NE(source.status, Status::solved);
   for (const bool direct : {true, false}) {
-    Params p = in_lattice();
+    Params p = by_trees();
     p.direct = direct;
     const Result r = plan(robot, sensor, request, p);
     ASSERT_EQ(r.status, Status::solved) << r.error;
@@ -119,7 +119,7 @@ TEST(ArmPostures, GoalsArePosesJointValuesAndSeveral) {
   const Pose pose = tip_pose(robot, there);
   const KDL::Frame wanted = frame_by_kdl(robot, there);
   for (const bool direct : {true, false}) {
-    Params p = in_lattice();
+    Params p = by_trees();
     p.direct = direct;
     const Result posed = plan(robot, sensor, {.start = start, .goals = {Goal::pose(pose)}}, p);
     ASSERT_EQ(posed.status, Status::solved) << posed.error;
@@ -203,7 +203,7 @@ TEST(ArmPostures, AGoalIsNotBlockedWhereOneOfItsPosturesIs) {
   const Result r = plan(robot, sensor, request, Params("goritov2020"));
   EXPECT_EQ(r.status, Status::no_path) << r.error;
   EXPECT_EQ(r.fault, Fault::none);
-  expect_says(r.error, "try more postures");
+  expect_says(r.error, "try the algorithm postures");
 }
 
 /// All is free but some positions.

@@ -43,12 +43,10 @@ inline Request across(const Robot& robot) {
   return {.start = joints({0.6, 1.2}), .goals = {goal}};
 }
 
-/// A lattice search without the straight line, quick enough for a test.
-inline Params in_lattice() {
+/// Two trees without the straight line.
+inline Params by_trees() {
   Params p;
   p.direct = false;
-  p.trees = 0;
-  p.threads = 1;
   return p;
 }
 
