@@ -193,18 +193,22 @@ Json trajectory_json(const ArmAnswer& answer, double rate) {
           {"samples", samples}};
 }
 
-ArmCommand recorded_command(const Recorded& from) {
-  const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
-  const Json& result = from.result;
+std::string unlike_lattice(const Json& result) {
+  if (value_at(result, "iterations") == 0) return {};
   const Json& given = value_at(result, "parameters");
-  const bool ants = value_at(result, "iterations") != 0;
   for (const std::string gone :
        {"postures", "lines", "leash", "vias", "refine", "prove", "scout"}) {
     const Json idle = gone == "postures" ? 1 : 0;
-    if (ants && given.contains(gone) && given[gone] != idle && given[gone] != "off")
-      throw UsageError("it was sought in a lattice with the parameter " + gone +
-                       ", which is gone: verify it with the version that wrote it");
+    if (given.contains(gone) && given[gone] != idle && given[gone] != "off")
+      return "it was sought in a lattice with the parameter " + gone +
+             ", which is gone; plan it anew, or verify it with the version that wrote it";
   }
+  return {};
+}
+
+ArmCommand recorded_command(const Recorded& from) {
+  const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
+  const Json& result = from.result;
   ArmCommand command;
   read_recorded(from, algorithm, command);
   command.robot = from.found(recorded<std::string>(result, "robot/file"));

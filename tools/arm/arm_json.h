@@ -28,5 +28,7 @@ Json trajectory_json(const ArmAnswer& answer, double rate);
 
 /// The question of a saved result. @throws UsageError for what is missing or no such value.
 ArmCommand recorded_command(const Recorded& recorded);
+/// Why a result of an earlier `postures` cannot be replayed; empty where it can.
+std::string unlike_lattice(const Json& result);
 
 }  // namespace lasius::tool

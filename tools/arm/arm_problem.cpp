@@ -345,6 +345,7 @@ const ProblemKind& arm_kind() {
       .again = [](const Recorded& from, const Problem*) -> std::unique_ptr<Problem> {
         return std::make_unique<ArmProblem>(recorded_command(from));
       },
+      .unlike = unlike_lattice,
       .counted =
           [](const Json& result) {
             const Json& given = value_at(result, "parameters");
