@@ -57,8 +57,9 @@ class Ascent {
       const Sum earlier = bound;
       number_legs();
       keep();
-      const int patience = std::clamp(kIdleStops / costs_.size(), kLeastIdle, kMostIdle);
-      ascend(*this, upper * kScale, -kFar, {pace.first, pace.last, 1.0 * (patience / pace.share)});
+      const int patience =
+          std::clamp(kIdleStops / costs_.size(), kLeastIdle, kMostIdle) / pace.share;
+      ascend(*this, upper * kScale, -kFar, {pace.first, pace.last, static_cast<double>(patience)});
       back();
       std::vector<std::pair<int, int>> more;
       bound = std::max(bound, dense_tree(more));

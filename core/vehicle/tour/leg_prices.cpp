@@ -42,9 +42,10 @@ LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int th
               around, planner_.lower_bound(
                           {.start = at(leg.first).pose, .goals = {at(leg.second).pose}}, false));
   });
+  constexpr tour::Cost kLongest = kDearest / 8;  // so that detours are below kDearest, too
   double most = 1;
   for (const double bound : bounds_) most = std::max(most, bound);
-  scale_ = std::min(tour::kGrains, kDearest / 8 / most);
+  scale_ = std::min(tour::kGrains, kLongest / most);
   lower_.reserve(bounds_.size());
   for (const double bound : bounds_) lower_.push_back(tour::grains(bound, scale_));
   costs_ = lower_;
