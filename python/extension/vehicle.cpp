@@ -1,5 +1,6 @@
 // Vehicles.
 #include <array>
+#include <type_traits>
 
 #include "lasius/vehicle/profile.h"
 #include "python/extension/arrays.h"
@@ -64,6 +65,12 @@ std::vector<Pose> poses_from(const Rows& rows, const char* name) {
   for (py::ssize_t i = 0; i < n; ++i)
     poses.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
   return poses;
+}
+
+py::array_t<double> pose_rows(const std::vector<Pose>& poses) {
+  static_assert(std::is_standard_layout_v<Pose> && sizeof(Pose) == 3 * sizeof(double));
+  return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), py::ssize_t{3}},
+                             reinterpret_cast<const double*>(poses.data()));
 }
 
 py::tuple vehicle_fields(const vehicle::Result& found) {

@@ -37,7 +37,7 @@ from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
 from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
-from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
+from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, VehicleTourResult, plan_vehicle
 from .vehicle_navigator import VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan
 
 __all__ = [
@@ -81,6 +81,7 @@ __all__ = [
     "VehicleNavigator",
     "VehiclePlanner",
     "VehicleResult",
+    "VehicleTourResult",
     "VehicleWay",
     "Way",
     "Workspace",

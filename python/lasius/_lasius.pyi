@@ -391,10 +391,10 @@ def vehicle_timed_poses(
     segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]
 ) -> npt.NDArray[np.float64]: ...
 def tour(
-    planner: Planner,
-    over: Optional[CostPlanner],
+    planner: Union[Planner, CostPlanner, VehiclePlanner],
     cells: npt.NDArray[np.int32],
     points: npt.NDArray[np.float64],
+    yaws: List[Optional[float]],
     open: bool,
     start: Optional[int],
     goal: Optional[int],
