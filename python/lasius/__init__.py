@@ -38,7 +38,7 @@ from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
 from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
 from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, VehicleTourResult, plan_vehicle
-from .vehicle_navigator import VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan
+from .vehicle_navigator import VehicleDriveResult, VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan, drive_vehicle
 
 __all__ = [
     "Algorithm",
@@ -78,6 +78,7 @@ __all__ = [
     "RobotTour",
     "TourResult",
     "Vehicle",
+    "VehicleDriveResult",
     "VehicleNavigator",
     "VehiclePlanner",
     "VehicleResult",
@@ -92,6 +93,7 @@ __all__ = [
     "cells_of_scan",
     "clearance",
     "drive",
+    "drive_vehicle",
     "generate",
     "grow_obstacles",
     "map_kinds",

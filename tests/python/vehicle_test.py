@@ -177,3 +177,30 @@ def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
     assert navigator.step((8, 8, 0)).goal == 0
     with pytest.raises(lasius.InvalidParameter):
         navigator.step((np.nan, 0, 0))
+
+
+def test_a_drive(yard):
+    truth = yard.to_array(free=True)
+    truth[20:60, 40:42] = False
+    world, start, goal = lasius.Grid(truth, free=True), (8, 8, 0), (70, 50, 0)
+    changes = lasius.Changes()
+    changes.add_change(tick=5, x=60, y=20, width=4, height=4, blocked=True)
+    told = []
+    run = lasius.drive_vehicle(yard, world, CAR, start, goal, changes=changes, sense=10,
+                               observer=lambda tick: told.append((tick.robot, len(tick.path))))
+    assert run.status == "solved" and len(run.poses) == run.ticks + 1 == len(run.track) and run.seen > 0
+    assert run.poses[0] == pytest.approx(start) and run.poses[-1, :2] == pytest.approx(goal[:2], abs=1e-6)
+    assert np.cos(run.poses[-1, 2] - goal[2]) == pytest.approx(1)
+    assert len(run.moves) == run.ticks - run.waits and run.length == pytest.approx(run.moves[:, 5].sum())
+    assert np.array_equal(np.floor(run.poses[:, :2]), run.track)
+    judge = VehiclePlanner(world, CAR)
+    assert all(judge.free(tuple(pose)) for pose in run.poses)
+    assert told[0][0] == (8, 8) and told[0][1] > 1 and len(told) == len(run.track)
+    assert pickle.loads(pickle.dumps(run)) == run and len(run.replans) > 1
+    ended = lasius.drive_vehicle(yard, world, CAR, start, goal, observer=lambda tick: tick.stop())
+    assert (ended.status, ended.ticks, ended.moves.shape) == ("interrupted", 0, (0, 8))
+    assert lasius.drive_vehicle(yard, world, CAR, start, goal, max_ticks=3).limit == "ticks"
+    for wrong, problem in (({"goal": (np.nan, 1, 0)}, "goal"), ({"start": (np.inf, 1, 0)}, "start"),
+                           ({"sense": 0.0}, "sense"), ({"seed": -1}, "seed")):
+        with pytest.raises(lasius.InvalidParameter, match=problem):
+            lasius.drive_vehicle(yard, world, CAR, **{"start": start, "goal": goal, **wrong})
