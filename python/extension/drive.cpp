@@ -1,11 +1,15 @@
 // A drive through a world that changes, and what happens to the world.
 #include "lasius/drive.h"
 
+#include <array>
+
+#include "lasius/vehicle/drive.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
 #include "python/extension/navigator_class.h"
 #include "python/extension/progress.h"
+#include "python/extension/vehicle_class.h"
 
 namespace lasius::python {
 namespace {
@@ -31,18 +35,54 @@ py::tuple fields(const DriveResult& r) {
                         r.deferred_changes, r.goal_reached, r.cost);
 }
 
+DriveOptions drive_options(double sense, std::int64_t max_ticks,
+                           std::optional<double> seconds_per_tick, std::uint64_t seed) {
+  DriveOptions options{.sense = sense, .max_ticks = max_ticks, .seed = seed};
+  if (seconds_per_tick) options.seconds_per_tick = *seconds_per_tick;
+  return options;
+}
+
 py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
                  const NavigatorOptions& navigator, double sense, std::int64_t max_ticks,
                  std::optional<double> seconds_per_tick, std::optional<double> time_limit,
                  const py::object& callback) {
   Call call(time_limit);
-  DriveOptions options{.sense = sense, .max_ticks = max_ticks, .seed = navigator.params.seed};
-  if (seconds_per_tick) options.seconds_per_tick = *seconds_per_tick;
+  const DriveOptions options =
+      drive_options(sense, max_ticks, seconds_per_tick, navigator.params.seed);
   const DriveObserver observe = observer<DriveTick>(call, callback);
   const DriveResult result = call.run([&] {
     return drive(map, truth, start, goal, changes, options, navigator, call.condition(), observe);
   });
   return py::make_tuple(call.error(), fields(result));
+}
+
+/// (error, fields of lasius.DriveResult, poses at each tick, moves)
+py::tuple vehicle_driven(const Grid& map, const Grid& truth, const Rows& footprint,
+                         double turning_radius, bool reverse, double reverse_cost, double cusp_cost,
+                         bool rotate_in_place, double rotation_cost, bool sideways,
+                         double curvature_rate, const std::array<double, 3>& start,
+                         const Rows& goals, const Changes& changes, double goal_tolerance,
+                         double heading_tolerance, double weight, bool smooth, double sense,
+                         std::int64_t max_ticks, std::optional<double> seconds_per_tick,
+                         std::uint64_t seed, std::optional<double> time_limit,
+                         const py::object& callback) {
+  Call call(time_limit);
+  const vehicle::Vehicle driver =
+      vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost, rotate_in_place,
+                   rotation_cost, sideways, curvature_rate);
+  const vehicle::NavigatorOptions navigator{.goal_tolerance = goal_tolerance,
+                                            .heading_tolerance = heading_tolerance,
+                                            .weight = weight,
+                                            .smooth = smooth};
+  const DriveOptions options = drive_options(sense, max_ticks, seconds_per_tick, seed);
+  const std::vector<vehicle::Pose> ends = poses_from(goals, "goal");
+  const DriveObserver observe = observer<DriveTick>(call, callback);
+  const vehicle::DriveResult result = call.run([&] {
+    return vehicle::drive(map, truth, driver, {start[0], start[1], start[2]}, ends, changes,
+                          options, navigator, call.condition(), observe);
+  });
+  return py::make_tuple(call.error(), fields(result), pose_rows(result.poses),
+                        segment_rows(result.moves));
 }
 
 py::array_t<std::int32_t> rectangles(const std::vector<Rectangle>& all) {
@@ -94,6 +134,7 @@ void bind_drive(py::module_& module) {
   bind_tick(module);
   bind_changes(module);
   module.def("drive", &driven);
+  module.def("drive_vehicle", &vehicle_driven);
 }
 
 }  // namespace lasius::python

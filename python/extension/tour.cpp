@@ -2,9 +2,11 @@
 #include "lasius/tour.h"
 
 #include "lasius/tour/cover.h"
+#include "lasius/vehicle/tour.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
+#include "python/extension/vehicle_class.h"
 
 namespace lasius::python {
 namespace {
@@ -32,6 +34,14 @@ py::tuple fields(const TourResult& tour) {
                         tour.lower_bound, tour.gap(), tour.optimal, left_out, tour.priced,
                         to_array(lengths), to_array(std::span<const Point>(points)),
                         to_array(offsets), tour.cost.value_or(NAN), to_array(costs), tours);
+}
+
+/// The fields of lasius.VehicleTourResult: those of a tour, then its own.
+py::tuple fields(const vehicle::TourResult& tour) {
+  py::list plans;
+  for (const vehicle::Result& plan : tour.plans) plans.append(vehicle_fields(plan));
+  const lasius::TourResult& told = tour;
+  return fields(told) + py::make_tuple(pose_rows(tour.poses), plans);
 }
 
 TourObserver observer_of(Call& call, const py::object& callback) {
@@ -65,18 +75,21 @@ py::tuple cover(const Planner& planner, double width, bool open,
                                        found.overlap, found.unreachable, found.resolution));
 }
 
-py::tuple tour(const Planner& planner, const CostPlanner* over, const IntRows& cells,
-               const Rows& points, bool open, std::optional<int> start, std::optional<int> goal,
-               std::vector<std::vector<int>> after, std::vector<int> load,
+/// On a map, over costs, or of a vehicle, which alone has yaws.
+template <class World>
+py::tuple tour(const World& world, const IntRows& cells, const Rows& points,
+               std::vector<std::optional<double>> yaws, bool open, std::optional<int> start,
+               std::optional<int> goal, std::vector<std::vector<int>> after, std::vector<int> load,
                std::optional<std::int64_t> capacity, std::vector<int> group,
                std::vector<int> robots, int most_stops, const std::string& algorithm,
                const std::vector<std::pair<std::string, std::string>>& settings, std::uint64_t seed,
                int generations, double target_gap, int threads, std::optional<double> time_limit,
                const py::object& callback) {
   Call call(time_limit);
-  TourRequest request;
+  vehicle::TourRequest request;
   request.stops = cells_from(cells, "stops");
   request.points = points_from(points, "stops");
+  request.yaws = std::move(yaws);
   request.open = open;
   request.start = start;
   request.goal = goal;
@@ -94,17 +107,16 @@ py::tuple tour(const Planner& planner, const CostPlanner* over, const IntRows& c
   request.threads = threads;
   request.stop = call.condition();
   const TourObserver observer = observer_of(call, callback);
-  const TourResult found = call.run([&] {
-    return over != nullptr ? plan_tour(*over, request, observer)
-                           : plan_tour(planner, request, observer);
-  });
+  const auto found = call.run([&] { return plan_tour(world, request, observer); });
   return py::make_tuple(call.error(), fields(found));
 }
 
 }  // namespace
 
 void bind_tour(py::module_& module) {
-  module.def("tour", &tour);
+  module.def("tour", &tour<Planner>);
+  module.def("tour", &tour<CostPlanner>);
+  module.def("tour", &tour<vehicle::Planner>);
   module.def("cover", &cover);
 }
 

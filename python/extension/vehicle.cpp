@@ -1,5 +1,6 @@
 // Vehicles.
 #include <array>
+#include <type_traits>
 
 #include "lasius/vehicle/profile.h"
 #include "python/extension/arrays.h"
@@ -14,20 +15,6 @@ using vehicle::Pose;
 using vehicle::Segment;
 
 constexpr py::ssize_t kColumns = 8;  // x, y, yaw, curvature, curvature rate, length, gear, angle
-
-py::array_t<double> segment_rows(const std::vector<Segment>& segments) {
-  py::array_t<double> rows({static_cast<py::ssize_t>(segments.size()), kColumns});
-  auto to = rows.mutable_unchecked<2>();
-  py::ssize_t i = 0;
-  for (const Segment& s : segments) {
-    py::ssize_t column = 0;
-    for (const double value : {s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.curvature_rate,
-                               s.length, static_cast<double>(s.gear), s.angle})
-      to(i, column++) = value;
-    ++i;
-  }
-  return rows;
-}
 
 std::vector<Segment> segments_from(const Rows& rows) {
   std::vector<Segment> segments;
@@ -64,6 +51,26 @@ std::vector<Pose> poses_from(const Rows& rows, const char* name) {
   for (py::ssize_t i = 0; i < n; ++i)
     poses.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
   return poses;
+}
+
+py::array_t<double> pose_rows(const std::vector<Pose>& poses) {
+  static_assert(std::is_standard_layout_v<Pose> && sizeof(Pose) == 3 * sizeof(double));
+  return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), py::ssize_t{3}},
+                             reinterpret_cast<const double*>(poses.data()));
+}
+
+py::array_t<double> segment_rows(const std::vector<Segment>& segments) {
+  py::array_t<double> rows({static_cast<py::ssize_t>(segments.size()), kColumns});
+  auto to = rows.mutable_unchecked<2>();
+  py::ssize_t i = 0;
+  for (const Segment& s : segments) {
+    py::ssize_t column = 0;
+    for (const double value : {s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.curvature_rate,
+                               s.length, static_cast<double>(s.gear), s.angle})
+      to(i, column++) = value;
+    ++i;
+  }
+  return rows;
 }
 
 py::tuple vehicle_fields(const vehicle::Result& found) {

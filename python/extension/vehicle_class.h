@@ -1,4 +1,4 @@
-// What VehiclePlanner and VehicleNavigator share.
+// What VehiclePlanner, VehicleNavigator, tours and drives of vehicles share.
 #pragma once
 
 #include <vector>
@@ -13,6 +13,9 @@ vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool
                               double rotation_cost, bool sideways, double curvature_rate);
 /// Rows x, y, yaw.
 std::vector<vehicle::Pose> poses_from(const Rows& rows, const char* name);
+py::array_t<double> pose_rows(const std::vector<vehicle::Pose>& poses);
+/// Rows as of lasius.VehicleResult.segments.
+py::array_t<double> segment_rows(const std::vector<vehicle::Segment>& segments);
 /// The fields of lasius.VehicleResult.
 py::tuple vehicle_fields(const vehicle::Result& found);
 

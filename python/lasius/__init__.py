@@ -37,8 +37,8 @@ from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan, tour
 from .results import Alternative, BatchResult, CoverResult, CurvePiece, Curves, DriveResult, Replans, Result, RobotTour, SearchResult, TourResult, Way, curves_of
-from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, plan_vehicle
-from .vehicle_navigator import VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan
+from .vehicle import Contact, SpeedLimits, Vehicle, VehiclePlanner, VehicleResult, VehicleTourResult, plan_vehicle
+from .vehicle_navigator import VehicleDriveResult, VehicleNavigator, VehicleWay, cells_of_points, cells_of_scan, drive_vehicle
 
 __all__ = [
     "Algorithm",
@@ -78,9 +78,11 @@ __all__ = [
     "RobotTour",
     "TourResult",
     "Vehicle",
+    "VehicleDriveResult",
     "VehicleNavigator",
     "VehiclePlanner",
     "VehicleResult",
+    "VehicleTourResult",
     "VehicleWay",
     "Way",
     "Workspace",
@@ -91,6 +93,7 @@ __all__ = [
     "cells_of_scan",
     "clearance",
     "drive",
+    "drive_vehicle",
     "generate",
     "grow_obstacles",
     "map_kinds",

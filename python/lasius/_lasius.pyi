@@ -285,6 +285,32 @@ def drive(
     time_limit: Optional[float],
     observer: Optional[Callable[[DriveTick], Any]],
 ) -> Tuple[_Error, Tuple[Any, ...]]: ...
+def drive_vehicle(
+    map: Grid,
+    truth: Grid,
+    footprint: npt.NDArray[np.float64],
+    turning_radius: float,
+    reverse: bool,
+    reverse_cost: float,
+    cusp_cost: float,
+    rotate_in_place: bool,
+    rotation_cost: float,
+    sideways: bool,
+    curvature_rate: float,
+    start: Sequence[float],
+    goals: npt.NDArray[np.float64],
+    changes: Changes,
+    goal_tolerance: float,
+    heading_tolerance: float,
+    weight: float,
+    smooth: bool,
+    sense: float,
+    max_ticks: int,
+    seconds_per_tick: Optional[float],
+    seed: int,
+    time_limit: Optional[float],
+    observer: Optional[Callable[[DriveTick], Any]],
+) -> Tuple[_Error, Tuple[Any, ...], npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
 class CostField:
     def __init__(self, width: int, height: int) -> None: ...
     @staticmethod
@@ -391,10 +417,10 @@ def vehicle_timed_poses(
     segments: npt.NDArray[np.float64], spacing: float, limits: Sequence[float]
 ) -> npt.NDArray[np.float64]: ...
 def tour(
-    planner: Planner,
-    over: Optional[CostPlanner],
+    planner: Union[Planner, CostPlanner, VehiclePlanner],
     cells: npt.NDArray[np.int32],
     points: npt.NDArray[np.float64],
+    yaws: List[Optional[float]],
     open: bool,
     start: Optional[int],
     goal: Optional[int],

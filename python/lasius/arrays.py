@@ -36,6 +36,14 @@ def int_rows(rows: npt.ArrayLike, name: str) -> IntArray:
     return np.ascontiguousarray(array, np.int32)
 
 
+def cells_or_points(rows: npt.ArrayLike, name: str) -> Tuple[IntArray, FloatArray]:
+    """Rows of integers as cells, of other numbers as points; the other is empty."""
+    given = np.asarray(unmasked(rows, name))
+    are_points = given.dtype.kind == "f" and given.size > 0
+    points = np.ascontiguousarray(given if are_points else np.empty((0, 2)), np.float64)
+    return int_rows([] if are_points else rows, name), points
+
+
 def unmasked(array: npt.ArrayLike, name: str) -> npt.ArrayLike:
     """The array; refuses one whose mask would be lost."""
     if isinstance(array, np.ma.MaskedArray):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Optional, Tuple, Type, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,8 @@ from .costs import CostField, Inflation
 from .errors import finish
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
+
+Driven = TypeVar("Driven", bound=DriveResult)
 
 
 @explained
@@ -229,7 +231,7 @@ def drive(
     error, fields = _lasius.drive(
         grid, truth, start, goal, happening, options, sense, max_ticks, seconds_per_tick, time_limit, observer
     )
-    return finish(error, drive_result(fields, truth))
+    return finish(error, drive_result(DriveResult, fields, truth))
 
 
 def costs_given(costs: Optional[CostField], inflation: Optional[Inflation]) -> Tuple[Any, ...]:
@@ -237,8 +239,8 @@ def costs_given(costs: Optional[CostField], inflation: Optional[Inflation]) -> T
     return None if costs is None else costs._raw, None if inflation is None else Inflation(*inflation)
 
 
-def drive_result(fields: Tuple[Any, ...], truth: Grid) -> DriveResult:
-    """Of what the extension gives."""
-    values = [*fields, truth]
+def drive_result(kind: Type[Driven], fields: Tuple[Any, ...], truth: Grid, *others: Any) -> Driven:
+    """A DriveResult of some kind, of what the extension gives."""
+    values = [*fields, truth, *others]
     values[6] = Replans(*values[6])
-    return DriveResult(*values)
+    return kind(*values)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Callable, Dict, Hashable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Hashable, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -11,13 +11,14 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
 from .arguments import explained
-from .arrays import Cell, End, IntArray, flags_of, int_rows, unmasked
+from .arrays import Cell, End, IntArray, cells_or_points, flags_of, int_rows
 from .errors import finish, invalid, made
 from .maps import Map
 from .parameters import OptionalParams, Params, chosen, text_of, whole
 from .progress import Shown, counted, watched
-from .results import BatchResult, CoverResult, Result, RobotTour, TourResult, answer, batch_result
+from .results import BatchResult, CoverResult, Result, TourResult, answer, batch_result, numbered, tour_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
+from .vehicle import Stops, Vehicle, VehiclePlanner, VehicleTourResult
 
 if TYPE_CHECKING:
     from .costs import CostField, CostPlanner, Inflation
@@ -307,24 +308,20 @@ class Planner:
         Raises:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
         """
-        given = np.asarray(unmasked(stops, "stops"))
-        are_points = given.dtype.kind == "f" and given.size > 0
-        cells = int_rows([] if are_points else stops, "stops")
-        points = np.ascontiguousarray(given if are_points else np.empty((0, 2)), np.float64)
-        before: List[List[int]] = [[] for _ in given] if after else []
+        cells, points = cells_or_points(stops, "stops")
+        before: List[List[int]] = [[] for _ in range(len(cells) + len(points))] if after else []
         for stop, earlier in (after or {}).items():
             if not 0 <= stop < len(before):
                 raise invalid(f"after: there is no stop {stop}", f"give indices of stops, 0 to {len(before) - 1}")
             before[stop] = list(earlier)
+        over = self._over(costs, inflation)
         error, fields = _lasius.tour(
-            self._raw, self._over(costs, inflation), cells, points, open, start, goal, before,
+            self._raw if over is None else over, cells, points, [], open, start, goal, before,
             [] if load is None else list(load), capacity, numbered(group), [] if robots is None else list(robots),
             most_stops, algorithm, [(name, text_of(value)) for name, value in (settings or {}).items()],
             whole("seed", seed), generations, target_gap, whole("threads", threads), time_limit, observer,
         )
-        found = TourResult(*fields)
-        found.tours = [RobotTour(start, order, range(*legs), *sums) for start, order, legs, *sums in fields[-1]]
-        return finish(error, found)
+        return finish(error, tour_result(TourResult, fields))
 
     def _over(
         self, costs: Union[None, CostField, CostPlanner, npt.ArrayLike], inflation: Optional[Inflation]
@@ -523,17 +520,26 @@ def plan(
     return Planner(grid, radius=radius).plan(start, goal, params, **options)
 
 
-def numbered(group: Optional[Sequence[Hashable]]) -> List[int]:
-    """Groups as whole numbers, by their first stop; -1: none."""
-    known: Dict[Hashable, int] = {}
-    return [-1 if name is None else known.setdefault(name, len(known)) for name in ([] if group is None else group)]
-
-
-def tour(grid: Grid, stops: npt.ArrayLike, *, radius: float = 0.0, **options: Any) -> TourResult:
-    """Orders many stops on a map, as `Planner.tour`.
+@overload
+def tour(
+    grid: Grid, stops: npt.ArrayLike, *, radius: float = ..., vehicle: None = ..., **options: Any
+) -> TourResult: ...
+@overload
+def tour(grid: Grid, stops: Stops, *, vehicle: Vehicle, **options: Any) -> VehicleTourResult: ...
+def tour(
+    grid: Grid, stops: Any, *, radius: float = 0.0, vehicle: Optional[Vehicle] = None, **options: Any
+) -> TourResult:
+    """Orders many stops on a map, as `Planner.tour`; of a vehicle as `VehiclePlanner.tour`, over a CostField `costs` too.
 
     >>> grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
     >>> tour(grid, [[0, 0], [20, 0], [10, 0]], open=True).length
     20.0
+    >>> robot = lasius.Vehicle.differential(lasius.Vehicle.rectangle(1, 1, 1))
+    >>> tour(grid, [[5, 5, 0], [25, 5, None], [15, 5, 0]], vehicle=robot, open=True, start=0).order.tolist()
+    [0, 2, 1]
     """
-    return Planner(grid, radius=radius).tour(stops, **options)
+    if vehicle is None:
+        return Planner(grid, radius=radius).tour(stops, **options)
+    if radius != 0:
+        raise invalid("radius is of a disc", "a vehicle has a footprint: leave it out")
+    return VehiclePlanner(grid, vehicle, options.pop("costs", None)).tour(stops, **options)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Dict, Hashable, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -288,6 +288,23 @@ class TourResult(Record):
     def __repr__(self) -> str:
         out = f", {len(self.left_out)} left out" if self.left_out else ""
         return f"<TourResult: {self.status}, {len(self.order)} stops{out}, length {self.length:.6g}>"
+
+
+OfTour = TypeVar("OfTour", bound=TourResult)
+
+
+def tour_result(kind: Type[OfTour], fields: Tuple[Any, ...]) -> OfTour:
+    """A TourResult of some kind, of the fields that the extension gives."""
+    found = kind(*fields)
+    robots: List[Any] = found.tours
+    found.tours = [RobotTour(start, order, range(*legs), *sums) for start, order, legs, *sums in robots]
+    return found
+
+
+def numbered(group: Optional[Sequence[Hashable]]) -> List[int]:
+    """Groups of stops as whole numbers, by their first stop; -1: none."""
+    known: Dict[Hashable, int] = {}
+    return [-1 if name is None else known.setdefault(name, len(known)) for name in ([] if group is None else group)]
 
 
 @dataclass(eq=False, repr=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf
-from typing import Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Hashable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,13 +12,18 @@ import numpy.typing as npt
 from . import _lasius
 from ._lasius import Grid
 from .arguments import explained
-from .arrays import Cell, FloatArray
-from .costs import CostField
+from .arrays import Cell, FloatArray, IntArray, cells_or_points, numbers_of, unmasked
 from .errors import finish, made
-from .results import Record
+from .parameters import whole
+from .results import Record, TourResult, numbered, tour_result
+
+if TYPE_CHECKING:
+    from .costs import CostField
 
 #: x, y and yaw, in cells and radians; yaw turns from +x towards +y, which points down.
 Pose = Tuple[float, float, float]
+#: Of a tour: (n, 3), where a yaw may be None, or (n, 2).
+Stops = Union[npt.ArrayLike, Sequence[Sequence[Optional[float]]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +109,14 @@ class VehicleResult(Record):
         return f"<VehicleResult: {self.status}, length {self.length:.6g}, {self.cusps} cusps>"
 
 
+@dataclass(eq=False, repr=False)
+class VehicleTourResult(TourResult):
+    """A tour of a vehicle: its legs are certified plans, which are not the shortest ways."""
+
+    poses: FloatArray  #: (k, 3), x, y, yaw at each stop of `order`, the same on arrival and departure
+    plans: List[VehicleResult]  #: of the legs, whose paths have points each half a cell
+
+
 @dataclass
 class Contact:
     """Where a footprint first meets something along poses."""
@@ -174,6 +187,59 @@ class VehiclePlanner:
             smooth, time_limit,
         )
         return finish(error, VehicleResult(*fields))
+
+    def tour(
+        self,
+        stops: Stops,
+        *,
+        open: bool = False,
+        start: Optional[int] = None,
+        goal: Optional[int] = None,
+        group: Optional[Sequence[Hashable]] = None,
+        robots: Optional[Sequence[int]] = None,
+        most_stops: int = 0,
+        seed: int = 1,
+        generations: int = 20,
+        target_gap: float = 0.0,
+        threads: int = 0,
+        time_limit: Optional[float] = None,
+        observer: Optional[Callable[[IntArray, float], Any]] = None,
+    ) -> VehicleTourResult:
+        """Visits all stops by certified plans, in a short order, with a bound that no order and no way is below.
+
+        >>> planner = VehiclePlanner(lasius.Grid(np.zeros((60, 80), np.uint8), free=0), Vehicle.car([[-1, -1], [3, 0], [-1, 1]], 4.0))
+        >>> run = planner.tour([(10, 30, 0), (60, 30, 0), (30, 30, None)], open=True, start=0)
+        >>> run.order.tolist(), round(run.length, 6), run.poses[:, 2].tolist()
+        ([0, 2, 1], 50.0, [0.0, 0.0, 0.0])
+
+        Args:
+            stops: (n, 3), x, y, yaw in cells and radians; a yaw that is None or NaN is that of eight headings, every 45
+                degrees, with which the tour is shortest; so are all of (n, 2), cells or points as of Planner.tour.
+            open: as of Planner.tour, as the options not told here.
+            start: index of the first stop, which has a yaw; None: any.
+            goal: of the last one, of an open tour, likewise.
+            robots: stops with yaws where robots begin, one each, in place of `start`.
+            time_limit: seconds; then the best so far is the answer. The legs of the first order are planned all the same.
+        Raises:
+            KeyboardInterrupt: with Ctrl-C; its `result` holds the answer so far.
+        """
+        given: Any = stops
+        rows = np.asarray(unmasked(given, "stops"))
+        yaws: List[Optional[float]] = []
+        if rows.ndim == 2 and rows.shape[1] == 3:
+            poses = numbers_of(rows, (-1, 3), "stops")
+            yaws = [None if np.isnan(yaw) else float(yaw) for yaw in poses[:, 2]]
+            given = poses[:, :2]
+        cells, points = cells_or_points(given, "stops")
+        error, fields = _lasius.tour(
+            self._raw, cells, points, yaws, open, start, goal, [], [], None, numbered(group),
+            [] if robots is None else list(robots), most_stops, "exact", [], whole("seed", seed), generations, target_gap,
+            whole("threads", threads), time_limit, observer,
+        )
+        found = tour_result(VehicleTourResult, fields)
+        plans: List[Any] = found.plans
+        found.plans = [VehicleResult(*plan) for plan in plans]
+        return finish(error, found)
 
     def free(self, pose: Pose) -> bool:
         """Whether the footprint meets nothing there."""

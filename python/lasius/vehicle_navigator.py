@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Tuple
+from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from ._lasius import Grid, WorldFrame
+from ._lasius import DriveTick, Grid, WorldFrame
 from .arguments import explained
-from .arrays import flag_of, int_rows
+from .arrays import FloatArray, flag_of, int_rows
 from .errors import finish
+from .navigator import Changes, drive_result
+from .parameters import whole
+from .results import DriveResult
 from .vehicle import Pose, Vehicle, VehicleResult, vehicle_values
 
 
@@ -103,6 +106,63 @@ class VehicleNavigator:
     def map(self) -> Grid:
         """What is known now; a copy."""
         return self._raw.map()
+
+
+@dataclass(eq=False, repr=False)
+class VehicleDriveResult(DriveResult):
+    """How a vehicle's drive went; its track has the cells of the reference point."""
+
+    poses: FloatArray  #: (ticks + 1, 3), x, y, yaw, the start first
+    moves: FloatArray  #: (m, 8), of each tick in which it moved, as VehicleResult.segments
+
+
+@explained
+def drive_vehicle(
+    grid: Grid,
+    truth: Grid,
+    vehicle: Vehicle,
+    start: Pose,
+    goal: npt.ArrayLike,
+    *,
+    changes: Optional[Changes] = None,
+    sense: float = 20.0,
+    max_ticks: int = 1_000_000,
+    seconds_per_tick: Optional[float] = None,
+    time_limit: Optional[float] = None,
+    goal_tolerance: float = 0.0,
+    heading_tolerance: float = 0.0,
+    weight: float = 1.5,
+    smooth: bool = True,
+    seed: int = 1,
+    observer: Optional[Callable[[DriveTick], Any]] = None,
+) -> VehicleDriveResult:
+    """Drives a vehicle through a world that is not as its map has it, at most a cell a tick, by motions that meet nothing
+    in the world as it is then.
+
+    >>> grid = lasius.Grid(np.zeros((30, 40), np.uint8), free=0)
+    >>> truth = np.zeros((30, 40), np.uint8)
+    >>> truth[:20, 20] = 1
+    >>> robot = lasius.Vehicle.differential(lasius.Vehicle.rectangle(1, 1, 1))
+    >>> run = drive_vehicle(grid, lasius.Grid(truth, free=0), robot, (5, 5, 0), (35, 5, 0), sense=8)
+    >>> run.status, run.poses[-1, :2].round(6).tolist(), run.seen > 0
+    ('solved', [35.0, 5.0], True)
+
+    Args:
+        grid: what is known in the beginning.
+        truth: what is there, of the same size.
+        vehicle: as of VehiclePlanner.
+        start: x, y, yaw in cells and radians.
+        goal: likewise; or several, (n, 3), of which one is met.
+        changes: as of drive, as `sense`, `max_ticks`, `seconds_per_tick`, `time_limit` and `observer`.
+        goal_tolerance: as of VehiclePlanner.plan, as `heading_tolerance`, `weight` and `smooth`.
+        seed: draws the motions by which it makes room for moving obstacles.
+    """
+    happening = (changes if changes is not None else Changes())._raw
+    error, fields, poses, moves = _lasius.drive_vehicle(
+        grid, truth, *vehicle_values(vehicle), tuple(start), goal_rows(goal), happening, goal_tolerance, heading_tolerance,
+        weight, smooth, sense, max_ticks, seconds_per_tick, whole("seed", seed), time_limit, observer,
+    )
+    return finish(error, drive_result(VehicleDriveResult, fields, truth, poses, moves))
 
 
 def goal_rows(goal: npt.ArrayLike) -> npt.NDArray[np.float64]:

@@ -39,8 +39,11 @@ frame: bool = lasius.WorldFrame(0.05) == lasius.WorldFrame(0.1)
 walk: Optional[float] = lasius.shortest_walk(grid, (0, 0), (3, 3), neighbours=8)
 round_trip: lasius.TourResult = lasius.tour(grid, [[0, 0], [3, 3]], radius=0.0, algorithm="mmas", settings={"ants": 3})
 shared: List[lasius.RobotTour] = planner.tour([[0, 0], [3, 3]], robots=[0], group=["a", None], costs=np.ones((4, 4))).tours
+rounds: lasius.VehicleTourResult = lasius.tour(grid, [[0, 0, None]], vehicle=lasius.Vehicle.differential([[0, 0], [1, 0], [0, 1]]))
+driven: lasius.VehicleDriveResult = lasius.drive_vehicle(grid, grid, lasius.Vehicle.omni([[0, 0], [1, 0], [0, 1]]), (1, 1, 0), (2, 2, 0))
 dear: float = lasius.CostPlanner(planner, np.ones((4, 4))).tour([[0, 0], [3, 3]], open=True).cost
 planner.tour([[0, 0]], robots=0.5)  # type: ignore[arg-type]
+lasius.tour(grid, [[0, 0]], vehicle=3)  # type: ignore[call-overload]
 planner.plan((0, 0), 3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), observer=3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), "ras", update=3)  # type: ignore[arg-type]

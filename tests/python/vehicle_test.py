@@ -1,6 +1,7 @@
 """Vehicles: what is planned is within their means, touches nothing, and is told whole."""
 
 import dataclasses
+import itertools
 import pickle
 
 import numpy as np
@@ -94,6 +95,63 @@ def test_what_is_refused(yard):
         plan_vehicle(yard, CAR, (8, 8, 0), (70, 50, 0), weight=0.5)
 
 
+STOPS = [(8, 8, 0.3), (70, 50, -2.0), (20, 45, 1.0), (60, 10, 0.0)]
+
+
+@pytest.mark.parametrize("ends", [{}, {"open": True}, {"open": True, "start": 2}])
+def test_a_tour_is_the_shortest_over_its_plans(yard, ends):
+    planner = VehiclePlanner(yard, CAR)
+    run = planner.tour(STOPS, **ends)
+    length = {(a, b): planner.plan(STOPS[a], STOPS[b]).length for a, b in itertools.permutations(range(4), 2)}
+
+    def legs(order):
+        return list(zip(order, (*order[1:], *([] if ends.get("open") else order[:1]))))
+    best = min(sum(length[leg] for leg in legs(order)) for order in itertools.permutations(range(4))
+               if order[0] == ends.get("start", order[0]))
+    assert run.status == "solved" and run.length == pytest.approx(best, abs=1e-2) and run.lower_bound <= run.length
+    order = run.order.tolist()
+    assert run.lengths == pytest.approx([length[leg] for leg in legs(order)]) and len(run.plans) == len(run.legs)
+    assert run.poses == pytest.approx(np.array(STOPS)[order])
+    for (a, b), plan, path in zip(legs(order), run.plans, run.legs):
+        assert plan.status == "solved" and planner.first_contact(plan.poses()[:, :3]) is None
+        assert plan.segments[0, :3] == pytest.approx(STOPS[a])
+        assert path[[0, -1]] == pytest.approx(np.array([STOPS[a], STOPS[b]])[:, :2], abs=1e-6)
+
+
+def test_a_tour_on_any_threads_and_its_options(yard):
+    some = [(8, 8, 0.3), (70.5, 50.5, None), (20, 45, np.nan)]
+    first, *others = [lasius.tour(yard, some, vehicle=CAR, start=0, threads=threads) for threads in (1, 2, 5)]
+    assert all(first == other for other in others) and pickle.loads(pickle.dumps(first)) == first
+    eighths = np.round(first.poses[1:, 2] / (np.pi / 4), 9)
+    assert np.all(eighths == eighths.astype(int)) and first.poses[0, 2] == 0.3
+    robot = Vehicle.differential(Vehicle.rectangle(2, 2, 1.5))
+    cells = lasius.tour(yard, [[10, 40], [20, 40]], vehicle=robot)
+    assert cells == lasius.tour(yard, [[10.5, 40.5], [20.5, 40.5]], vehicle=robot) and cells.length == pytest.approx(20)
+    out = lasius.tour(yard, [*STOPS, (31, 8, 0)], vehicle=CAR, group=["a", "a", None, None, None])
+    assert sorted(out.order) in ([0, 2, 3], [1, 2, 3]) and out.left_out.keys() == {4}
+    two = lasius.tour(yard, STOPS, vehicle=CAR, robots=[0, 1], most_stops=1)
+    assert [robot.start for robot in two.tours] == [0, 1] and [len(robot.legs) for robot in two.tours] == [2, 2]
+    hill = np.where(np.arange(80) < 40, 1.0, 3.0) * np.ones((60, 1))
+    over = lasius.tour(yard, STOPS, vehicle=CAR, costs=lasius.CostField.of(hill))
+    assert over.lower_bound <= over.cost == pytest.approx(over.costs.sum()) and over.cost > over.length
+    told = []
+    VehiclePlanner(yard, CAR).tour(STOPS, observer=lambda order, length: told.append((len(order), length)))
+    assert told and all(count == 4 for count, _ in told)
+
+
+def test_what_is_refused_of_tours(yard):
+    for stops, options, problem in [
+            ([(8, 8, None), (20, 45, 0)], {"start": 0}, "yaw"), (STOPS, {"start": 4}, "no stop 4"), (STOPS, {"seed": -1}, "seed"),
+            (STOPS, {"radius": 1.0}, "radius"), ([(8, 8, np.inf)], {}, "yaw"), (STOPS, {"group": ["a"]}, "group")]:
+        with pytest.raises(lasius.InvalidParameter, match=problem):
+            lasius.tour(yard, stops, vehicle=CAR, **options)
+    for stops, error in [([[1, 2, 3, 4]], ValueError), ([("a", 2, 0)], TypeError), ([(8, 8), (20, 45, 0)], (TypeError, ValueError))]:
+        with pytest.raises(error):
+            lasius.tour(yard, stops, vehicle=CAR)
+    with pytest.raises(TypeError, match="algorithm"):
+        lasius.tour(yard, STOPS, vehicle=CAR, algorithm="as")
+
+
 def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
     frame = lasius.WorldFrame(0.1, origin_x=-1.0, origin_y=2.0)
     navigator = lasius.VehicleNavigator(yard, CAR, (70, 50, 0))
@@ -119,3 +177,30 @@ def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
     assert navigator.step((8, 8, 0)).goal == 0
     with pytest.raises(lasius.InvalidParameter):
         navigator.step((np.nan, 0, 0))
+
+
+def test_a_drive(yard):
+    truth = yard.to_array(free=True)
+    truth[20:60, 40:42] = False
+    world, start, goal = lasius.Grid(truth, free=True), (8, 8, 0), (70, 50, 0)
+    changes = lasius.Changes()
+    changes.add_change(tick=5, x=60, y=20, width=4, height=4, blocked=True)
+    told = []
+    run = lasius.drive_vehicle(yard, world, CAR, start, goal, changes=changes, sense=10,
+                               observer=lambda tick: told.append((tick.robot, len(tick.path))))
+    assert run.status == "solved" and len(run.poses) == run.ticks + 1 == len(run.track) and run.seen > 0
+    assert run.poses[0] == pytest.approx(start) and run.poses[-1, :2] == pytest.approx(goal[:2], abs=1e-6)
+    assert np.cos(run.poses[-1, 2] - goal[2]) == pytest.approx(1)
+    assert len(run.moves) == run.ticks - run.waits and run.length == pytest.approx(run.moves[:, 5].sum())
+    assert np.array_equal(np.floor(run.poses[:, :2]), run.track)
+    judge = VehiclePlanner(world, CAR)
+    assert all(judge.free(tuple(pose)) for pose in run.poses)
+    assert told[0][0] == (8, 8) and told[0][1] > 1 and len(told) == len(run.track)
+    assert pickle.loads(pickle.dumps(run)) == run and len(run.replans) > 1
+    ended = lasius.drive_vehicle(yard, world, CAR, start, goal, observer=lambda tick: tick.stop())
+    assert (ended.status, ended.ticks, ended.moves.shape) == ("interrupted", 0, (0, 8))
+    assert lasius.drive_vehicle(yard, world, CAR, start, goal, max_ticks=3).limit == "ticks"
+    for wrong, problem in (({"goal": (np.nan, 1, 0)}, "goal"), ({"start": (np.inf, 1, 0)}, "start"),
+                           ({"sense": 0.0}, "sense"), ({"seed": -1}, "seed")):
+        with pytest.raises(lasius.InvalidParameter, match=problem):
+            lasius.drive_vehicle(yard, world, CAR, **{"start": start, "goal": goal, **wrong})
