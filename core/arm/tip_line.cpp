@@ -5,6 +5,7 @@
 
 #include "core/arm/contact/motion_bound.h"
 #include "core/arm/ends.h"
+#include "core/arm/plan_check.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
@@ -88,8 +89,11 @@ class LineSensor final : public Sensor {
     // Accelerations are even between knots: at the ends, where there may be none.
     for (const double time : {from, to}) most = most.cwiseMax(curve.at(time).ddq.cwiseAbs());
     Poller poller(stop, kPolled);
-    if (!keeps_to(curve, from, to, most, poller)) return false;
-    return sensor_.try_curve(curve, from, to, stop).value_or(false);
+    if (!keeps_to(curve, from, to, most, poller))
+      return poller.stopped() ? std::optional<bool>() : false;
+    const auto free = sensor_.try_curve(curve, from, to, stop);
+    const bool told = !free && stop.poll() != StopCondition::Cause::none;
+    return told ? free : free.value_or(false);
   }
   double clearance() const override { return sensor_.clearance(); }
   std::string contact(const JointRef& q) const override { return sensor_.contact(q); }
@@ -108,14 +112,15 @@ class LineSensor final : public Sensor {
     const Placement frame = arm_.tip_frame(poses);
     const Placement there = way_.at(way_.share_of(frame, options_));
     const double off = distance(frame.position, there.position);
-    const double turned = length(turn_between(there.rotation, frame.rotation));
+    const bool any_turn = options_.angle_tolerance >= std::numbers::pi;
+    const double turned = any_turn ? 0 : length(turn_between(there.rotation, frame.rotation));
     if (off > options_.tolerance || turned > options_.angle_tolerance || poller.stop_after(1))
       return false;
     double moved = 0, turns = 0;
     for (int j = 0; j < arm_.size(); ++j) {
       const double change = half * (std::abs(state.dq[j]) + half * most[j]);
       moved += levers_[j] * change;
-      if (!arm_.slides(j)) turns += change;
+      if (!any_turn && !arm_.slides(j)) turns += change;
     }
     if (off + moved <= options_.tolerance && turned + turns <= options_.angle_tolerance)
       return true;
@@ -129,6 +134,11 @@ class LineSensor final : public Sensor {
   const TipLineOptions& options_;
   JointArray levers_;
 };
+
+/// By what a caller names it: links of a lasius-arm/1 have numbers alone.
+std::string name_of(const Robot& robot, int link) {
+  return robot.links[link].name.empty() ? link_name(robot, link) : robot.links[link].name;
+}
 
 }  // namespace
 
@@ -161,6 +171,7 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
     require_parameter(value >= kLeast, "a tolerance", value, "it must be 0.000001 or more");
   require_parameter(options.joint_step >= 1e-3, "joint_step", options.joint_step,
                     "it must be 0.001 or more");
+  check_duration(options.duration);
   const std::string fault = values_fault(robot, start, "start");
   if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
   const Kinematics arm(robot);
@@ -247,11 +258,14 @@ Robot holding(Robot robot, const std::string& name, std::vector<Solid> solids,
   for (Solid& solid : link.solids)
     solid.pose = to_eigen(from_eigen(robot.tip) * from_eigen(solid.pose));
   for (const std::string& other : may_touch) {
-    const auto found = std::ranges::find(robot.links, other, &Link::name);
-    if (found == robot.links.end())
+    int at = 0;
+    std::string names;
+    for (; at < own && name_of(robot, at) != other; ++at)
+      names += (at > 0 ? ", " : "") + name_of(robot, at);
+    if (at == own)
       throw invalid_parameter("no link of the robot is called \"" + other + "\"",
-                              "take a name of Robot::links");
-    robot.may_touch.emplace_back(static_cast<int>(found - robot.links.begin()), own);
+                              "its links are " + names);
+    robot.may_touch.emplace_back(at, own);
   }
   robot.links.push_back(std::move(link));
   validate(robot);

@@ -65,14 +65,18 @@ void plan_straight(const ArmCommand& command, const arm::SceneSensor& sensor,
     for (std::size_t i = 0; i < answer.goals.size(); ++i) {
       const arm::TipLine line =
           arm::tip_line(answer.robot, sensor, answer.start, answer.goals[i].target, options);
-      if (line.reached <= answer.straight_reached) continue;
+      const bool told = line.status == Status::limit || line.status == Status::interrupted;
+      const bool further =
+          line.reached > answer.straight_reached ||
+          (line.reached == answer.straight_reached && answer.plan.status == Status::invalid);
+      if (!told && !further) continue;
       answer.straight_reached = line.reached;
       const bool moves = !line.trajectory.empty();
       answer.plan = moves ? result_of(answer.robot, line, static_cast<int>(i)) : arm::Result();
       answer.plan.status = line.status;
       answer.plan.limit = line.limit;
       answer.plan.error = line.error;
-      if (moves || line.status == Status::limit || line.status == Status::interrupted) return;
+      if (moves || told) return;
     }
   });
   answer.straight_reached = std::max(0.0, answer.straight_reached);

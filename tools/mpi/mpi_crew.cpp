@@ -283,6 +283,7 @@ void MpiCrew::bid_farewell(const std::string& text) {
 void MpiCrew::leave(int code) {
   if (!leads()) return send(0, kGone + std::to_string(code));
   bid_farewell(std::string(1, kDismissed));  // what ended the command left them waiting
+  const bool whole = code == kFound || (!farewells_.empty() && farewells_.back()[0] == kEnd);
   const auto until = std::chrono::steady_clock::now() + 10s;
   while (std::ranges::count(gone_, true) < ranks_ - 1) {
     const auto letter = post();
@@ -290,7 +291,7 @@ void MpiCrew::leave(int code) {
       send(letter->from, std::string(1, kDismissed));
     else if (letter && letter->text[0] == kGone)
       gone_[static_cast<std::size_t>(letter->from)] = true;
-    else if (code != kFound && std::chrono::steady_clock::now() > until)
+    else if (!whole && std::chrono::steady_clock::now() > until)
       MPI_Abort(MPI_COMM_WORLD, code);  // others are at work that nobody waits for
     else if (!letter)
       std::this_thread::sleep_for(kLongestNap);

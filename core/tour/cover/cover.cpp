@@ -157,6 +157,10 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
                .best(request.threads, earlier(request.stop, kShareOfSwaths));
     if (!plan) return result;
   }
+  if (plan && plan->swaths.empty() && plan->cut) {
+    found.status = status_after(Status::no_path, request.stop);
+    return result;
+  }
   if (!plan || plan->swaths.empty()) {
     found.status = Status::invalid;
     found.error = "the tool has no place on the map";
