@@ -29,6 +29,7 @@ struct VehicleOptions {
   std::string kind = "reversing";
   double limit = 5;
   double cusp_cost = 0;
+  double reverse_cost = 2;
   double inflation = 0;
   double curvature_rate = 0;
   bool smooth = true;
@@ -72,6 +73,7 @@ vehicle::Vehicle vehicle_of(const VehicleOptions& options) {
   made.reverse = options.kind == "reversing";
   made.rotate_in_place = options.kind == "in-place";
   made.cusp_cost = options.cusp_cost;
+  made.reverse_cost = options.reverse_cost;
   made.curvature_rate = options.curvature_rate;
   return made;
 }
@@ -189,6 +191,7 @@ void add_vehicles_command(CLI::App& app) {
       ->capture_default_str();
   add_number(command, "--limit", options.limit, "Seconds for a plan", 0.001, 1000);
   add_number(command, "--cusp-cost", options.cusp_cost, "Cells for a change of gear", 0, 1000);
+  add_number(command, "--reverse-cost", options.reverse_cost, "Price of a reversed cell", 1, 1000);
   add_number(command, "--curvature-rate", options.curvature_rate,
              "By how much the curvature may change a cell, 1 / cells^2; 0: without limit", 0, 1000);
   add_number(command, "--inflation", options.inflation,
