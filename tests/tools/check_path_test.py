@@ -95,6 +95,7 @@ class CheckPath(ProgramTest):
     def test_faults_of_files_are_told_by_line(self):
         cases = [
             ("", r"path\.csv, line 1: .*holds no point"),
+            ("x,y,yaw\n", r"path\.csv, line 2: holds a header alone: there is no path; give the path of a plan"),
             ("a,b\n1,2\n", r"path\.csv, line 1: the header has no column x"),
             ("x,y\n1,2\n3,z\n", r"path\.csv, line 3: y is 'z'"),
             ("x,y\n1,nan\n", r"path\.csv, line 2: y is 'nan'"),

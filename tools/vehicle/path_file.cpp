@@ -40,6 +40,9 @@ class TableReader {
       else
         read_row(fields);
     }
+    // As a plan that found nothing leaves it.
+    if (path_.points.empty() && columns_ > 0)
+      fail("holds a header alone: there is no path", "give the path of a plan that found one");
     if (path_.points.empty()) fail("holds no point", "write a header x,y,yaw and a line a pose");
     return std::move(path_);
   }

@@ -118,7 +118,7 @@ void order_swaths(const Planner& planner, const CoverRequest& request, double be
   if (known && order.optimal) {
     found.lower_bound = cells(order.cost);
   } else {
-    found.lower_bound = result.swept + between;
+    found.lower_bound = (result.swept + between) * (1 - 1e-9);  // their roundings
     Poller poller(request.stop);
     if (n <= kMostBound && request.stop.poll() == StopCondition::Cause::none)
       found.lower_bound =
@@ -155,11 +155,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   if (ground->place()) {
     plan = tour::SwathMaker(unprepared, lines, *ground)
                .best(request.threads, earlier(request.stop, kShareOfSwaths));
-    if (!plan) return result;
-  }
-  if (plan && plan->swaths.empty() && plan->cut) {
-    found.status = status_after(Status::no_path, request.stop);
-    return result;
+    if (!plan || (plan->swaths.empty() && plan->cut)) return result;
   }
   if (!plan || plan->swaths.empty()) {
     found.status = Status::invalid;
