@@ -137,7 +137,9 @@ class LineSensor final : public Sensor {
 
 /// By what a caller names it: links of a lasius-arm/1 have numbers alone.
 std::string name_of(const Robot& robot, int link) {
-  return robot.links[link].name.empty() ? link_name(robot, link) : robot.links[link].name;
+  if (!robot.links[link].name.empty()) return robot.links[link].name;
+  const std::string text = link_name(robot, link);
+  return text.substr(0, text.find(" ("));  // the joint before it
 }
 
 }  // namespace

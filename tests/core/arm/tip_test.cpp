@@ -111,6 +111,48 @@ TEST(TipLine, ItsMotionKeepsToTheLineAllAlong) {
   }
 }
 
+/// Tells to stop in its so-manieth question about a curve, and leaves that one open.
+class StopsInACurve final : public Sensor {
+ public:
+  StopsInACurve(const Sensor& sensor, int at) : sensor_(sensor), left_(at) {}
+  bool position_free(const JointRef& q) const override { return sensor_.position_free(q); }
+  bool motion_free(const JointRef& from, const JointRef& to) const override {
+    return sensor_.motion_free(from, to);
+  }
+  std::optional<bool> try_curve(const Trajectory& curve, double from, double to,
+                                const StopCondition& stop) const override {
+    if (--left_ == 0) source.request_stop();
+    if (stop.poll() != StopCondition::Cause::none) return std::nullopt;
+    return sensor_.try_curve(curve, from, to, stop);
+  }
+  double clearance() const override { return sensor_.clearance(); }
+  int left() const { return left_; }
+
+  mutable std::stop_source source;
+
+ private:
+  const Sensor& sensor_;
+  mutable int left_;
+};
+
+TEST(TipLine, AStopIsNothingInTheWay) {
+  const Robot robot = shipped("industrial6");
+  const SceneSensor scene(robot, {});
+  Pose goal = tip_pose(robot, bent());
+  goal.translation() += Eigen::Vector3d(0.05, -0.2, -0.1);
+  for (int at = 1;; at = 2 * at) {
+    const StopsInACurve sensor(scene, at);
+    const TipLine line = tip_line(robot, sensor, bent(), goal,
+                                  {.stop = {.token = sensor.source.get_token()}, .motion = true});
+    if (sensor.left() > 0) {
+      EXPECT_GT(at, 4);
+      EXPECT_EQ(line.status, Status::solved);
+      break;
+    }
+    EXPECT_EQ(line.status, Status::interrupted) << at;
+  }
+}
+
 TEST(TipLine, EndsWhereSomethingIsInTheWayAndSaysWhat) {
   const Robot robot = shipped("industrial6");
   Pose goal = tip_pose(robot, bent());
@@ -161,6 +203,9 @@ TEST(Holding, WhatIsHeldIsPartOfTheArm) {
   EXPECT_GT(SceneSensor(robot, scene).distance(bent()), near.distance + 1e-3);
   EXPECT_EQ(tip_pose(with, bent()).matrix(), tip.matrix());
   EXPECT_THROW(holding(robot, "stick", {stick}, {"nothing of this name"}), Error);
+  EXPECT_EQ(holding(robot, "stick", {stick}, {"link 5"}).may_touch.size(),
+            robot.may_touch.size() + 1);
+  EXPECT_THROW(holding(robot, "stick", {stick}, {""}), Error);
 }
 
 }  // namespace
