@@ -79,8 +79,10 @@ void judge(const Grid& grid, const Vehicle& vehicle, const TourRequest& request,
   EXPECT_LE(*tour.lower_bound, tour.length);
 }
 
-/// The least length over all orders and given poses of stops, by the plans of all pairs.
-double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops, bool open) {
+/// The least length over all orders (that begin with the first stop, where it is the start) and
+/// given poses of stops, by the plans of all pairs.
+double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops, bool open,
+             bool from_first = false) {
   std::vector<Pose> poses;
   std::vector<std::vector<std::size_t>> at;
   for (const auto& stop : stops) {
@@ -104,6 +106,7 @@ double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops
   std::iota(order.begin(), order.end(), std::size_t{0});
   double best = 1e9;
   do {
+    if (from_first && order.front() != 0) continue;
     std::vector<std::size_t> turn(stops.size(), 0);
     for (bool more = true; more;) {
       double sum = 0;
@@ -172,6 +175,16 @@ TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
   EXPECT_GE(whole, 4);
 }
 
+/// Free headings.
+std::vector<Pose> headings(const Planner& planner, const Point p) {
+  std::vector<Pose> poses;
+  for (int h = 0; h < kTourHeadings; ++h)
+    if (const Pose pose{p.x, p.y, h * 2 * std::numbers::pi / kTourHeadings};
+        planner.space().free(pose))
+      poses.push_back(pose);
+  return poses;
+}
+
 TEST(VehicleTour, ChoosesHeadingsAmongEight) {
   std::mt19937 random(6);
   const Grid grid = rooms(40, 30, 4, random);
@@ -183,10 +196,7 @@ TEST(VehicleTour, ChoosesHeadingsAmongEight) {
     const Point p = request.points[i];
     stops.emplace_back();
     if (i == 0) stops[i].push_back({p.x, p.y, *request.yaws[i]});
-    for (int h = 0; h < kTourHeadings && i > 0; ++h)
-      if (const Pose pose{p.x, p.y, h * 2 * std::numbers::pi / kTourHeadings};
-          planner.space().free(pose))
-        stops[i].push_back(pose);
+    if (i > 0) stops[i] = headings(planner, p);
   }
   request.yaws[1].reset();
   request.yaws[2].reset();
@@ -197,6 +207,62 @@ TEST(VehicleTour, ChoosesHeadingsAmongEight) {
   EXPECT_EQ(tour.order.front(), 0);
   EXPECT_NEAR(tour.length, least(planner, stops, false), 0.01);
   EXPECT_LT(tour.priced, 100);  // of 144 pairs
+}
+
+/// A pocket that opens to the right; most headings of a truck in it have no way there.
+Grid pocket() {
+  Grid grid(60, 50);
+  grid.fill({28, 15, 6, 1}, true);
+  grid.fill({28, 16, 1, 19}, true);
+  grid.fill({28, 35, 6, 1}, true);
+  return grid;
+}
+
+TEST(VehicleTour, TriesAllHeadingsBeforeItLeavesAStopOut) {
+  const Planner planner(pocket(), truck());
+  TourRequest request;
+  request.points = {{10.5, 25.5}, {31.5, 25.5}};
+  request.yaws = {0.0, std::nullopt};
+  request.start = 0;
+  request.open = true;
+  const TourResult tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.status, Status::solved) << tour.error;
+  ASSERT_EQ(tour.order, (std::vector{0, 1}));
+  EXPECT_GT(tour.priced, 1);
+  const double best =
+      least(planner, {{{10.5, 25.5, 0}}, headings(planner, {31.5, 25.5})}, true, true);
+  EXPECT_NEAR(tour.length, best, 0.01);
+  EXPECT_LT(best, 50);
+}
+
+TEST(VehicleTour, BoundsAndTakesAllMembersOfGroups) {
+  std::mt19937 random(9);
+  const Planner planner(pocket(), truck());
+  for (int round = 0; round < 6; ++round) {
+    TourRequest request;
+    request.points = {{10.5, random_in(8, 42, random) + 0.5},
+                      {31.5, 20.5 + 5 * random_in(0, 2, random)},
+                      {random_in(44, 56, random) + 0.5, random_in(5, 45, random) + 0.5},
+                      {random_in(42, 54, random) + 0.5, random_in(6, 44, random) + 0.5}};
+    request.yaws = {random_in(0, 7, random) * std::numbers::pi / 4, std::nullopt, std::nullopt,
+                    random_in(0, 7, random) * std::numbers::pi / 4};
+    request.group = {-1, 7, 7, -1};
+    request.start = 0;
+    request.open = round % 2 == 0;
+    const TourResult tour = plan_tour(planner, request);
+    const auto at = [&](std::size_t i) {
+      return Pose{request.points[i].x, request.points[i].y, *request.yaws[i]};
+    };
+    std::vector<Pose> members = headings(planner, request.points[1]);
+    for (const Pose& pose : headings(planner, request.points[2])) members.push_back(pose);
+    const double best = least(planner, {{at(0)}, members, {at(3)}}, request.open, true);
+    if (best >= 1e9) continue;
+    ASSERT_EQ(tour.status, Status::solved) << tour.error;
+    EXPECT_TRUE(tour.left_out.empty());
+    ASSERT_TRUE(tour.lower_bound);
+    EXPECT_LE(*tour.lower_bound, best + 1e-6);
+    EXPECT_NEAR(tour.length, best, 0.01);
+  }
 }
 
 TEST(VehicleTour, OfRobotsAndOfManyStops) {
@@ -258,6 +324,17 @@ TEST(VehicleTour, NamesWhatItLeavesOut) {
   EXPECT_EQ(why(1), "stop 2 at (40.5, 5) is blocked");
   EXPECT_EQ(why(2), "stop 3 at (5, 32.5): no way was found between it and the others");
   EXPECT_EQ(why(3), "stop 5 at (-4, 3) is outside the map");
+  TourRequest grouped = request;
+  grouped.group = {-1, -1, -1, 4, -1, 4, -1};
+  const TourResult lost = plan_tour(planner, grouped);
+  ASSERT_EQ(lost.left_out.size(), 3U);
+  EXPECT_EQ(lost.left_out[2].stop, 3);
+  EXPECT_EQ(lost.left_out[2].group, 4);
+  EXPECT_EQ(lost.left_out[2].why, "no stop of group 4 can be visited: " + why(2));
+  grouped.group = {-1, -1, -1, 4, 4, -1, -1};  // the other one is visited
+  const TourResult kept = plan_tour(planner, grouped);
+  ASSERT_EQ(kept.left_out.size(), 3U);
+  EXPECT_EQ(kept.left_out[2].stop, 5);
   request.start = 3;
   const TourResult none = plan_tour(planner, request);
   EXPECT_EQ(none.status, Status::no_path);
@@ -278,6 +355,13 @@ TEST(VehicleTour, RefusesAndStops) {
   request.yaws = {0.0, std::nan(""), std::nullopt};
   EXPECT_THROW((void)plan_tour(planner, request), Error);
   request.yaws = {0.0, 1.0, std::nullopt};
+  request.goal = 1;
+  EXPECT_THROW((void)plan_tour(planner, request), Error);  // it is closed
+  request.open = true;
+  request.goal = 0;
+  EXPECT_THROW((void)plan_tour(planner, request), Error);  // the start
+  request.open = false;
+  request.goal.reset();
   request.after = {{}, {2}, {}};
   EXPECT_THROW((void)plan_tour(planner, request), Error);
   request.after.clear();
@@ -285,6 +369,18 @@ TEST(VehicleTour, RefusesAndStops) {
   const TourResult late = plan_tour(planner, request);
   EXPECT_EQ(late.status, Status::limit);
   judge(grid, truck(), request, late);
+  TourRequest late_pocket;  // whose first legs have no plans
+  late_pocket.points = {{10.5, 25.5}, {31.5, 25.5}};
+  late_pocket.yaws = {0.0, std::nullopt};
+  late_pocket.stop.deadline = Clock::now();
+  late_pocket.start = 0;
+  late_pocket.open = true;
+  const TourResult found = plan_tour(Planner(pocket(), truck()), late_pocket);
+  EXPECT_EQ(found.status, Status::limit);
+  EXPECT_EQ(found.order, (std::vector{0, 1}));
+  TourRequest many;
+  many.points.assign(251, {30, 20});
+  EXPECT_THROW((void)plan_tour(planner, many), Error);  // 2008 poses
   std::stop_source source;
   source.request_stop();
   request.stop = {.token = source.get_token()};
