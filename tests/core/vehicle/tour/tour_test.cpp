@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <random>
 
 #include "lasius/error.h"
+#include "tests/core/vehicle/tour/least_tour.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
 #include "tests/worlds/grids.h"
@@ -79,58 +79,6 @@ void judge(const Grid& grid, const Vehicle& vehicle, const TourRequest& request,
   EXPECT_LE(*tour.lower_bound, tour.length);
 }
 
-/// The least length over all orders (that begin with the first stop, where it is the start) and
-/// given poses of stops, by the plans of all pairs.
-double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops, bool open,
-             bool from_first = false) {
-  std::vector<Pose> poses;
-  std::vector<std::vector<std::size_t>> at;
-  for (const auto& stop : stops) {
-    at.emplace_back();
-    for (const Pose& pose : stop) {
-      at.back().push_back(poses.size());
-      poses.push_back(pose);
-    }
-  }
-  const std::size_t n = poses.size();
-  std::vector<double> lengths(n * n, 1e9);
-  for (std::size_t s = 0; s < stops.size(); ++s)
-    for (std::size_t t = 0; t < stops.size(); ++t)
-      for (const std::size_t a : at[s])
-        for (const std::size_t b : at[t]) {
-          if (s == t) continue;
-          const Result plan = planner.plan({.start = poses[a], .goals = {poses[b]}});
-          if (plan.goal >= 0) lengths[a * n + b] = plan.length;
-        }
-  std::vector<std::size_t> order(stops.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  double best = 1e9;
-  do {
-    if (from_first && order.front() != 0) continue;
-    std::vector<std::size_t> turn(stops.size(), 0);
-    for (bool more = true; more;) {
-      double sum = 0;
-      for (std::size_t i = 0; i + (open ? 1 : 0) < order.size(); ++i) {
-        const std::size_t s = order[i], t = order[(i + 1) % order.size()];
-        sum += lengths[at[s][turn[s]] * n + at[t][turn[t]]];
-      }
-      best = std::min(best, sum);
-      more = false;
-      for (std::size_t s = 0; s < stops.size() && !more; ++s) {
-        more = ++turn[s] < at[s].size();
-        if (!more) turn[s] = 0;
-      }
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
-Vehicle truck() {
-  Vehicle vehicle = car(rectangle(1, 3, 1.25), 4);
-  vehicle.reverse = false;
-  return vehicle;
-}
-
 TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
   std::mt19937 random(5);
   int whole = 0;
@@ -175,16 +123,6 @@ TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
   EXPECT_GE(whole, 4);
 }
 
-/// Free headings.
-std::vector<Pose> headings(const Planner& planner, const Point p) {
-  std::vector<Pose> poses;
-  for (int h = 0; h < kTourHeadings; ++h)
-    if (const Pose pose{p.x, p.y, h * 2 * std::numbers::pi / kTourHeadings};
-        planner.space().free(pose))
-      poses.push_back(pose);
-  return poses;
-}
-
 TEST(VehicleTour, ChoosesHeadingsAmongEight) {
   std::mt19937 random(6);
   const Grid grid = rooms(40, 30, 4, random);
@@ -207,62 +145,6 @@ TEST(VehicleTour, ChoosesHeadingsAmongEight) {
   EXPECT_EQ(tour.order.front(), 0);
   EXPECT_NEAR(tour.length, least(planner, stops, false), 0.01);
   EXPECT_LT(tour.priced, 100);  // of 144 pairs
-}
-
-/// A pocket that opens to the right; most headings of a truck in it have no way there.
-Grid pocket() {
-  Grid grid(60, 50);
-  grid.fill({28, 15, 6, 1}, true);
-  grid.fill({28, 16, 1, 19}, true);
-  grid.fill({28, 35, 6, 1}, true);
-  return grid;
-}
-
-TEST(VehicleTour, TriesAllHeadingsBeforeItLeavesAStopOut) {
-  const Planner planner(pocket(), truck());
-  TourRequest request;
-  request.points = {{10.5, 25.5}, {31.5, 25.5}};
-  request.yaws = {0.0, std::nullopt};
-  request.start = 0;
-  request.open = true;
-  const TourResult tour = plan_tour(planner, request);
-  ASSERT_EQ(tour.status, Status::solved) << tour.error;
-  ASSERT_EQ(tour.order, (std::vector{0, 1}));
-  EXPECT_GT(tour.priced, 1);
-  const double best =
-      least(planner, {{{10.5, 25.5, 0}}, headings(planner, {31.5, 25.5})}, true, true);
-  EXPECT_NEAR(tour.length, best, 0.01);
-  EXPECT_LT(best, 50);
-}
-
-TEST(VehicleTour, BoundsAndTakesAllMembersOfGroups) {
-  std::mt19937 random(9);
-  const Planner planner(pocket(), truck());
-  for (int round = 0; round < 6; ++round) {
-    TourRequest request;
-    request.points = {{10.5, random_in(8, 42, random) + 0.5},
-                      {31.5, 20.5 + 5 * random_in(0, 2, random)},
-                      {random_in(44, 56, random) + 0.5, random_in(5, 45, random) + 0.5},
-                      {random_in(42, 54, random) + 0.5, random_in(6, 44, random) + 0.5}};
-    request.yaws = {random_in(0, 7, random) * std::numbers::pi / 4, std::nullopt, std::nullopt,
-                    random_in(0, 7, random) * std::numbers::pi / 4};
-    request.group = {-1, 7, 7, -1};
-    request.start = 0;
-    request.open = round % 2 == 0;
-    const TourResult tour = plan_tour(planner, request);
-    const auto at = [&](std::size_t i) {
-      return Pose{request.points[i].x, request.points[i].y, *request.yaws[i]};
-    };
-    std::vector<Pose> members = headings(planner, request.points[1]);
-    for (const Pose& pose : headings(planner, request.points[2])) members.push_back(pose);
-    const double best = least(planner, {{at(0)}, members, {at(3)}}, request.open, true);
-    if (best >= 1e9) continue;
-    ASSERT_EQ(tour.status, Status::solved) << tour.error;
-    EXPECT_TRUE(tour.left_out.empty());
-    ASSERT_TRUE(tour.lower_bound);
-    EXPECT_LE(*tour.lower_bound, best + 1e-6);
-    EXPECT_NEAR(tour.length, best, 0.01);
-  }
 }
 
 TEST(VehicleTour, OfRobotsAndOfManyStops) {
