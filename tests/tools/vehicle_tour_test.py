@@ -58,6 +58,17 @@ class VehicleTours(ProgramTest):
         self.assertEqual((result["start_world"], result["goal_world"]), ([0, 0, math.pi / 2], [11, 5, 0]))
         self.ended(self.run_program("verify", "m.json"), 0)
 
+    def test_a_stop_that_is_blocked_at_all_headings_of_a_turned_map(self):
+        self.write("world.pgm", b"P5 30 20 255 " + b"\xfe" * 280 + b"\x00" + b"\xfe" * 319)
+        self.write("world.yaml", ROS.replace("-2, 0]", "-2, -0.39269908]"))
+        turn, cells = -0.39269908, [(10.5, 10.5), (20.5, 5.5), (5.5, 5.5)]
+        self.write("s.json", json.dumps([[-1 + (x * math.cos(turn) - y * math.sin(turn)) / 2,
+                                          -2 + (x * math.sin(turn) + y * math.cos(turn)) / 2] for x, y in cells]))
+        result = self.tour("--json", "--frame", "world", map_file="world.yaml")
+        self.ended(result, 0)
+        (left,) = result.json["left_out"]
+        self.assertRegex(left["why"], r"in cell \(10, 9\): the footprint meets cell \(\d+, \d+\), and others")
+
     def test_what_is_refused(self):
         self.ended(self.tour("--start", "4,4"), 2)
         self.ended(self.tour("--radius", "2"), 2)

@@ -86,12 +86,20 @@ class VehicleTour final : public TourProblem {
     const auto stop = static_cast<int>(&place - answer_.stops.data());
     const std::string& said = said_.at(stop);
     std::string text = name + place_text(place, command_.run.frame);
-    if (!said.ends_with(" is blocked")) return text + said.substr(said.rfind(')') + 1);
+    const auto behind = [&](std::string why) {  // a place in metres ends with a comma
+      if (why.starts_with(':') && text.ends_with(',')) text.pop_back();
+      return text + why;
+    };
+    if (!said.ends_with(" is blocked")) return behind(said.substr(said.rfind(')') + 1));
     const auto& yaws = command_.stops.yaws;
     const auto yaw = yaws.empty() ? std::nullopt : yaws[static_cast<std::size_t>(stop)];
-    const auto cell = on_->planner->space().contact(end_at(stop, yaw.value_or(0)).pose);
-    return text + ": the footprint meets cell (" + std::to_string(cell->x) + ", " +
-           std::to_string(cell->y) + ")" + (yaw ? "" : ", and others at the other headings");
+    vehicle::Pose pose = end_at(stop, yaw.value_or(0)).pose;
+    if (!yaw) pose.yaw = 0;  // the first that was tried, in cells
+    const auto cell = on_->planner->space().contact(pose);
+    if (!cell) return text + " is blocked";
+    return behind(": the footprint meets cell (" + std::to_string(cell->x) + ", " +
+                  std::to_string(cell->y) + ")" +
+                  (yaw ? "" : ", and others at the other headings"));
   }
   void look_at_ends() override {}  // the error says it all
 

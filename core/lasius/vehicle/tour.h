@@ -33,11 +33,12 @@ struct TourResult : lasius::TourResult {
 /// steps) the order is one of least length over the plans of all pairs, though few are made; above,
 /// it is searched, anew each time that legs are priced, till ten searches find none that is
 /// shorter. Stops are left out where the vehicle does not fit, the disc inside its footprint cannot
-/// get there from the others (proven), or plans find no way there or away. The first order's legs
-/// are planned whatever the deadline; a token ends the search with the best tour so far, which may
-/// be none. An observer is told tours whose legs are planned.
+/// get there from the others (proven), or plans find no way there or away, at any heading; a group
+/// where that holds of all its stops, and the bound is over all but those that cannot be (proven).
+/// A deadline ends no search that has no tour yet; a token ends it with the best tour so far, which
+/// may be none. An observer is told tours whose legs are planned.
 /// @throws Error(invalid_parameter) as plan_tour of a map, for an order given in part or ants, for
-/// more than 2000 poses at all stops, and for an end without a yaw
+/// more than 2000 poses at all stops, for an end without a yaw, and for a closed tour with a goal
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,
                                    const TourObserver& observer = {});
 

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/tour/map_pricer.h"
+#include "core/vehicle/bound.h"
 
 namespace lasius::vehicle {
 
@@ -31,10 +32,14 @@ LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int th
     for (int w = v + 1; w < places; ++w) pairs.emplace_back(v, w);
   parallel_for(static_cast<int>(pairs.size()), thread_count(threads), [&](int i, int) {
     const auto [v, w] = pairs[i];
-    const double around = planner_.lower_bound({.start = at(first[v]).pose,
-                                                .goals = {at(first[w]).pose},
-                                                .heading_tolerance = std::numbers::pi,
-                                                .stop = stop});
+    const StopCondition::Cause cause = stop.poll();
+    if (cause == StopCondition::Cause::token) return;
+    const double around = cause != StopCondition::Cause::none
+                              ? 0
+                              : planner_.lower_bound({.start = at(first[v]).pose,
+                                                      .goals = {at(first[w]).pose},
+                                                      .heading_tolerance = std::numbers::pi,
+                                                      .stop = stop});
     for (int a = first[v]; a < first[v + 1]; ++a)
       for (int b = first[w]; b < first[w + 1]; ++b)
         for (const PosePair& leg : {PosePair{a, b}, PosePair{b, a}})
@@ -75,12 +80,12 @@ void LegPrices::price(std::span<const PosePair> legs, int threads, const StopCon
     if (plan.segments.empty()) {
       costs_[index(leg)] = kDead;
       const auto [failures, is_new] = failed_.try_emplace(places, 0);
-      if (is_new || failures->second > 0)
+      if (avoids_ && (is_new || failures->second > 0))
         if (++failures->second == kFailures) avoid(places.first, places.second);
     } else {
       failed_[places] = 0;
       costs_[index(leg)] = std::min(kDearest, tour::grains(value(plan), scale_));
-      plan.lower_bound = std::min(bounds_[index(leg)], value(plan));
+      plan.lower_bound = Bound::told(bounds_[index(leg)], value(plan), plan.over_costs);
     }
     plans_.emplace(leg, std::move(plan));
   }
@@ -90,6 +95,19 @@ void LegPrices::avoid(int from, int to) {
   for (int a = 0; a < size(); ++a)
     for (int b = 0; b < size(); ++b)
       if (at(a).place == from && at(b).place == to) costs_[index({a, b})] = kDead;
+}
+
+bool LegPrices::avoid_none() {
+  if (!avoids_) return false;
+  avoids_ = false;
+  bool any = false;
+  for (int a = 0; a < size(); ++a)
+    for (int b = 0; b < size(); ++b)
+      if (const PosePair leg{a, b}; costs_[index(leg)] == kDead && !known(leg)) {
+        costs_[index(leg)] = lower_[index(leg)];
+        any = true;
+      }
+  return any;
 }
 
 }  // namespace lasius::vehicle

@@ -25,7 +25,7 @@ using PosePair = std::pair<int, int>;
 class LegPrices {
  public:
   /// Finds the bounds: of each pair of places around the obstacles, of each pair of poses without
-  /// them. Of less worth where stopped.
+  /// them. After a deadline none is around the obstacles, after a token's stop they are 0.
   LegPrices(const Planner& planner, std::vector<TourPose> poses, int threads,
             const StopCondition& stop);
 
@@ -36,8 +36,11 @@ class LegPrices {
   std::vector<tour::Cost> lower_both_ways() const;
   double scale() const noexcept { return scale_; }  ///< grains of a length, or over costs of a cost
 
-  /// Plans legs that are not known. A stopped plan is none.
+  /// Plans legs that are not known. A stopped plan is none. Where two between places have no way
+  /// the others between these cost as much as if they had none, till avoid_none.
   void price(std::span<const PosePair> legs, int threads, const StopCondition& stop);
+  /// From now on what is not known costs its bound. Whether that changes a cost.
+  bool avoid_none();
   bool known(const PosePair& leg) const { return plans_.contains(leg); }
   bool has_way(const PosePair& leg) const { return !plans_.at(leg).segments.empty(); }
   /// Of a known one; without a path where none was found.
@@ -56,6 +59,7 @@ class LegPrices {
   const Planner& planner_;
   std::vector<TourPose> poses_;
   double scale_ = 1;
+  bool avoids_ = true;
   std::vector<double> bounds_;
   std::vector<tour::Cost> costs_, lower_;
   std::map<PosePair, Result> plans_;

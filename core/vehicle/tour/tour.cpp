@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
+#include "core/tour/order/search.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
+#include "core/vehicle/bound.h"
 #include "core/vehicle/sweep.h"
 #include "core/vehicle/tour/leg_prices.h"
 
@@ -41,8 +44,9 @@ void check_tour(const TourRequest& request, int n) {
   for (const auto& yaw : request.yaws)
     require_parameter(!yaw || std::fabs(*yaw) <= 1e5, "a yaw", yaw.value_or(0),
                       "give radians, at most 100000");
+  tour::check_ends(n, {request.open, request.start.value_or(-1), request.goal.value_or(-1)});
   for (const int end : ends_of(request))
-    if (!yaw_of(request, end))
+    if (end < 0 || !yaw_of(request, end))
       throw invalid_parameter("stop " + number_text(end) + ", an end of the tour, has no yaw",
                               "say where the vehicle looks there");
 }
@@ -57,8 +61,9 @@ std::vector<Pose> free_poses(const Planner& planner, Point at, std::optional<dou
 }
 
 /// Stops are of one region where the disc in the footprint gets from one to the other.
+/// Once stopped, all further ones.
 StopPlaces places_of(const Planner& planner, std::span<const Point> points,
-                     const std::vector<std::vector<Pose>>& poses) {
+                     const std::vector<std::vector<Pose>>& poses, const StopCondition& stop) {
   StopPlaces places{std::vector<std::vector<int>>(points.size()), {}};
   std::vector<Pose> regions;
   const Space::Impl& map = planner.space().impl();
@@ -69,7 +74,7 @@ StopPlaces places_of(const Planner& planner, std::span<const Point> points,
     const Pose& pose = poses[i].front();
     const auto found = std::find_if(regions.begin(), regions.end(), [&](const Pose& other) {
       return std::isfinite(planner.lower_bound(
-          {.start = other, .goals = {pose}, .heading_tolerance = std::numbers::pi}));
+          {.start = other, .goals = {pose}, .heading_tolerance = std::numbers::pi, .stop = stop}));
     });
     places.regions[i] = {static_cast<int>(found - regions.begin())};
     if (found == regions.end()) regions.push_back(pose);
@@ -85,46 +90,53 @@ class TourSearch {
         observer_(observer),
         stops_(std::move(stops)),
         tour_(tour),
-        legs_(planner, poses_of(stops_, poses), request.threads, without_deadline(request.stop)) {
-    std::vector<std::vector<int>> at(stops_.indices.size());
-    for (int a = 0; a < legs_.costs().size(); ++a) at[legs_.at(a).place].push_back(a);
+        legs_(planner, poses_of(stops_, poses), request.threads, request.stop),
+        at_(stops_.indices.size()) {
+    for (int a = 0; a < legs_.costs().size(); ++a) at_[legs_.at(a).place].push_back(a);
     problem_ = stops_.routes;
     for (std::vector<int>& task : problem_.tasks) {
       std::vector<int> all;
-      for (const int place : task) all.insert(all.end(), at[place].begin(), at[place].end());
+      for (const int place : task) all.insert(all.end(), at_[place].begin(), at_[place].end());
       task = std::move(all);
     }
     for (tour::Ends& ends : problem_.routes)
       for (int* const end : {&ends.start, &ends.goal})
-        if (*end >= 0) *end = at[*end].front();
+        if (*end >= 0) *end = at_[*end].front();
+    to_bound_ = problem_;
   }
 
   void run() {
     for (int idle = 0; idle < kIdle;) {
-      const bool first = tour_.priced == 0;
+      const StopCondition stop =
+          best_.empty() ? without_deadline(request_.stop) : request_.stop;  // a tour, however late
       const RoutesFound found =
           find_routes(problem_, legs_.costs(),
                       {.seed = request_.seed,
                        .generations = (request_.generations + kEffort - 1) / kEffort,
-                       .stop = first ? without_deadline(request_.stop) : request_.stop});
+                       .stop = stop});
+      if (found.optimal && legs_.avoid_none()) continue;
       const std::vector<PosePair> order = legs_of(found.orders);
       if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
       std::vector<PosePair> missing;
       for (const PosePair& leg : order)
         if (!legs_.known(leg)) missing.push_back(leg);
-      legs_.price(missing, request_.threads,
-                  first ? without_deadline(request_.stop) : request_.stop);
-      tour_.priced += static_cast<std::int64_t>(missing.size());
+      price(missing, stop);
       const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
       const bool all_known = std::all_of(order.begin(), order.end(), known);
       const bool better = all_known && offer(found.orders, order);
       if (better && !tell()) break;
       cause_ = request_.stop.poll();
-      if (cause_ != StopCondition::Cause::none) break;
-      const int lost = unjoined(missing.empty() ? order : std::vector<PosePair>{});
-      if (lost >= 0 && !leave_out(lost)) return;
-      if (lost < 0 && missing.empty()) break;
-      idle = better || lost >= 0 || found.optimal || best_.empty() ? 0 : idle + 1;
+      if (cause_ == StopCondition::Cause::token) break;
+      if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
+      const bool in_vain = missing.empty() && best_.empty();
+      if (in_vain && legs_.avoid_none()) continue;
+      const Unjoined lost = unjoined(in_vain ? order : std::vector<PosePair>{});
+      if (lost.place < 0 && missing.empty()) break;
+      if (!lost.untried.empty())
+        price(lost.untried, stop);
+      else if (lost.place >= 0 && !leave_out(lost.place))
+        return;
+      idle = better || lost.place >= 0 || found.optimal || best_.empty() ? 0 : idle + 1;
     }
     conclude();
   }
@@ -136,13 +148,12 @@ class TourSearch {
     for (int place = 0; place < stops.size(); ++place)
       for (const Pose& pose : poses[static_cast<std::size_t>(stops.indices[place])])
         all.push_back({pose, place});
-    if (all.size() > kMostPoses)
-      throw invalid_parameter(number_text(all.size()) + " poses are too many for a tour",
-                              "give at most " + number_text(kMostPoses) +
-                                  "; a stop without a yaw "
-                                  "has " +
-                                  number_text(kTourHeadings));
     return all;
+  }
+
+  void price(const std::vector<PosePair>& legs, const StopCondition& stop) {
+    legs_.price(legs, request_.threads, stop);
+    tour_.priced += static_cast<std::int64_t>(legs.size());
   }
 
   // As add_legs has them.
@@ -178,9 +189,13 @@ class TourSearch {
     return request_.target_gap <= 0 || best_cost_ > target_of(bound(), request_.target_gap);
   }
 
+  struct Unjoined {
+    int place = -1;                 // -1: none
+    std::vector<PosePair> untried;  // that may join it all the same
+  };
   // A place that no way was found to, or from, of several tried; `order`: there is no other one
-  // without such legs, and the place with most of them is meant. -1: none.
-  int unjoined(const std::vector<PosePair>& order) const {
+  // without such legs, and a place of the first of them is meant.
+  Unjoined unjoined(const std::vector<PosePair>& order) const {
     const auto places = static_cast<std::size_t>(stops_.size());
     std::vector<std::set<int>> tried[2]{std::vector<std::set<int>>(places),
                                         std::vector<std::set<int>>(places)};
@@ -194,62 +209,102 @@ class TourSearch {
       }
     }
     const auto left = places - left_out_.size();
-    int worst = -1;
+    Unjoined worst;
     std::size_t most = std::min<std::size_t>(kUnjoined, left - 1);
     for (std::size_t v = 0; v < places; ++v)
-      for (const int side : {0, 1})
-        if (!left_out_.contains(static_cast<int>(v)) && live[side][v] == 0 && left > 1 &&
-            tried[side][v].size() >= most && !tried[side][v].empty() &&
-            (worst < 0 || tried[side][v].size() > most || is_end(worst))) {
-          worst = static_cast<int>(v);
-          most = tried[side][v].size();
-        }
-    if (worst >= 0) return worst;
+      for (const int side : {0, 1}) {
+        const auto place = static_cast<int>(v);
+        if (left_out_.contains(place) || !needs_leg(place, side) || live[side][v] != 0) continue;
+        if (tried[side][v].size() < most || tried[side][v].empty()) continue;
+        if (worst.place >= 0 && tried[side][v].size() == most && !is_end(worst.place)) continue;
+        worst = {place, {}};
+        most = tried[side][v].size();
+        for (const int other : tried[side][v])
+          if (worst.untried.empty())
+            worst.untried = side == 0 ? untried(place, other) : untried(other, place);
+      }
+    if (worst.place >= 0) return worst;
     for (const PosePair& leg : order)
       if (!legs_.has_way(leg))
         for (const int a : {leg.second, leg.first})
-          if (worst < 0 || is_end(worst)) worst = legs_.at(a).place;
+          if (worst.place < 0 || is_end(worst.place))
+            worst = {legs_.at(a).place,
+                     untried(legs_.at(leg.first).place, legs_.at(leg.second).place)};
     return worst;
+  }
+  std::vector<PosePair> untried(int from, int to) const {
+    std::vector<PosePair> legs;
+    for (const int a : at_[from])
+      for (const int b : at_[to])
+        if (!legs_.known({a, b})) legs.emplace_back(a, b);
+    return legs;
+  }
+  // Whether each tour over this place has a leg away from it (side 0), or to it.
+  bool needs_leg(int place, int side) const {
+    if (!request_.robots.empty() && is_end(place)) return false;  // a robot may stay there
+    if (!request_.open) return true;
+    const int stop = stops_.indices[place];
+    if (side == 0) return request_.goal && request_.goal != stop;
+    return !request_.robots.empty() || (request_.start && request_.start != stop);
   }
   bool is_end(int place) const {
     const std::vector<int> ends = ends_of(request_);
     return std::count(ends.begin(), ends.end(), stops_.indices[place]) > 0;
   }
 
-  // False where the tour cannot be without it.
+  // False where the tour cannot be without it. Tasks that are done elsewhere keep it in the bound:
+  // that no way was found proves nothing.
   bool leave_out(int place) {
-    const int stop = stops_.indices[place];
-    const Point at = stops_.points[stop];
-    const std::string why = "stop " + number_text(stop) + " at " + pair_text(at.x, at.y) +
-                            ": no way was found between it and the others";
     const auto here = [&](int a) { return legs_.at(a).place == place; };
     left_out_.insert(place);
-    for (std::vector<int>& task : problem_.tasks) std::erase_if(task, here);
-    std::erase_if(problem_.tasks, [](const auto& task) { return task.empty(); });
-    tour_.left_out.push_back({stop, why});
-    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
-              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
     bound_.reset();
     for (const auto& order : best_)
       if (std::any_of(order.begin(), order.end(), here)) {
         best_.clear();
         break;
       }
-    if (!is_end(place)) return true;
-    tour_.status = Status::no_path;
-    tour_.error = why;
-    return false;
+    if (is_end(place)) {
+      tell_left_out(place, -1);
+      tour_.status = Status::no_path;
+      tour_.error = tour_.left_out.back().why;
+    }
+    for (std::size_t i = 0; i < problem_.tasks.size(); ++i) {
+      std::erase_if(problem_.tasks[i], here);
+      if (!problem_.tasks[i].empty()) continue;
+      tell_left_out(place, request_.group.empty() ? -1 : request_.group[stops_.indices[place]]);
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      problem_.tasks.erase(problem_.tasks.begin() + at);
+      to_bound_.tasks.erase(to_bound_.tasks.begin() + at);
+      break;
+    }
+    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
+              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
+    return tour_.error.empty();
+  }
+  // As visited does.
+  void tell_left_out(int place, int group) {
+    LeftOut out{stops_.indices[place], {}, -1};
+    if (group >= 0 && std::count(request_.group.begin(), request_.group.end(), group) > 1) {
+      out.group = group;
+      out.stop = static_cast<int>(std::find(request_.group.begin(), request_.group.end(), group) -
+                                  request_.group.begin());
+      out.why = "no stop of group " + number_text(group) + " can be visited: ";
+    }
+    const Point at = stops_.points[out.stop];
+    out.why += "stop " + number_text(out.stop) + " at " + pair_text(at.x, at.y) +
+               ": no way was found between it and the others";
+    tour_.left_out.push_back(std::move(out));
   }
 
   std::int64_t bound() {
     if (bound_) return *bound_;
     Poller poller(request_.stop);
-    if (const auto exact = tour::exact_routes(problem_, legs_.lower(), poller)) {
+    if (const auto exact = tour::exact_routes(to_bound_, legs_.lower(), poller)) {
       bound_ = tour::cost_of(legs_.lower(), *exact, request_.open);
     } else {
       const std::vector<tour::Cost> both = legs_.lower_both_ways();
       bound_ =
-          tour::routes_bound(problem_, {legs_.costs().size(), both.data()}, best_cost_, poller);
+          tour::routes_bound(to_bound_, {legs_.costs().size(), both.data()}, best_cost_, poller);
     }
     return *bound_;
   }
@@ -282,8 +337,9 @@ class TourSearch {
     }
     sum_up(tour_);
     const double sum = tour_.cost.value_or(tour_.length);
-    tour_.lower_bound = std::min(sum, static_cast<double>(bound()) / legs_.scale());
-    if (*tour_.lower_bound <= 0 && sum > 0) tour_.lower_bound.reset();
+    tour_.lower_bound =
+        Bound::told(static_cast<double>(bound()) / legs_.scale(), sum, tour_.cost.has_value());
+    if (tour_.lower_bound && *tour_.lower_bound <= 0 && sum > 0) tour_.lower_bound.reset();
     settle_optimal(tour_);
   }
 
@@ -292,7 +348,9 @@ class TourSearch {
   TourStops stops_;
   TourResult& tour_;
   LegPrices legs_;
-  tour::RouteProblem problem_;  // over poses
+  std::vector<std::vector<int>> at_;  // poses of each place
+  tour::RouteProblem problem_;        // over poses
+  tour::RouteProblem to_bound_;       // the same tasks, with all their poses
   std::vector<std::vector<int>> best_;
   std::int64_t best_cost_ = 0;
   std::optional<std::int64_t> bound_;
@@ -308,9 +366,16 @@ TourResult plan_tour(const Planner& planner, const TourRequest& request,
   const std::vector<Point> points = points_of(request);
   check_tour(request, static_cast<int>(points.size()));
   std::vector<std::vector<Pose>> poses;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
     poses.push_back(free_poses(planner, points[i], yaw_of(request, static_cast<int>(i))));
-  TourStops stops = stops_of(places_of(planner, points, poses), request, tour);
+    count += poses.back().size();
+  }
+  if (count > kMostPoses)
+    throw invalid_parameter(number_text(count) + " poses are too many for a tour",
+                            "give at most " + number_text(kMostPoses) +
+                                "; a stop without a yaw has " + number_text(kTourHeadings));
+  TourStops stops = stops_of(places_of(planner, points, poses, request.stop), request, tour);
   if (stops.size() > 0 && !is_routed(request)) add_routes(request, stops, tour);
   if (stops.size() == 0) return tour;
   tour.status = Status::interrupted;

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <random>
 
 #include "lasius/error.h"
+#include "tests/core/vehicle/tour/least_tour.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
 #include "tests/worlds/grids.h"
@@ -79,55 +79,6 @@ void judge(const Grid& grid, const Vehicle& vehicle, const TourRequest& request,
   EXPECT_LE(*tour.lower_bound, tour.length);
 }
 
-/// The least length over all orders and given poses of stops, by the plans of all pairs.
-double least(const Planner& planner, const std::vector<std::vector<Pose>>& stops, bool open) {
-  std::vector<Pose> poses;
-  std::vector<std::vector<std::size_t>> at;
-  for (const auto& stop : stops) {
-    at.emplace_back();
-    for (const Pose& pose : stop) {
-      at.back().push_back(poses.size());
-      poses.push_back(pose);
-    }
-  }
-  const std::size_t n = poses.size();
-  std::vector<double> lengths(n * n, 1e9);
-  for (std::size_t s = 0; s < stops.size(); ++s)
-    for (std::size_t t = 0; t < stops.size(); ++t)
-      for (const std::size_t a : at[s])
-        for (const std::size_t b : at[t]) {
-          if (s == t) continue;
-          const Result plan = planner.plan({.start = poses[a], .goals = {poses[b]}});
-          if (plan.goal >= 0) lengths[a * n + b] = plan.length;
-        }
-  std::vector<std::size_t> order(stops.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  double best = 1e9;
-  do {
-    std::vector<std::size_t> turn(stops.size(), 0);
-    for (bool more = true; more;) {
-      double sum = 0;
-      for (std::size_t i = 0; i + (open ? 1 : 0) < order.size(); ++i) {
-        const std::size_t s = order[i], t = order[(i + 1) % order.size()];
-        sum += lengths[at[s][turn[s]] * n + at[t][turn[t]]];
-      }
-      best = std::min(best, sum);
-      more = false;
-      for (std::size_t s = 0; s < stops.size() && !more; ++s) {
-        more = ++turn[s] < at[s].size();
-        if (!more) turn[s] = 0;
-      }
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
-Vehicle truck() {
-  Vehicle vehicle = car(rectangle(1, 3, 1.25), 4);
-  vehicle.reverse = false;
-  return vehicle;
-}
-
 TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
   std::mt19937 random(5);
   int whole = 0;
@@ -183,10 +134,7 @@ TEST(VehicleTour, ChoosesHeadingsAmongEight) {
     const Point p = request.points[i];
     stops.emplace_back();
     if (i == 0) stops[i].push_back({p.x, p.y, *request.yaws[i]});
-    for (int h = 0; h < kTourHeadings && i > 0; ++h)
-      if (const Pose pose{p.x, p.y, h * 2 * std::numbers::pi / kTourHeadings};
-          planner.space().free(pose))
-        stops[i].push_back(pose);
+    if (i > 0) stops[i] = headings(planner, p);
   }
   request.yaws[1].reset();
   request.yaws[2].reset();
@@ -258,6 +206,17 @@ TEST(VehicleTour, NamesWhatItLeavesOut) {
   EXPECT_EQ(why(1), "stop 2 at (40.5, 5) is blocked");
   EXPECT_EQ(why(2), "stop 3 at (5, 32.5): no way was found between it and the others");
   EXPECT_EQ(why(3), "stop 5 at (-4, 3) is outside the map");
+  TourRequest grouped = request;
+  grouped.group = {-1, -1, -1, 4, -1, 4, -1};
+  const TourResult lost = plan_tour(planner, grouped);
+  ASSERT_EQ(lost.left_out.size(), 3U);
+  EXPECT_EQ(lost.left_out[2].stop, 3);
+  EXPECT_EQ(lost.left_out[2].group, 4);
+  EXPECT_EQ(lost.left_out[2].why, "no stop of group 4 can be visited: " + why(2));
+  grouped.group = {-1, -1, -1, 4, 4, -1, -1};  // the other one is visited
+  const TourResult kept = plan_tour(planner, grouped);
+  ASSERT_EQ(kept.left_out.size(), 3U);
+  EXPECT_EQ(kept.left_out[2].stop, 5);
   request.start = 3;
   const TourResult none = plan_tour(planner, request);
   EXPECT_EQ(none.status, Status::no_path);
@@ -278,6 +237,13 @@ TEST(VehicleTour, RefusesAndStops) {
   request.yaws = {0.0, std::nan(""), std::nullopt};
   EXPECT_THROW((void)plan_tour(planner, request), Error);
   request.yaws = {0.0, 1.0, std::nullopt};
+  request.goal = 1;
+  EXPECT_THROW((void)plan_tour(planner, request), Error);  // it is closed
+  request.open = true;
+  request.goal = 0;
+  EXPECT_THROW((void)plan_tour(planner, request), Error);  // the start
+  request.open = false;
+  request.goal.reset();
   request.after = {{}, {2}, {}};
   EXPECT_THROW((void)plan_tour(planner, request), Error);
   request.after.clear();
@@ -285,6 +251,18 @@ TEST(VehicleTour, RefusesAndStops) {
   const TourResult late = plan_tour(planner, request);
   EXPECT_EQ(late.status, Status::limit);
   judge(grid, truck(), request, late);
+  TourRequest late_pocket;  // whose first legs have no plans
+  late_pocket.points = {{10.5, 25.5}, {31.5, 25.5}};
+  late_pocket.yaws = {0.0, std::nullopt};
+  late_pocket.stop.deadline = Clock::now();
+  late_pocket.start = 0;
+  late_pocket.open = true;
+  const TourResult found = plan_tour(Planner(pocket(), truck()), late_pocket);
+  EXPECT_EQ(found.status, Status::limit);
+  EXPECT_EQ(found.order, (std::vector{0, 1}));
+  TourRequest many;
+  many.points.assign(251, {30, 20});
+  EXPECT_THROW((void)plan_tour(planner, many), Error);  // 2008 poses
   std::stop_source source;
   source.request_stop();
   request.stop = {.token = source.get_token()};
