@@ -1,4 +1,4 @@
-"""What surrounds a run and fails it: a full disk, no descriptors, no memory, the clock, a slow reader, signals.
+"""What surrounds a run and fails it: a full disk, no descriptors, no memory, a slow reader, signals.
 
 Each is a function of (command, folder, environment) that returns exit code, standard output and messages.
 """
@@ -10,6 +10,7 @@ import resource
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 
 HANG = "a hang"
@@ -49,15 +50,22 @@ def signalled(numbers, moment):
 
 def slowly_read(command, folder, env):
     """Standard output is a pipe of a page, of which a few bytes are read at a time."""
-    with subprocess.Popen(command, cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, bufsize=0) as process:
+    with tempfile.TemporaryFile() as messages, subprocess.Popen(
+            command, cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=messages,
+            bufsize=0) as process:
+        late = threading.Timer(120, process.kill)
+        late.start()
         fcntl.fcntl(process.stdout, 1031, 4096)  # F_SETPIPE_SZ
         time.sleep(0.1)
         out = b""
         while piece := process.stdout.read(64):
             out += piece
             time.sleep(0.001)
-        return process.wait(60), out, process.stderr.read()
+        process.wait()
+        hung = not late.is_alive()
+        late.cancel()
+        messages.seek(0)
+        return HANG if hung else process.returncode, out, messages.read()
 
 
 def gone_on_with(command, folder, env):
@@ -102,24 +110,34 @@ class Disk:
         os.rmdir(self.place)
 
 
-def tries(draw, moments, seconds, made, disk):
-    """Of one command, that takes so many seconds and makes these files: names, functions, faults of the interposed
-    library, and exit codes of an end that need not leave what a whole run does."""
+def limits(draw, made, disk):
+    """Of a command that makes these files: names, functions, and exit codes of an end that need not leave what a whole
+    run does."""
     for number in range(3, 24):
-        yield f"{number} descriptors", limited(resource.RLIMIT_NOFILE, number), None, ()
-    drawn = any(name.endswith((".svg", ".png", ".gif", ".html")) for name in made)
-    for size in range(8, 8 * 33, 8):  # the loader and cairo may crash without memory
-        crashes = (-signal.SIGSEGV, -signal.SIGABRT) if drawn or size < 16 else ()
-        yield f"{size} MB", limited(resource.RLIMIT_AS, size << 20), None, crashes
-    for jump in ("86400", "-86400"):
-        for number in sorted({1, 2, 3, 5, draw.randrange(1, 40)}):
-            yield f"clock {number}:{jump}", plainly, f"clock:{number}:{jump}", ()
-    yield "a slow reader", slowly_read, None, ()
-    for _ in range(moments):
-        for number in ENDS:
-            yield number.name, signalled([number], draw.uniform(0, 1.2 * seconds)), None, (130, -number)
-        yield "TSTP and CONT", signalled([signal.SIGTSTP, signal.SIGCONT], draw.uniform(0, seconds)), None, ()
+        yield f"{number} descriptors", limited(resource.RLIMIT_NOFILE, number), ()
+    for size in range(8, 8 * 33, 8):  # the loader may crash without memory, and what draws
+        yield f"{size} MB", limited(resource.RLIMIT_AS, size << 20), (-signal.SIGSEGV, -signal.SIGABRT)
+    yield "a slow reader", slowly_read, ()
     if disk and made:
         pages = sum(len(data) // 4096 + 2 for data in made.values())
         for left in sorted({0, 1, 2, *draw.sample(range(pages + 1), min(8, pages + 1))}):
-            yield f"{left} pages of disk", disk.sized(left), None, ()
+            yield f"{left} pages of disk", disk.sized(left), ()
+
+
+def signals(draw, moments, seconds):
+    """As limits(), of a command that takes so many seconds. Before it watches for it a signal ends it as any program."""
+    for _ in range(moments):
+        for number in ENDS:
+            yield number.name, signalled([number], draw.uniform(0, 1.2 * seconds)), (130, -number)
+        # SIGTSTP is not for a process group without a parent in its session: the kernel throws it away.
+        yield "STOP and CONT", signalled([signal.SIGSTOP, signal.SIGCONT], draw.uniform(0, seconds)), ()
+
+
+def drawn(name):
+    return name.endswith((".svg", ".png", ".gif", ".html"))
+
+
+def without_pictures(words):
+    pairs = list(zip(words, words[1:] + [""]))
+    return [word for (word, after), before in zip(pairs, [""] + words)
+            if not (word == "-o" and drawn(after)) and not (before == "-o" and drawn(word))]

@@ -306,12 +306,15 @@ class Plans(MpiTest):
         alone, out = timeless(run.lines), [json.loads(line)["seed"] for line in run.out.splitlines()]
         self.assertEqual(out, list(range(3, 43)))
         for mpi in PROGRAMS if KILLS else list(PROGRAMS)[-1:]:
-            job = self.start_job(mpi, 2, *self.asked, 1)
+            asked = (*self.asked, 1, "-o", f"{mpi}.csv")  # a journal is of all the words but --threads
+            job = self.start_job(mpi, 2, *asked)
             printed = [job.stdout.readline() for _ in range(4)]
             self.ended_by(job, signal.SIGKILL)
             self.assertEqual(len(self.journals()), 1)
-            run = self.run_job(mpi, 3, *self.asked, 1, "-o", f"{mpi}.csv")
+            run = self.run_job(mpi, 3, *asked)
             self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
+            self.assertEqual(run.out.splitlines(True)[:4], printed)  # their elapsed_ms, too: they are kept
+            self.assertEqual(self.journals(), [])
             self.assertEqual(len(self.rows(f"{mpi}.csv")), 40)
 
     def test_a_query_of_a_batch_is_divided_among_its_seeds(self):
