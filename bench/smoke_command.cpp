@@ -33,7 +33,7 @@ constexpr const char* kLines[] = {
     "arm --rounds 1 --scenes 2 --seeds 2",
 #endif
 #if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
-    "arm-peers --queries 1 --proofs 1 --obstacles 2 --cap 0.05",
+    "arm-peers --queries 1 --obstacles 2 --cap 0.05",
 #endif
 };
 
