@@ -135,11 +135,10 @@ class LineSensor final : public Sensor {
   JointArray levers_;
 };
 
-/// By what a caller names it: links of a lasius-arm/1 have numbers alone.
+/// By what a caller names it: links of a lasius-arm/1 as messages do.
 std::string name_of(const Robot& robot, int link) {
-  if (!robot.links[link].name.empty()) return robot.links[link].name;
-  const std::string text = link_name(robot, link);
-  return text.substr(0, text.find(" ("));  // the joint before it
+  const std::string& name = robot.links[link].name;
+  return name.empty() ? link_name(robot, link) : name;
 }
 
 }  // namespace

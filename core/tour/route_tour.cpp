@@ -42,10 +42,8 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   const bool own_bounds = &lower != &costs;
   const auto bound_of = [&](const RoutesFound& found) {
     if (found.optimal && !own_bounds && !costs.priced_late()) return found.cost;
-    if (own_bounds)
-      if (const auto orders = exact_routes(problem, lower, poller))
-        return cost_of(lower, *orders, request.open);
-    return routes_bound(problem, lower, found.cost, poller);
+    return own_bounds ? least_cost(problem, lower, lower, request.open, found.cost, poller)
+                      : routes_bound(problem, lower, found.cost, poller);
   };
   const auto answer = [&](RoutesFound&& found, std::int64_t bound) {
     return Orders{std::move(found.orders), bound, found.optimal, found.cause};

@@ -33,6 +33,11 @@ std::vector<std::vector<int>> tasks_of(const TourRequest& request, int stops) {
 
 }  // namespace
 
+void tell_of_group(LeftOut& out, int group) {
+  out.group = group;
+  out.why = "no stop of group " + number_text(group) + " can be visited: " + out.why;
+}
+
 std::vector<Point> anchors_of(const Planner& planner, Point p) {
   const bool meeting = p.x == std::floor(p.x) && p.y == std::floor(p.y);
   if (!meeting || planner.robot().radius > 0) return {p};
@@ -119,14 +124,11 @@ std::vector<int> visited(const StopPlaces& places, const TourRequest& request, T
       if (is_end)
         tour.error = tour.left_out.back().why;
       else if (stops.size() > 1)
-        tour.left_out.back().group = request.group[i];
+        tell_of_group(tour.left_out.back(), request.group[i]);
     }
   }
   std::sort(tour.left_out.begin(), tour.left_out.end(),
             [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
-  for (LeftOut& out : tour.left_out)
-    if (out.group >= 0)
-      out.why = "no stop of group " + number_text(out.group) + " can be visited: " + out.why;
   std::vector<int> indices;
   for (int i = 0; i < n; ++i)
     if (in(i)) indices.push_back(i);

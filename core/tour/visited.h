@@ -20,6 +20,9 @@ StopPlaces places_of(const TourWorld& world, std::span<const Point> points);
 /// for those whose task can be done elsewhere.
 std::vector<int> visited(const StopPlaces& places, const TourRequest& request, TourResult& tour);
 
+/// Makes what is said of a stop say it of its group, of which no stop can be visited.
+void tell_of_group(LeftOut& out, int group);
+
 /// Places of the regions that a free point is of: a point where cells meet may be of two, which no
 /// path joins there; then the centres of these cells stand for it.
 std::vector<Point> anchors_of(const Planner& planner, Point p);

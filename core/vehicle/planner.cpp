@@ -225,6 +225,11 @@ double Planner::cost(std::span<const Segment> segments) const {
   return impl_->prices.unit() * impl_->prices.of(segments);
 }
 
+bool Planner::cut_off(const Request& request) const {
+  check(request);
+  return impl_->bound.cut_off(request);
+}
+
 double Planner::lower_bound(const Request& request, bool around) const {
   check(request);
   if (around && impl_->bound.cut_off(request)) return std::numeric_limits<double>::infinity();

@@ -231,6 +231,8 @@ class Arm(ProgramTest):
         # Parameters that are gone: idle ones are passed over, others are refused.
         old = self.arm("--json", "--algorithm", "goritov2020", "--iterations", "3").json
         old["parameters"].update(postures=1, lines=0, leash=0, vias=0, refine=0, prove="off", scout="off")
+        old["lattice"]["postures"] = 3
+        old["version"] = "0.3.0"
         self.write("old.json", json.dumps(old))
         self.assertEqual(self.run_program("verify", "old.json").code, 0)
         old["parameters"]["leash"] = 2

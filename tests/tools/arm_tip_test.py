@@ -67,7 +67,7 @@ class Tip(ProgramTest):
         self.assertIn("stick", touching.err)
         self.refused(self.arm(*goal, "--held", "stick.json", "--held-touches", "no link"), 2, "no link")
         self.refused(self.arm(*goal, "--held", "nowhere.json"), 3, "nowhere.json")
-        self.ended(self.arm(*goal, "--held", "stick.json", "--held-touches", "link 5"), 0)
+        self.ended(self.arm(*goal, "--held", "stick.json", "--held-touches", "link 5 (after pitch)"), 0)
 
     def test_what_is_held_is_found_beside_its_result(self):
         self.ended(self.arm("--goal-joints", "0.5,0.4,0.7,0.2,0.6,0.1", "--held", "stick.json", "-o", "held.json"), 0)

@@ -71,6 +71,16 @@ inline Cell random_cell(const Grid& grid, std::mt19937& random) {
   return {random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
 }
 
+/// Blocks of up to `most` x `most` cells, some across each other.
+inline Grid random_blocks(int width, int height, int blocks, int most, std::mt19937& random) {
+  Grid grid(width, height);
+  for (int i = 0; i < blocks; ++i) {
+    const int w = random_in(1, most, random), h = random_in(1, most, random);
+    grid.fill({random_in(0, width - w, random), random_in(0, height - h, random), w, h}, true);
+  }
+  return grid;
+}
+
 using Walk = std::vector<Cell>;
 
 /// Whether a step between neighbours may pass the two cells beside it.

@@ -13,6 +13,9 @@
 namespace lasius::tool {
 namespace {
 
+/// Parameters of `postures` before 0.4.0.
+constexpr std::array kGone{"postures", "lines", "leash", "vias", "refine", "prove", "scout"};
+
 Json files_json(const std::vector<ReadFile>& files) {
   Json list = Json::array();
   for (const auto& [file, hash] : files)
@@ -196,14 +199,19 @@ Json trajectory_json(const ArmAnswer& answer, double rate) {
 std::string unlike_lattice(const Json& result) {
   if (value_at(result, "iterations") == 0) return {};
   const Json& given = value_at(result, "parameters");
-  for (const std::string gone :
-       {"postures", "lines", "leash", "vias", "refine", "prove", "scout"}) {
-    const Json idle = gone == "postures" ? 1 : 0;
+  for (const char* gone : kGone) {
+    const Json idle = gone == kGone[0] ? 1 : 0;
     if (given.contains(gone) && given[gone] != idle && given[gone] != "off")
-      return "it was sought in a lattice with the parameter " + gone +
+      return std::string("it was sought in a lattice with the parameter ") + gone +
              ", which is gone; plan it anew, or verify it with the version that wrote it";
   }
   return {};
+}
+
+void forget_lattice(Json& result) {
+  for (const char* gone : kGone) result["parameters"].erase(gone);
+  if (const auto lattice = result.find("lattice"); lattice != result.end() && lattice->is_object())
+    lattice->erase("postures");
 }
 
 ArmCommand recorded_command(const Recorded& from) {

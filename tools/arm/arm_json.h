@@ -28,7 +28,9 @@ Json trajectory_json(const ArmAnswer& answer, double rate);
 
 /// The question of a saved result. @throws UsageError for what is missing or no such value.
 ArmCommand recorded_command(const Recorded& recorded);
-/// Why a result of an earlier `postures` cannot be replayed; empty where it can.
+/// Why a result of `postures` before 0.4.0 cannot be replayed; empty where it can.
 std::string unlike_lattice(const Json& result);
+/// Leaves out what arms had before 0.4.0, where it did nothing.
+void forget_lattice(Json& result);
 
 }  // namespace lasius::tool

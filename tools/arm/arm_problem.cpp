@@ -346,6 +346,7 @@ const ProblemKind& arm_kind() {
         return std::make_unique<ArmProblem>(recorded_command(from));
       },
       .unlike = unlike_lattice,
+      .forget = forget_lattice,
       .counted =
           [](const Json& result) {
             const Json& given = value_at(result, "parameters");

@@ -41,6 +41,8 @@ struct ProblemKind {
   /// @throws Error, UsageError for what is missing or no such value
   std::unique_ptr<Problem> (*again)(const Recorded&, const Problem* last) = nullptr;
   std::string (*unlike)(const Json& result) = nullptr;  ///< why it would come out other; or empty
+  /// Leaves out of a result of an older version what this one does not tell. Null: nothing.
+  void (*forget)(Json& result) = nullptr;
   /// No clock took part in its Status::limit. Null: one does.
   bool (*counted)(const Json& result) = nullptr;
 };

@@ -117,11 +117,6 @@ std::string difference(Json recorded, Json replay, std::string& missing_optimum)
       if (of->contains("recheck")) compare_kind_alone((*of)["recheck"], "nearest");
   }
   recorded.erase("part");
-  if (recorded.contains("robot"))  // arms had them; a result that they made is refused when read
-    for (const char* gone : {"postures", "lines", "leash", "vias", "refine", "prove", "scout"})
-      recorded["parameters"].erase(gone);
-  for (Json* of : {&recorded, &replay})  // so were several postures of a lattice's points
-    if (of->contains("lattice") && (*of)["lattice"].is_object()) (*of)["lattice"].erase("postures");
   forget_effort(recorded);
   forget_effort(replay);
   for (const char* input : {"map", "layers", "world", "changes", "robot", "scene", "held"}) {
@@ -230,15 +225,17 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
     last = std::move(problem);
     return tool::replay(*last, recorded);
   });
+  Json told = result;
   if (version != LASIUS_VERSION) {
-    keep_known(replay, result);
+    if (kind.forget != nullptr) kind.forget(told);
+    keep_known(replay, told);
     // Messages are worded anew now and then.
     if (text_of(result, "error").empty() == text_of(replay, "error").empty() &&
         replay.contains("error"))
       replay["error"] = result["error"];
   }
   std::string missing_optimum;
-  const std::string key = difference(result, replay, missing_optimum);
+  const std::string key = difference(std::move(told), std::move(replay), missing_optimum);
   if (key.empty() && !missing_optimum.empty() && !command.quiet)
     message(std::string(name)
                 .append(": its '")

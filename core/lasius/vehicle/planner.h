@@ -106,6 +106,9 @@ class LASIUS_EXPORT Planner {
   /// there is none. `around`: with regard to obstacles; of stops of a tour both parts are asked for
   /// apart. Smaller where stopped. @throws as plan
   [[nodiscard]] double lower_bound(const Request& request, bool around = true) const;
+  /// Whether it is proven, by the regions of the disc inside the footprint, that no goal can be
+  /// reached. False says nothing, as where it is stopped. @throws as plan
+  [[nodiscard]] bool cut_off(const Request& request) const;
 
   class Impl;  ///< internal
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/tour/order/ascend.h"
+#include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/walk_bound.h"
 
 namespace lasius::tour {
@@ -242,6 +243,13 @@ std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::
   const Sum bound = std::min(upper, (scaled + kScale - 1) / kScale);
   if (bound == upper || !ascent.has_choices()) return bound;
   return std::max(bound, walk_bound(problem, costs, upper, poller));
+}
+
+std::int64_t least_cost(const RouteProblem& problem, const Costs& costs, const Costs& either_way,
+                        bool open, std::int64_t upper, Poller& poller) {
+  if (const auto orders = exact_routes(problem, costs, poller))
+    return cost_of(costs, *orders, open);
+  return routes_bound(problem, either_way, upper, poller);
 }
 
 }  // namespace lasius::tour

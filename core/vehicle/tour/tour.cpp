@@ -10,7 +10,6 @@
 #include "core/base/number_text.h"
 #include "core/tour/order/search.h"
 #include "core/tour/route_tour.h"
-#include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
 #include "core/vehicle/bound.h"
@@ -73,8 +72,7 @@ StopPlaces places_of(const Planner& planner, std::span<const Point> points,
     if (poses[i].empty()) continue;
     const Pose& pose = poses[i].front();
     const auto found = std::find_if(regions.begin(), regions.end(), [&](const Pose& other) {
-      return std::isfinite(planner.lower_bound(
-          {.start = other, .goals = {pose}, .heading_tolerance = std::numbers::pi, .stop = stop}));
+      return !planner.cut_off({.start = other, .goals = {pose}, .stop = stop});
     });
     places.regions[i] = {static_cast<int>(found - regions.begin())};
     if (found == regions.end()) regions.push_back(pose);
@@ -281,31 +279,26 @@ class TourSearch {
               [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
     return tour_.error.empty();
   }
-  // As visited does.
   void tell_left_out(int place, int group) {
-    LeftOut out{stops_.indices[place], {}, -1};
-    if (group >= 0 && std::count(request_.group.begin(), request_.group.end(), group) > 1) {
-      out.group = group;
-      out.stop = static_cast<int>(std::find(request_.group.begin(), request_.group.end(), group) -
-                                  request_.group.begin());
-      out.why = "no stop of group " + number_text(group) + " can be visited: ";
-    }
+    const std::vector<int>& groups = request_.group;
+    const bool of_group = group >= 0 && std::count(groups.begin(), groups.end(), group) > 1;
+    LeftOut out{stops_.indices[place], {}};
+    if (of_group)  // its first stop stands for it
+      out.stop = static_cast<int>(std::find(groups.begin(), groups.end(), group) - groups.begin());
     const Point at = stops_.points[out.stop];
-    out.why += "stop " + number_text(out.stop) + " at " + pair_text(at.x, at.y) +
-               ": no way was found between it and the others";
+    out.why = "stop " + number_text(out.stop) + " at " + pair_text(at.x, at.y) +
+              ": no way was found between it and the others";
+    if (of_group) tell_of_group(out, group);
     tour_.left_out.push_back(std::move(out));
   }
 
   std::int64_t bound() {
     if (bound_) return *bound_;
     Poller poller(request_.stop);
-    if (const auto exact = tour::exact_routes(to_bound_, legs_.lower(), poller)) {
-      bound_ = tour::cost_of(legs_.lower(), *exact, request_.open);
-    } else {
-      const std::vector<tour::Cost> both = legs_.lower_both_ways();
-      bound_ =
-          tour::routes_bound(to_bound_, {legs_.costs().size(), both.data()}, best_cost_, poller);
-    }
+    const std::vector<tour::Cost> either_way = legs_.lower_both_ways();
+    const tour::Costs directed = legs_.lower();
+    bound_ = tour::least_cost(to_bound_, directed, {directed.size(), either_way.data()},
+                              request_.open, best_cost_, poller);
     return *bound_;
   }
 

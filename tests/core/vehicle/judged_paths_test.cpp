@@ -21,16 +21,6 @@ using oracle::FootprintJudge;
 using oracle::Motion;
 using oracle::motions_of;
 
-/// Blocks of up to 9 x 9 cells.
-Grid rooms(int width, int height, int blocks, std::mt19937& random) {
-  Grid grid(width, height);
-  for (int i = 0; i < blocks; ++i) {
-    const int w = random_in(1, 9, random), h = random_in(1, 9, random);
-    grid.fill({random_in(0, width - w, random), random_in(0, height - h, random), w, h}, true);
-  }
-  return grid;
-}
-
 double apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]) +
          std::abs(std::remainder(a[2] - b[2], 2 * std::numbers::pi));
@@ -58,7 +48,8 @@ TEST(VehiclePaths, TouchNothingThatTheOracleSees) {
   std::mt19937 random(20);
   std::vector<Grid> grids{read_map(LASIUS_MAPS_DIR "/fan400x200.map").grid,
                           read_map(LASIUS_MAPS_DIR "/workspace-simple.pbm").grid,
-                          rooms(120, 90, 40, random), rooms(200, 60, 50, random)};
+                          random_blocks(120, 90, 40, 9, random),
+                          random_blocks(200, 60, 50, 9, random)};
   Vehicle truck = car(rectangle(1, 5, 1.5), 5);
   truck.reverse = false;
   // An L: what it holds, and what its hull holds beside, differ.

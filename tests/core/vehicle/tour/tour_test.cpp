@@ -21,15 +21,6 @@ namespace {
 
 using oracle::FootprintJudge;
 
-Grid rooms(int width, int height, int blocks, std::mt19937& random) {
-  Grid grid(width, height);
-  for (int i = 0; i < blocks; ++i) {
-    const int w = random_in(1, 7, random), h = random_in(1, 7, random);
-    grid.fill({random_in(0, width - w, random), random_in(0, height - h, random), w, h}, true);
-  }
-  return grid;
-}
-
 /// Free poses at whole yaws.
 TourRequest poses_on(const Grid& grid, const Planner& planner, int count, std::mt19937& random) {
   TourRequest request;
@@ -85,7 +76,7 @@ TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
   for (const Vehicle& vehicle :
        {car(rectangle(2, 2, 1.25), 3), truck(), differential(rectangle(2, 2, 1.25))})
     for (const bool open : {false, true}) {
-      const Grid grid = rooms(60, 50, 10, random);
+      const Grid grid = random_blocks(60, 50, 10, 7, random);
       const Planner planner(grid, vehicle);
       TourRequest request = poses_on(grid, planner, 6, random);
       request.open = open;
@@ -125,7 +116,7 @@ TEST(VehicleTour, IsShortestOverThePlansOfAllPairs) {
 
 TEST(VehicleTour, ChoosesHeadingsAmongEight) {
   std::mt19937 random(6);
-  const Grid grid = rooms(40, 30, 4, random);
+  const Grid grid = random_blocks(40, 30, 4, 7, random);
   const Vehicle vehicle = truck();
   const Planner planner(grid, vehicle);
   TourRequest request = poses_on(grid, planner, 3, random);
@@ -149,7 +140,7 @@ TEST(VehicleTour, ChoosesHeadingsAmongEight) {
 
 TEST(VehicleTour, OfRobotsAndOfManyStops) {
   std::mt19937 random(7);
-  const Grid grid = rooms(80, 60, 12, random);
+  const Grid grid = random_blocks(80, 60, 12, 7, random);
   const Vehicle vehicle = car(rectangle(2, 2, 1.25), 3);
   const Planner planner(grid, vehicle);
   TourRequest request = poses_on(grid, planner, 15, random);
