@@ -13,7 +13,6 @@ namespace {
 
 constexpr tour::Cost kDead = tour::kLargest / 2;  // where no plan was found
 constexpr tour::Cost kDearest = kDead / 8;        // of others, by far
-constexpr int kFailures = 2;  // between places, that make their other poses dear
 
 }  // namespace
 
@@ -76,38 +75,14 @@ void LegPrices::price(std::span<const PosePair> legs, int threads, const StopCon
     const PosePair& leg = legs[i];
     Result& plan = found[i];
     if (plan.status == Status::limit || plan.status == Status::interrupted) continue;
-    const PosePair places{at(leg.first).place, at(leg.second).place};
     if (plan.segments.empty()) {
       costs_[index(leg)] = kDead;
-      const auto [failures, is_new] = failed_.try_emplace(places, 0);
-      if (avoids_ && (is_new || failures->second > 0))
-        if (++failures->second == kFailures) avoid(places.first, places.second);
     } else {
-      failed_[places] = 0;
       costs_[index(leg)] = std::min(kDearest, tour::grains(value(plan), scale_));
       plan.lower_bound = Bound::told(bounds_[index(leg)], value(plan), plan.over_costs);
     }
     plans_.emplace(leg, std::move(plan));
   }
-}
-
-void LegPrices::avoid(int from, int to) {
-  for (int a = 0; a < size(); ++a)
-    for (int b = 0; b < size(); ++b)
-      if (at(a).place == from && at(b).place == to) costs_[index({a, b})] = kDead;
-}
-
-bool LegPrices::avoid_none() {
-  if (!avoids_) return false;
-  avoids_ = false;
-  bool any = false;
-  for (int a = 0; a < size(); ++a)
-    for (int b = 0; b < size(); ++b)
-      if (const PosePair leg{a, b}; costs_[index(leg)] == kDead && !known(leg)) {
-        costs_[index(leg)] = lower_[index(leg)];
-        any = true;
-      }
-  return any;
 }
 
 }  // namespace lasius::vehicle

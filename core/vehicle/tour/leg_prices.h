@@ -36,11 +36,8 @@ class LegPrices {
   std::vector<tour::Cost> lower_both_ways() const;
   double scale() const noexcept { return scale_; }  ///< grains of a length, or over costs of a cost
 
-  /// Plans legs that are not known. A stopped plan is none. Where two between places have no way
-  /// the others between these cost as much as if they had none, till avoid_none.
+  /// Plans legs that are not known. A stopped plan is none.
   void price(std::span<const PosePair> legs, int threads, const StopCondition& stop);
-  /// From now on what is not known costs its bound. Whether that changes a cost.
-  bool avoid_none();
   bool known(const PosePair& leg) const { return plans_.contains(leg); }
   bool has_way(const PosePair& leg) const { return !plans_.at(leg).segments.empty(); }
   /// Of a known one; without a path where none was found.
@@ -54,16 +51,13 @@ class LegPrices {
     return static_cast<std::size_t>(leg.first) * poses_.size() +
            static_cast<std::size_t>(leg.second);
   }
-  void avoid(int from, int to);  // places
 
   const Planner& planner_;
   std::vector<TourPose> poses_;
   double scale_ = 1;
-  bool avoids_ = true;
   std::vector<double> bounds_;
   std::vector<tour::Cost> costs_, lower_;
   std::map<PosePair, Result> plans_;
-  std::map<PosePair, int> failed_;  // of places: plans without a path; none where there is one
 };
 
 }  // namespace lasius::vehicle

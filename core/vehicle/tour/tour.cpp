@@ -112,7 +112,6 @@ class TourSearch {
                       {.seed = request_.seed,
                        .generations = (request_.generations + kEffort - 1) / kEffort,
                        .stop = stop});
-      if (found.optimal && legs_.avoid_none()) continue;
       const std::vector<PosePair> order = legs_of(found.orders);
       if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
       std::vector<PosePair> missing;
@@ -127,7 +126,6 @@ class TourSearch {
       if (cause_ == StopCondition::Cause::token) break;
       if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
       const bool in_vain = missing.empty() && best_.empty();
-      if (in_vain && legs_.avoid_none()) continue;
       const Unjoined lost = unjoined(in_vain ? order : std::vector<PosePair>{});
       if (lost.place < 0 && missing.empty()) break;
       if (!lost.untried.empty())
