@@ -16,12 +16,15 @@ class Mutate(unittest.TestCase):
         loader.exec_module(mutate)
         with tempfile.TemporaryDirectory() as folder:
             mutate.TREE = folder
-            os.mkfifo(os.path.join(folder, "pipe"))
             self.assertEqual(mutate.run("sh", "-c", "echo said; exit 3"), (3, "said\n"))
-            # Its child holds the output, and would wait for ever.
-            self.assertEqual(mutate.run("sh", "-c", "cat pipe & wait", seconds=0.2), (None, ""))
-            with self.assertRaises(OSError):  # nobody reads
-                os.open(os.path.join(folder, "pipe"), os.O_WRONLY | os.O_NONBLOCK)
+            for name in ("never", "pipe"):
+                os.mkfifo(os.path.join(folder, name))
+            reader = os.open(os.path.join(folder, "pipe"), os.O_RDONLY | os.O_NONBLOCK)
+            self.addCleanup(os.close, reader)
+            # Its child waits for ever, and holds both ends that are read here.
+            self.assertEqual(mutate.run("sh", "-c", "cat never >pipe & wait", seconds=0.2), (None, ""))
+            os.set_blocking(reader, True)
+            self.assertEqual(os.read(reader, 1), b"")  # waits for whoever could still write
 
 
 if __name__ == "__main__":
