@@ -33,6 +33,7 @@ void add_cover_command(CLI::App& app);
 void add_tours_command(CLI::App& app);
 void add_trails_command(CLI::App& app);
 void add_vehicles_command(CLI::App& app);
+void add_nav2_command(CLI::App& app);       ///< only with lasius::io
 void add_polygons_command(CLI::App& app);   ///< only with GEOS
 void add_sampling_command(CLI::App& app);   ///< only with OMPL
 void add_arm_command(CLI::App& app);        ///< only with lasius::arm

@@ -42,6 +42,9 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_trails_command(app);
   add_cover_command(app);
   add_vehicles_command(app);
+#ifdef LASIUS_HAVE_IO
+  add_nav2_command(app);
+#endif
 #ifdef LASIUS_HAVE_POLYGON
   add_polygons_command(app);
 #endif

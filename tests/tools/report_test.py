@@ -102,6 +102,29 @@ class Report(ProgramTest):
             self.assertAlmostEqual(lengths[number], best, places=6)
         self.assertEqual(kept["paths"][-1], result["path"])
 
+    def test_over_costs_lines_of_equal_cost_and_the_asked_ends(self):
+        plain = self.plan("--inflation", "2,1", "--json").json
+        costs = ("--inflation", "2,1", "-o", "run.svg")
+        result, content = self.reported(*costs, map_file="small.map", start="0,0", goal="9,5")
+        for key in ("path", "cost", "lower_bound", "gap"):
+            self.assertEqual(result[key], plain[key], key)  # a proof for lines alone changes nothing
+        lines, apart = content["map"]["level_lines"], content["map"]["lines_apart"]
+        self.assertGreater(len(lines), 20)
+        self.assertGreater(apart, 0)
+        self.assertTrue(all(0 <= x <= 10 and 0 <= y <= 6 for ax, ay, bx, by in lines for x, y in ((ax, ay), (bx, by))))
+        self.assertTrue(all((ax - bx) ** 2 + (ay - by) ** 2 <= 2.1 for ax, ay, bx, by in lines))
+        self.assertIn("lines: cost to the goal by the proof, %g apart" % apart, self.words("run.svg"))
+        self.assertEqual(content["ends"], [[0.5, 0.5], [9.5, 5.5], None])
+        proof = content["frames"]["proof"]
+        self.assertTrue(all(bound <= best * (1 + 1e-9) for bound, best in zip(proof["bound"], proof["best"], strict=True)))
+        for options in (("--radius", "0.4"), ("--algorithm", "mmas", "--iterations", "3")):
+            content = self.reported(*costs, *options, map_file="small.map", start="0,0", goal="9,5")[1]
+            self.assertGreater(len(content["map"]["level_lines"]), 20, options)
+        content = self.reported(*costs, map_file="small.map", start="0.25,0.5", goal="9.5,5.75")[1]
+        self.assertEqual(content["ends"], [[0.25, 0.5], [9.5, 5.75], None])  # the goal is reached, and no cell's centre
+        content = self.reported("--inflation", "2,1", "--via", "4,0", map_file="small.map", start="0,0", goal="9,5")[1]
+        self.assertNotIn("level_lines", content["map"])  # it would be of no leg
+
     def test_clearance_along_the_path(self):
         result, content = self.reported("--polish", "taut", map_file="small.map", start="0,0", goal="9,5")
         clearance = content["clearance"]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "lasius/batch.h"
@@ -23,8 +24,9 @@ struct Answer {
   std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
-  std::optional<Remedy> remedy{};          ///< where the ends are not joined
-  std::optional<CostResult> over_costs{};  ///< `result` with what it has beside
+  std::optional<Remedy> remedy{};                  ///< where the ends are not joined
+  std::optional<CostResult> over_costs{};          ///< `result` with what it has beside
+  std::shared_ptr<const CostProof> shown_proof{};  ///< whose lines pictures and pages show
 };
 
 /// @throws UsageError for a radius in metres that the algorithm does not serve, which tells them.

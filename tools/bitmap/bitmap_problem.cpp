@@ -6,6 +6,7 @@
 
 #include "lasius/io_json.h"
 #include "tools/bitmap/bitmap_report.h"
+#include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/poses_file.h"
@@ -303,6 +304,8 @@ void BitmapProblem::plan(const StopCondition& stop, const Watch& watch) {
       if (frames_) frames_->observe(progress);
     };
   answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
+  if (std::ranges::any_of(run.outputs, [](auto& o) { return is_picture(o) || is_page(o); }))
+    answer_.shown_proof = shown_proof(*map_, run, answer_, stop);
   set_remedy(*map_, run, stop.token, answer_);
 }
 

@@ -73,9 +73,14 @@ void write_bitmap_report(std::ostream& out, const Record& record, const LoadedMa
   content["map"] = map_view_json(map, window);
   if (map.costs)
     content["map"]["weights"] = weights_view_json(map.costs->field, map.as_read(), window);
-  if (answer.over_costs && answer.over_costs->proof)
-    content["map"]["level_lines"] =
-        lines_json(level_lines(*answer.over_costs->proof, map.as_read()));
+  if (answer.shown_proof) {
+    const ShownLines shown = shown_lines(*answer.shown_proof, map.as_read());
+    content["map"]["level_lines"] = lines_json(shown.lines);
+    content["map"]["lines_apart"] = shown.apart;
+  }
+  const auto reached = short_end(answer);
+  content["ends"] = {point(answer.start.at()), point(answer.goal.at()),
+                     reached ? point(*reached) : Json(nullptr)};
   content["clearance"] = clearance_json(map.as_read(), answer.result.path, record.result.length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);

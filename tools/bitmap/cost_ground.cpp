@@ -7,7 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/cost/level_values.h"
+#include "tools/bitmap/level_lines.h"
+#include "tools/console/elapsed.h"
 #include "tools/draw/axes.h"
 #include "tools/draw/colours.h"
 #include "tools/report/packed.h"
@@ -16,7 +17,7 @@ namespace lasius::tool {
 namespace {
 
 constexpr Colour kCosts[] = {{1, 1, 1}, {1, 0.94, 0.74}, {0.99, 0.77, 0.5}, {0.85, 0.5, 0.42}};
-constexpr int kLevelLines = 12;
+constexpr int kLevelLines = 24;
 
 /// The mean weight of the free cells; NaN: there is none.
 double mean_weight(const CostField& costs, const Grid& map, Span columns, Span rows) {
@@ -45,38 +46,23 @@ Colour cost_ground(const CostField& costs, const Grid& map, const ColourScale& s
   return weight == weight ? scale.at(weight) : kFree;
 }
 
-std::vector<std::array<Point, 2>> level_lines(const CostProof& proof, const Grid& map) {
-  std::vector<std::array<Point, 2>> lines;
-  const auto widest = std::ranges::find(proof.levels, 1, &CostProof::Level::block);
-  if (widest == proof.levels.end()) return lines;
-  cost::LevelValues level(*widest, map.width(), map.height());
-  const auto any = [](std::size_t) { return std::optional<std::string>(); };
-  if (level.read(any)) return lines;
-  const int k = widest->intervals;
-  const auto corner = [&](std::size_t at, std::size_t i) { return level.find(at)[i * k]; };
-  double most = 1e-9;
-  for (const std::size_t at : level.cells())
-    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, corner(at, i));
-  const double apart = ticks(0, most, kLevelLines)[1];
-  constexpr Point kCorners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  for (const std::size_t at : level.cells()) {
-    const std::array values{corner(at, 0), corner(at, 1), corner(at, 2), corner(at, 3)};
-    const Cell cell = level.cell(at);
-    const auto [low, high] = std::ranges::minmax(values);
-    for (double line = apart * std::ceil(low / apart); line < high; line += apart) {
-      std::vector<Point> crossed;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t next = (i + 1) % 4;
-        if ((values[i] < line) == (values[next] < line)) continue;
-        const double t = (line - values[i]) / (values[next] - values[i]);
-        crossed.push_back({cell.x + kCorners[i].x + t * (kCorners[next].x - kCorners[i].x),
-                           cell.y + kCorners[i].y + t * (kCorners[next].y - kCorners[i].y)});
-      }
-      for (std::size_t i = 0; i + 1 < crossed.size(); i += 2)
-        lines.push_back({crossed[i], crossed[i + 1]});
-    }
-  }
-  return lines;
+std::shared_ptr<const CostProof> shown_proof(const LoadedMap& map, const RunOptions& run,
+                                             const Answer& answer, const StopCondition& stop) {
+  const auto& found = answer.over_costs;
+  if (!found || found->path.empty() || !run.via.empty()) return nullptr;
+  if (found->proof) return found->proof;
+  const Request request{.start = answer.start.cell,
+                        .goal = found->goal_reached.value_or(answer.goal.cell),
+                        .stop = again(stop, run.time_limit)};
+  const CostPlanner planner(Planner(map.as_read()), map.costs->field);
+  return planner.plan(request, {.params = optimum_params(run), .proof = true}).proof;
+}
+
+ShownLines shown_lines(const CostProof& proof, const Grid& map) {
+  const CornerValues corners = corner_values(proof, map);
+  if (!(corners.most > 0)) return {};
+  const double apart = ticks(0, corners.most, kLevelLines)[1];
+  return {apart, level_lines(corners, apart)};
 }
 
 Json weights_view_json(const CostField& costs, const Grid& map, const Window& window) {

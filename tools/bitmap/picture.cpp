@@ -62,23 +62,23 @@ Panel path_panel(const Sheet& sheet, const Answer& answer, std::string caption) 
             }};
   const CostField& costs = sheet.map.costs->field;
   const ColourScale scale = cost_scale(costs, sheet.map.as_read());
-  const CostProof* const proof = answer.over_costs ? answer.over_costs->proof.get() : nullptr;
-  const auto draw = [&, scale, proof](Canvas& canvas, const Box& box) {
+  caption += "; colours: weight of cells";
+  const ShownLines lines =
+      answer.shown_proof ? shown_lines(*answer.shown_proof, sheet.map.as_read()) : ShownLines();
+  if (lines.apart > 0)
+    caption += "; lines: cost to the goal by the proof, " + short_number(lines.apart) + " apart";
+  const auto draw = [&, scale, lines](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
       return cost_ground(costs, sheet.map.as_read(), scale, columns, rows);
     });
-    if (proof != nullptr) {
-      canvas.clip(box);
-      const Axes axes = sheet.axes(box);
-      for (const auto& line : level_lines(*proof, sheet.map.as_read()))
-        canvas.line(axes.at(line[0].x, line[0].y), axes.at(line[1].x, line[1].y), kLevelLine, 1);
-      canvas.unclip();
-    }
+    canvas.clip(box);
+    const Axes axes = sheet.axes(box);
+    for (const auto& [from, to] : lines.lines)
+      canvas.line(axes.at(from.x, from.y), axes.at(to.x, to.y), kLevelLine, 1);
+    canvas.unclip();
     draw_bar(canvas, box, scale);
     draw_plan(canvas, box, sheet, answer);
   };
-  caption += "; colours: weight of cells";
-  if (proof != nullptr) caption += "; lines: cost to the goal by the proof, at equal distances";
   return {.caption = std::move(caption), .draw = draw, .below = kBarHeight};
 }
 

@@ -86,10 +86,14 @@ export async function showBitmap(content) {
 function addProof(sheet) {
   const { frames, result } = sheet.content, best = result.cost ?? result.length;
   if (!frames?.proof.ms.length || !isNumber(result.lower_bound) || !isNumber(best)) return;
-  const last = frames.proof.ms.at(-1), x = [...frames.proof.ms, Math.max(last, result.elapsed_ms)], steps = true;
-  new Curves(sheet.card("right", "Proof"), { title: "Best path and bound", xLabel: "ms", yLabel: isNumber(result.cost) ? "cost" : "length, cells",
-    series: [{ name: "best path so far", x, y: [...frames.proof.best, best], colour: "var(--best)", steps },
-             { name: "no path is below", x, y: [...frames.proof.bound, result.lower_bound], colour: "var(--tour-mean)", steps }] });
+  const last = frames.proof.ms.at(-1), x = [...frames.proof.ms, Math.max(last, result.elapsed_ms)], steps = true, xLabel = "ms";
+  const paths = [...frames.proof.best, best], bounds = [...frames.proof.bound, result.lower_bound], card = sheet.card("right", "Proof");
+  const gaps = paths.map((path, i) => (bounds[i] > 0 ? 100 * Math.max(0, path / bounds[i] - 1) : null));
+  new Curves(card, { title: "Best path and bound", xLabel, yLabel: isNumber(result.cost) ? "cost" : "length, cells",
+    series: [{ name: "best path so far", x, y: paths, colour: "var(--best)", steps },
+             { name: "no path is below", x, y: bounds, colour: "var(--tour-mean)", steps }] });
+  new Curves(card, { title: "Certified gap", xLabel, yLabel: "%", logarithmic: gaps.every((gap) => gap !== 0), decimals: 4,
+    series: [{ name: "best path above the bound, %", x, y: gaps, colour: "var(--best)", steps }] });
 }
 
 function curvesOf(sheet, curves) {
@@ -123,8 +127,7 @@ class BitmapStage {
     const { path, curve } = content.result;
     this.hover = new PathHover(curve ? pointsOf(curve) : path ?? [], { name: "path", place: (at) => placeText(content.map, at),
                                                            length: (value) => sheet.length(value), clearance: clearance && (({ length }) => clearanceText(clearance, length, sheet)) });
-    const end = path?.at(-1), [x, y] = content.result.goal;
-    this.end = end && (end[0] !== x + 0.5 || end[1] !== y + 0.5) ? end : null;  // short of the goal
+    [this.start, this.goal, this.end] = content.ends;  // the end: of a path short of the goal
     this.card = sheet.card("left");
     this.tools = element("div", { class: "row" });
     this.legend = element("div");
@@ -195,16 +198,16 @@ class BitmapStage {
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
-                               ...(map.level_lines ? [["cost to the goal by the proof, at equal distances", "--level-line", "line"]] : []),
+                               ...(map.level_lines ? [[`cost to the goal by the proof, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
                                ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
     const note = (text) => this.card.append(element("p", { class: "note" }, text));
-    const leg = (a, [x, y]) => this.sheet.length(Math.hypot(a[0] - x - 0.5, a[1] - y - 0.5));
+    const leg = (a, [x, y]) => this.sheet.length(Math.hypot(a[0] - x, a[1] - y));
     if (result.way_out)
-      note(`The robot stands too near to what is blocked: the path first leads ${leg(result.way_out, result.start)} out to ${placeText(map, result.way_out)}; the rest is planned from there.`);
+      note(`The robot stands too near to what is blocked: the path first leads ${leg(result.way_out, this.start)} out to ${placeText(map, result.way_out)}; the rest is planned from there.`);
     if (this.end)
-      note(`The goal asked for, ${placeText(map, result.goal.map((v) => v + 0.5))}, cannot be reached: the path ends ${leg(this.end, result.goal)} from it, at ${placeText(map, this.end)}.`);
+      note(`The goal asked for, ${placeText(map, this.goal)}, cannot be reached: the path ends ${leg(this.end, this.goal)} from it, at ${placeText(map, this.end)}.`);
     if (radius > 0)
       this.card.append(element("p", { class: "note" }, `The robot is a disc with a radius of ${cells}; clearance is measured from its centre to what is blocked.`));
     if (this.content.thinned)
@@ -255,7 +258,7 @@ class BitmapStage {
   }
 
   drawPath(context, view) {
-    const { radius, result } = this.content, { start, goal, curve } = result;
+    const { radius, result } = this.content, { curve } = result;
     const path = curve && this.path() === this.hover.path ? curve : this.path();
     if (this.showPath && radius > 0) {
       context.globalAlpha = 0.16;
@@ -266,8 +269,7 @@ class BitmapStage {
       view.line(context, path, themeColour("--path-rim"), 6);
       view.line(context, path, themeColour("--path"), 3);
     }
-    const middle = (cell) => (cell ? cell.map((v) => v + 0.5) : null);
-    view.ends(context, middle(start), middle(goal));
+    view.ends(context, this.start, this.goal);
     const rim = themeColour("--mark-rim");
     if (result.way_out) view.disc(context, result.way_out, 5, themeColour("--start"), rim);
     if (this.end) view.disc(context, this.end, 5, themeColour("--goal"), rim);
