@@ -6,7 +6,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/grid/grow_obstacles.h"
 #include "core/tour/cover/cover_ground.h"
+#include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/swath_order.h"
 #include "core/tour/cover/swaths.h"
 #include "core/tour/map_pricer.h"
@@ -82,9 +84,20 @@ CoverResult without_path(CoverResult result, const TourLeg& leg) {
   return result;
 }
 
+// By chains over clear cells. From the start; of an open tour without it from any swath's end.
+std::vector<int> first_order(const std::vector<tour::EndLink>& links, const CoverResult& result,
+                             const std::optional<Point>& start) {
+  std::vector<int> order = tour::chained(result.swaths(), result.stops, links).order;
+  if (start)
+    std::rotate(order.begin(), std::find(order.begin(), order.end(), 2 * result.swaths()),
+                order.end());
+  return order;
+}
+
 // `between`: a bound of the legs between swaths.
 void order_swaths(const Planner& planner, const CoverRequest& request, double between,
-                  CoverResult& result, const TourObserver& observer) {
+                  const std::vector<tour::EndLink>& links, CoverResult& result,
+                  const TourObserver& observer) {
   const int swaths = result.swaths(), n = static_cast<int>(result.stops.size());
   TourResult& found = result.tour;
   tour::MapPricer legs(planner, result.stops, request.stop, SwathPricer::kApart);
@@ -108,6 +121,7 @@ void order_swaths(const Planner& planner, const CoverRequest& request, double be
   };
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
+                             .first = first_order(links, result, request.start),
                              .stop = earlier(request.stop, kShareOfOrder)};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
@@ -151,9 +165,16 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   if (ground->free_samples() > 0)
     result.unreachable = 1 - static_cast<double>(ground->wanted_samples()) /
                                  static_cast<double>(ground->free_samples());
+  const double radius = lines.radius();
+  const auto clear = radius == 0
+                         ? unprepared.grid()
+                         : grow_obstacles(unprepared.grid(),
+                                          Growth(unprepared.grid(), radius, ClearanceOf::centres),
+                                          without_deadline(request.stop));
+  if (!clear) return result;
   std::optional<tour::SwathPlan> plan;
   if (ground->place()) {
-    plan = tour::SwathMaker(unprepared, lines, *ground)
+    plan = tour::SwathMaker(unprepared, *clear, lines, *ground)
                .best(request.threads, earlier(request.stop, kShareOfSwaths));
     if (!plan || (plan->swaths.empty() && plan->cut)) return result;
   }
@@ -184,7 +205,8 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
                : unprepared;
   std::vector<Swath> ways = plan->swaths;  // the start is one of no length
   if (request.start) ways.push_back({*request.start, *request.start});
-  order_swaths(planner, request, ways_between(ways, request.open), result, observer);
+  order_swaths(planner, request, ways_between(ways, request.open),
+               near_ends(*clear, lines, result.stops), result, observer);
   if (plan->cut && found.status == Status::solved) found.status = Status::limit;
   add_legs(found.order, request.open, found);
   plan_legs(planner, result.stops, request.threads, found);

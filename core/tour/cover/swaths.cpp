@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/sweep_cells.h"
 #include "core/tour/tour_steps.h"
 
@@ -22,6 +23,13 @@ constexpr double kShareOfPlans = 0.7;  // of the time to a deadline; the rest is
 double distance(Point a, Point b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
+}
+
+std::vector<Point> ends_of(const std::vector<Swath>& swaths) {
+  std::vector<Point> ends;
+  ends.reserve(2 * swaths.size());
+  for (const Swath& swath : swaths) ends.insert(ends.end(), {swath.from, swath.to});
+  return ends;
 }
 
 }  // namespace
@@ -173,8 +181,11 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
   if (stopped()) return std::nullopt;
   cut_back(lines_, ground_, counts, plan.swaths, fills);
   if (stopped()) return std::nullopt;
-  plan.estimate = ways_between(plan.swaths) +
-                  kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
+  const std::vector<Point> stops = ends_of(plan.swaths);
+  plan.estimate =
+      chained(static_cast<int>(plan.swaths.size()), stops, near_ends(clear_, lines_, stops))
+          .length +
+      kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
   for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
   return plan;
 }
@@ -197,21 +208,8 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
   return std::move(*least);
 }
 
-// Whether the straight way between two places is of places.
-bool SwathMaker::straight_between(Point a, Point b) const {
-  const double length = distance(a, b);
-  if (length == 0) return true;
-  const Heading way{(b.x - a.x) / length, (b.y - a.y) / length};
-  std::vector<Stretch> places;
-  constexpr double kBeyond = 20 * ToolLines::kDrawnIn;
-  lines_.on_line(way, way.aside(a), places, {way.along(a) - kBeyond, way.along(b) + kBeyond});
-  return std::ranges::any_of(places, [&](const Stretch& place) {
-    return place.from <= way.along(a) && way.along(b) <= place.to;
-  });
-}
-
-// To each swath the first of those that straight ways between ends near to each other join. Soon
-// done, and what a stopped search can keep: so nothing stops it.
+// To each swath the first of those that clear cells join, or straight ways between ends near to
+// each other. Soon done, and what a stopped search can keep: so nothing stops it.
 std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) const {
   std::vector<int> first(swaths.size());
   std::iota(first.begin(), first.end(), 0);
@@ -219,6 +217,10 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
     while (first[i] != i) i = first[i] = first[first[i]];
     return i;
   };
+  const auto join = [&](int p, int q) { first[std::max(p, q)] = std::min(p, q); };
+  const std::vector<Point> stops = ends_of(swaths);
+  for (const EndLink& link : near_ends(clear_, lines_, stops))
+    join(root(link.a / 2), root(link.b / 2));
   std::vector<std::pair<Point, int>> ends;
   for (int i = 0; i < static_cast<int>(swaths.size()); ++i)
     for (const Point end : {swaths[i].from, swaths[i].to}) ends.emplace_back(end, i);
@@ -230,8 +232,8 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
       const auto& [b, other] = ends[j];
       if (b.x - a.x > kNearEnds * width_) break;
       const int p = root(one), q = root(other);
-      if (p == q || distance(a, b) > kNearEnds * width_ || !straight_between(a, b)) continue;
-      first[std::max(p, q)] = std::min(p, q);
+      if (p == q || distance(a, b) > kNearEnds * width_ || !lines_.straight_between(a, b)) continue;
+      join(p, q);
     }
   for (int i = 0; i < static_cast<int>(first.size()); ++i) first[i] = root(i);
   return first;

@@ -42,9 +42,14 @@ enum class Laid {
 /// What plans of several headings share.
 class SwathMaker {
  public:
-  /// Holds references.
-  SwathMaker(const Planner& planner, const ToolLines& lines, const CoverGround& ground)
-      : planner_(planner), lines_(lines), ground_(ground), width_(2 * ground.half_width()) {}
+  /// Holds references. `clear`: as for near_ends.
+  SwathMaker(const Planner& planner, const Grid& clear, const ToolLines& lines,
+             const CoverGround& ground)
+      : planner_(planner),
+        clear_(clear),
+        lines_(lines),
+        ground_(ground),
+        width_(2 * ground.half_width()) {}
 
   /// Empty if stopped. Where it must be made, the deadline leaves gaps as they are.
   std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop,
@@ -58,11 +63,11 @@ class SwathMaker {
   std::vector<Swath> anywhere(const Heading& heading, Poller& poller) const;
   void add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const;
   bool reached(const Swath& swath) const;
-  bool straight_between(Point a, Point b) const;
   std::vector<int> joined_swaths(const std::vector<Swath>& swaths) const;
   void drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const;
 
   const Planner& planner_;
+  const Grid& clear_;
   const ToolLines& lines_;
   const CoverGround& ground_;
   double width_;

@@ -159,4 +159,16 @@ void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places
   put(free_from, inside.to);
 }
 
+bool ToolLines::straight_between(Point a, Point b) const {
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
+  if (length == 0) return true;
+  const Heading way{dx / length, dy / length};
+  std::vector<Stretch> places;
+  constexpr double kBeyond = 20 * kDrawnIn;
+  on_line(way, way.aside(a), places, {way.along(a) - kBeyond, way.along(b) + kBeyond});
+  return std::any_of(places.begin(), places.end(), [&](const Stretch& place) {
+    return place.from <= way.along(a) && way.along(b) <= place.to;
+  });
+}
+
 }  // namespace lasius::tour

@@ -55,6 +55,8 @@ class ToolLines {
   void on_line(const Heading& heading, double c, std::vector<Stretch>& places,
                const Stretch& within = {-kAnywhere, kAnywhere}) const;
   static constexpr double kAnywhere = 1e9;
+  /// Is the straight way between two places of places?
+  bool straight_between(Point a, Point b) const;
   /// A place of a point that is within rounding of sides of cells, at them: planners tell such
   /// places from walls no more. Places of a disc as they are.
   Point settled(Point p) const noexcept;

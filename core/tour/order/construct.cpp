@@ -2,46 +2,13 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/tour/order/fragments.h"
 #include "core/tour/order/local_search.h"
 
 namespace lasius::tour {
 
-namespace {
-
-// Paths that grow together: for each stop its neighbours, and for an end of a path the other end.
-struct Fragments {
-  explicit Fragments(int n) : side(n, {-1, -1}), other(n) {
-    std::iota(other.begin(), other.end(), 0);
-  }
-  bool full(int v) const { return side[v][1] >= 0; }
-  bool joins(int a, int b) const { return !full(a) && !full(b) && other[a] != b; }
-  void join(int a, int b) {
-    side[a][side[a][0] >= 0] = b;
-    side[b][side[b][0] >= 0] = a;
-    const int ea = other[a], eb = other[b];
-    other[ea] = eb;
-    other[eb] = ea;
-  }
-  std::vector<std::array<int, 2>> side;
-  std::vector<int> other;
-};
-
-}  // namespace
-
-std::vector<int> savings_order(const Costs& costs, const Candidates& candidates) {
-  const int n = costs.size();
-  std::vector<Cost> away(n, 0);  // from the first stop; by the bound: a pricer would price all
-  for (int v = 1; v < n; ++v) away[v] = costs.lower(0, v);
-  std::vector<std::tuple<std::int64_t, int, int>> edges;
-  for (int v = 1; v < n; ++v)
-    for (const auto& leg : candidates.of(v))
-      if (leg.to != 0)
-        edges.emplace_back(std::int64_t{leg.cost} - away[v] - away[leg.to], std::min(v, leg.to),
-                           std::max(v, leg.to));
-  std::sort(edges.begin(), edges.end());
-  Fragments parts(n);
-  for (const auto& [cost, a, b] : edges)
-    if (parts.joins(a, b)) parts.join(a, b);
+std::vector<int> order_of(const Fragments& parts, const std::function<double(int, int)>& away) {
+  const int n = static_cast<int>(parts.side.size());
   std::vector<int> ends;
   for (int v = 0; v < n; ++v)
     if (!parts.full(v)) ends.push_back(v);
@@ -61,12 +28,33 @@ std::vector<int> savings_order(const Costs& costs, const Candidates& candidates)
       continue;
     }
     if (static_cast<int>(order.size()) == n) return order;
-    // By the lower bound: a pricer would price all of them.
     at = -1;
-    for (const int e : ends)
-      if (!seen[e] && (at < 0 || costs.lower(before, e) < costs.lower(before, at))) at = e;
+    double least = 0;
+    for (const int e : ends) {
+      if (seen[e]) continue;
+      const double far = away(before, e);
+      if (at < 0 || far < least) at = e, least = far;
+    }
     before = -1;
   }
+}
+
+std::vector<int> savings_order(const Costs& costs, const Candidates& candidates) {
+  const int n = costs.size();
+  std::vector<Cost> away(n, 0);  // from the first stop; by the bound: a pricer would price all
+  for (int v = 1; v < n; ++v) away[v] = costs.lower(0, v);
+  std::vector<std::tuple<std::int64_t, int, int>> edges;
+  for (int v = 1; v < n; ++v)
+    for (const auto& leg : candidates.of(v))
+      if (leg.to != 0)
+        edges.emplace_back(std::int64_t{leg.cost} - away[v] - away[leg.to], std::min(v, leg.to),
+                           std::max(v, leg.to));
+  std::sort(edges.begin(), edges.end());
+  Fragments parts(n);
+  for (const auto& [cost, a, b] : edges)
+    if (parts.joins(a, b)) parts.join(a, b);
+  // By the lower bound: a pricer would price all of them.
+  return order_of(parts, [&](int a, int b) { return costs.lower(a, b); });
 }
 
 std::vector<int> random_order(const Costs& costs, const Candidates& candidates,

@@ -36,10 +36,15 @@ class Colony {
         recombiner_(costs, candidates),
         poller_(options.stop, 1 << 12) {}
 
-  void run() {
+  /// From the tour `first`, which was told, or by savings.
+  void run(std::optional<ArrayTour> first) {
     const int n = costs_.size();
     const std::int64_t kicks = options_.kicks < 0 ? n : options_.kicks;
-    best_.emplace(costs_, savings_order(costs_, candidates_));
+    best_ = std::move(first);
+    if (best_)
+      told_ = best_->cost();
+    else
+      best_.emplace(costs_, savings_order(costs_, candidates_));
     kernels::RandomStream random(options_.seed, 0, 0, kUse);
     const bool done = local_.improve(*best_, poller_);
     if (!offer(*best_) || !done) return;
@@ -155,8 +160,6 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
   const std::optional<OneMore> more =
       ends.open ? std::optional<OneMore>(std::in_place, costs, ends) : std::nullopt;
   const Costs& closed = more ? more->costs() : costs;
-  Candidates candidates(closed, places, kCandidates, options.stop);
-  if (more) candidates.add(closed, more->all_legs());
   const std::function<bool(const ArrayTour&)> found = [&](const ArrayTour& tour) {
     result.order = more ? more->opened(tour.order()) : tour.order();
     if (!ends.open && ends.start >= 0)
@@ -166,10 +169,20 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
     result.cost = tour.cost() - (more ? more->surplus() : 0);
     return tell();
   };
+  std::optional<ArrayTour> first;
+  if (!options.first.empty()) {
+    std::vector<int> round = options.first;
+    if (more) round.push_back(costs.size());
+    first.emplace(closed, std::move(round));
+    result.cause = options.stop.poll();  // legs that were not priced tell nothing of other tours
+    if (!found(*first) || result.cause != StopCondition::Cause::none) return result;
+  }
+  Candidates candidates(closed, places, kCandidates, options.stop);
+  if (more) candidates.add(closed, more->all_legs());
   OrderOptions inner = options;
   if (more) inner.target += more->surplus();
   Colony colony(closed, candidates, inner, found);
-  colony.run();
+  colony.run(std::move(first));
   result.cause = colony.cause();
   return result;
 }

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
+#include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/swath_order.h"
 #include "lasius/generate.h"
 #include "tests/oracle/disc_paths.h"
@@ -68,6 +70,47 @@ TEST(SweepCells, PartAndJoinAroundAnObstacle) {
   ASSERT_EQ(through.size(), 3u);
   EXPECT_TRUE(through[0].wall_behind && through[2].wall_before);
   EXPECT_FALSE(through[1].wall_before || through[1].wall_behind);
+}
+
+// A wall with a door: ends on both sides of it are far from each other.
+TEST(NearEnds, AreLinkedAroundWhatIsBlocked) {
+  Grid grid(21, 12);
+  grid.fill({10, 0, 1, 11}, true);
+  const ToolLines lines(grid, 0);
+  const std::vector<Point> stops = {{1, 1}, {10, 1}, {11, 1}, {20, 1}, {3.5, 11}, {18, 11}};
+  const std::vector<EndLink> links = near_ends(grid, lines, stops);
+  const auto linked = [&](int a, int b) {
+    const auto at = std::find_if(links.begin(), links.end(),
+                                 [&](const EndLink& one) { return one.a == a && one.b == b; });
+    return at == links.end() ? -1 : at->length;
+  };
+  EXPECT_LT(linked(1, 2), 0);
+  EXPECT_GE(linked(1, 4), 11.9);  // straight
+  EXPECT_GE(linked(2, 5), 12.2);
+  EXPECT_LT(linked(0, 1), 0);  // the same swath's
+  // Without the links the second swath would be next to the first's end.
+  const SwathChain chain = chained(2, stops, links);
+  std::vector<int> order = chain.order;
+  EXPECT_TRUE(
+      std::is_permutation(order.begin(), order.end(), std::vector{0, 1, 2, 3, 4, 5}.begin()));
+  for (const int end : {0, 2})
+    EXPECT_EQ(std::abs(std::find(order.begin(), order.end(), end) -
+                       std::find(order.begin(), order.end(), end + 1)),
+              1);
+}
+
+// Of swaths side by side in that order.
+TEST(NearEnds, ChainToAndFro) {
+  const Grid grid(30, 12);
+  std::vector<Point> stops;
+  for (int row = 0; row < 6; ++row) {
+    stops.push_back({1, 1.0 + 2 * row});
+    stops.push_back({29, 1.0 + 2 * row});
+  }
+  const std::vector<EndLink> links = near_ends(grid, ToolLines(grid, 0), stops);
+  const SwathChain chain = chained(6, stops, links);
+  EXPECT_DOUBLE_EQ(chain.length, 5 * 2 + 10);
+  EXPECT_DOUBLE_EQ(chained(6, stops, {}).length, 5 * 2 + 10);  // by straight ways alone
 }
 
 TEST(SwathOrder, KeepsTheEndsOfASwathTogether) {
