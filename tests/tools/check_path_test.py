@@ -92,6 +92,98 @@ class CheckPath(ProgramTest):
             run = self.run_program("check-path", "room.map", "run.csv", *asked)
             self.assertEqual(run.code, 0, run.out)
 
+    def test_all_that_the_program_writes_is_read(self):
+        """Plans, drives and tours of vehicles, arcs and clothoids, as JSON, table and nav_msgs/Path."""
+        corners = [[-1, -0.6], [1.4, -0.6], [1.4, 0.6], [-1, 0.6]]
+        car = {"footprint": corners, "turning_radius": 2, "units": "cells"}
+        self.write("stops.json", json.dumps([[4, 6, 0], [20, 2, "90deg"], [12, 10]]))
+        self.write("one.json", json.dumps([[4, 6, 1]]))
+        for name, vehicle in (("car", car), ("clothoid", {**car, "curvature_rate": 0.4}),
+                              ("omni", {"footprint": corners, "type": "omni", "units": "cells"})):
+            self.write("v.json", json.dumps(vehicle))
+            runs = [["plan", "--start", "4,6,0", "--goal", "20,2,90deg"], ["tour", "--stops", "stops.json"],
+                    ["tour", "--stops", "one.json", "--open"], ["drive", "--start", "4,6,0", "--goal", "20,2,90deg"]]
+            for command, *options in runs[:3] if name == "clothoid" else runs:
+                files = ["run.json", "run.csv"] + (["run.yaml"] if command != "drive" else [])
+                done = self.run_program(command, "room.map", *options, "--vehicle", "v.json",
+                                        *(word for file in files for word in ("-o", file)))
+                self.assertEqual(done.code, 0, done.err)
+                for file in files:
+                    # A nav_msgs/Path tells no curvature: there clothoids are not seen.
+                    strict = ["--strict"] if name != "clothoid" or file != "run.yaml" else []
+                    run = self.run_program("check-path", "room.map", file, "--vehicle", "v.json", *strict, "--json")
+                    self.assertEqual((run.code, run.json["judged_as"]), (0, "vehicle"), (command, file, run.out))
+                    if command != "drive":
+                        told = json.loads(self.read("run.json"))["length"]
+                        self.assertAlmostEqual(run.json["length"], told, places=2 if file == "run.yaml" else 4)
+                    if strict and name != "omni":  # which is driven aside, as told
+                        self.assertEqual(run.json["assumed_straight"], 0)
+                self.assertEqual(self.run_program("check-path", "room.map", "run.json").code, 0)
+        # A wider turn than the result's vehicle, and a curvature that changes more slowly.
+        self.write("clothoid.json", json.dumps({**car, "curvature_rate": 0.4}))
+        self.run_program("plan", "room.map", "--start", "4,6,0", "--goal", "20,2,90deg", "--vehicle", "clothoid.json",
+                         "-o", "run.json")
+        for more, fault in (({"turning_radius": 4}, "turns sharper"),
+                            ({"turning_radius": 1, "curvature_rate": 0.1}, "curvature changes faster")):
+            self.write("other.json", json.dumps({**car, **more}))
+            run = self.run_program("check-path", "room.map", "run.json", "--vehicle", "other.json")
+            self.assertEqual(run.code, 1)
+            self.assertIn(fault, run.out)
+
+    def test_clothoids_are_rebuilt_from_their_curvatures(self):
+        """Forwards and backwards, in metres of a turned map too; one curvature that is wrong at a corner does no harm."""
+        def clothoid(gear, n=200000):
+            poses, x, y, yaw = [], 6.0, 6.0, 0.3
+            for i in range(n + 1):
+                s = gear * 4 * i / n
+                if i % (n // 8) == 0:
+                    poses.append((x, y, 0.3 - 0.1 * s + 0.06 * s * s, -0.1 + 0.12 * s))
+                middle = s + gear * 2 / n
+                yaw = 0.3 - 0.1 * middle + 0.06 * middle ** 2
+                x, y = x + gear * 4 / n * math.cos(yaw), y + gear * 4 / n * math.sin(yaw)
+            return poses
+        self.write("v.json", json.dumps({"footprint": [[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]], "turning_radius": 1.5,
+                                         "reverse": True, "units": "cells"}))
+        self.write("room.map", MAP.replace("@", "."))
+        self.write("world.pgm", b"P5 24 12 255 " + b"\xfe" * 288)
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-1, -2, 0.7]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.2\n")
+        c, s = math.cos(0.7), math.sin(0.7)
+        for gear in (1, -1):
+            poses = clothoid(gear)
+            poses[4] = (*poses[4][:3], 0.0)
+            metres = [(-1 + (c * x - s * (12 - y)) / 2, -2 + (s * x + c * (12 - y)) / 2, 0.7 - yaw, -2 * k)
+                      for x, y, yaw, k in poses]
+            for rows, map_file, frame in ((poses, "room.map", "cell"), (metres, "world.yaml", "world")):
+                self.write("path.csv", self.table(rows, "x,y,yaw,kappa"))
+                run = self.run_program("check-path", map_file, "path.csv", "--vehicle", "v.json", "--strict", "--frame", frame,
+                                       "--json")
+                self.assertEqual((run.code, run.json["assumed_straight"]), (0, 0), run.out)
+                self.assertAlmostEqual(run.json["length"], 4, places=6)
+            self.write("path.csv", self.table([p[:3] for p in poses], "x,y,yaw"))
+            self.assertEqual(self.run_program("check-path", "room.map", "path.csv", "--vehicle", "v.json", "--strict").code, 1)
+
+    def test_paths_as_ros_prints_them(self):
+        pose = "- header: {}\n  pose:\n    position: {x: %s, y: 6, z: 0}\n    orientation: {x: 0, y: 0, z: 0, w: %s}\n"
+        text = "header: {frame_id: map}\nposes:\n"
+        self.assertIn("1 piece, 2 cells", self.judged(text + pose % (2, 1) + pose % (4, 1) + "---\n", name="path.yaml").out)
+        for content, said in ((text + pose % (2, 0), r"line 6: 'orientation' is all zero"), ("poses: []\n", "there is no path"),
+                              (text + pose % ("x", 1), r"line 5: 'x' is \"x\""), ("a: 1\n", "'poses' is missing")):
+            self.write("path.yaml", content)
+            run = self.run_program("check-path", "room.map", "path.yaml")
+            self.assertEqual(run.code, 3)
+            self.assertRegex(run.err, said)
+
+    def test_results_without_one_path(self):
+        for content, code, said in (('{"track": null, "status": "invalid"}', 2, "its status is invalid"),
+                                    ('{"legs": [], "tours": []}', 3, "tours of several robots"),
+                                    ('{"legs": []}', 3, "no point"), ('{"legs": [{"path": [[1]]}]}', 3, "no list of points"),
+                                    ('{"path": 4}', 3, "no list of points"), ("[]", 3, "path")):
+            self.write("run.json", content)
+            run = self.run_program("check-path", "room.map", "run.json")
+            self.assertEqual(run.code, code, run.err)
+            self.assertIn(said, run.err)
+
     def test_faults_of_files_are_told_by_line(self):
         cases = [
             ("", r"path\.csv, line 1: .*holds no point"),

@@ -69,6 +69,22 @@ class VehicleTours(ProgramTest):
         (left,) = result.json["left_out"]
         self.assertRegex(left["why"], r"in cell \(10, 9\): the footprint meets cell \(\d+, \d+\), and others")
 
+    def test_a_third_number_is_the_yaw(self):
+        self.write("plain.tsv", "4\t4\t0\n24\t5\t90deg\n20\t15\t\n")
+        self.assertEqual(self.tour("--json", stops="plain.tsv").json["yaws"], [0, math.pi / 2, None])
+        for name, content in (("four.tsv", "4 4 0 1\n"), ("four.json", "[[4, 4, 0], [8, 8, 0, 1]]")):
+            self.write(name, content)
+            self.refused(self.tour(stops=name), 3, "the yaw")
+
+    def test_of_one_stop_files_hold_its_pose(self):
+        self.write("one.json", "[[6, 7, 1.5]]")
+        result = self.tour("--json", "-o", "one.csv", "-o", "one.yaml", stops="one.json").json
+        self.assertEqual((result["order"], result["legs"], result["duration"]), ([0], [], 0))
+        for row in self.rows("one.csv"):
+            self.assertEqual([float(row[key]) for key in ("x", "y", "yaw", "t")], [6.5, 7.5, 1.5, 0])
+        self.assertEqual(len(self.rows("one.csv")), 2)  # as of a plan that begins at its goal
+        self.assertIn(b"position: {x: 6.5, y: 7.5, z: 0.0}", self.read("one.yaml"))
+
     def test_what_is_refused(self):
         self.ended(self.tour("--start", "4,4"), 2)
         self.ended(self.tour("--radius", "2"), 2)

@@ -26,6 +26,9 @@ namespace {
 constexpr const char* kForms =
     "give a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points";
 
+constexpr const char* kPoses =
+    "give x, y and, where it has one, the yaw; other members by their names";
+
 // Where something is in the file: a line, or the path of a JSON value.
 struct At {
   std::int64_t line = 1;
@@ -136,6 +139,9 @@ class Reader {
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
+        if (poses_ && header.size() > 3)
+          fail(at, "names no columns, and has more than x y yaw", kPoses);
+        if (poses_ && header.size() == 3) yaw = 2;
       }
       if (fields.size() != header.size())
         fail(at,
@@ -220,9 +226,10 @@ class Reader {
       return both(pair["x"], pair["y"], details_of(pair, path));
     const bool long_enough = pair.is_array() && pair.size() >= 2;
     Details more = details;
-    if (poses_ && text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array() &&
-        pair.size() == 3)
-      more.yaw = yaw_of(pair[2], path);
+    if (poses_ && text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array()) {
+      if (pair.size() > 3) fail({.path = path}, path + " is no [x, y, yaw]", kPoses);
+      if (pair.size() == 3) more.yaw = yaw_of(pair[2], path);
+    }
     both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), std::move(more));
   }
 

@@ -63,6 +63,13 @@ class VehicleTour final : public TourProblem {
       legs_.push_back({.start = chosen(found, found.legs[i].from),
                        .goals = {chosen(found, found.legs[i].to)},
                        .result = std::move(found.plans[i])});
+    if (found.order.size() == 1 && found.legs.empty()) {  // files hold where it stands
+      VehicleEnd end = chosen(found, found.order.front());
+      vehicle::Result standing;
+      standing.segments = {{.begin = end.pose}};
+      standing.goal = 0;
+      legs_.push_back({.start = end, .goals = {end}, .result = std::move(standing)});
+    }
     for (const LeftOut& out : found.left_out) said_[out.stop] = out.why;
     return std::move(static_cast<TourResult&>(found));
   }
@@ -133,7 +140,7 @@ class VehicleTour final : public TourProblem {
       if (end && in_metres()) json[key].push_back(number(*yaw_of(*end)));
     double duration = 0;
     int cusps = 0;
-    for (std::size_t i = 0; i < legs_.size(); ++i) {
+    for (std::size_t i = 0; i < json["legs"].size(); ++i) {
       const vehicle::Result& plan = legs_[i].result;
       const double time = vehicle::Profile(plan.segments, on_->vehicle.speeds).duration();
       Json& leg = json["legs"][i];

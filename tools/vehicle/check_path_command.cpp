@@ -66,8 +66,9 @@ Verdict verdict_of_vehicle(const Asked& asked, const LoadedMap& map, const PathF
                 "name one with --vehicle");
   const vehicle::Vehicle vehicle =
       asked.vehicle.empty() ? *file.vehicle : read_vehicle(asked.vehicle, map, asked.frame).vehicle;
+  const std::vector<double> curvatures = curvatures_of(file, map);
   const DrivenPath path =
-      file.segments.empty() ? driven(poses_of(file, map)) : driven(file.segments);
+      file.segments.empty() ? driven(poses_of(file, map), curvatures) : driven(file.segments);
   Verdict verdict{
       .judged_as = "vehicle",
       .fault = contact_fault(map.as_read(), vehicle::Space(map.as_read(), vehicle), path),
@@ -75,9 +76,6 @@ Verdict verdict_of_vehicle(const Asked& asked, const LoadedMap& map, const PathF
       .length = path.length,
       .pieces = path.pieces.size(),
       .assumed_straight = path.assumed_straight};
-  std::vector<double> curvatures = file.curvatures;
-  for (double& curvature : curvatures)
-    if (file.metres) curvature *= map.metres(1);
   auto other = motion_fault(vehicle, path, curvatures);
   const bool counts = !path.sampled || asked.strict;
   if (counts && other && (!verdict.fault || other->along < verdict.fault->along))
@@ -161,9 +159,10 @@ Json json_of(const LoadedMap& map, const Asked& asked, const Verdict& verdict) {
 
 int check(Asked& asked) {
   asked.map.radius_metres = asked.frame == Frame::world;
-  const PathFile file = read_path(asked.path, asked.frame);
+  PathFile file = read_path(asked.path, asked.frame);
   asked.map.unknown_is_free |= file.unknown_free;
   const LoadedMap map = read_map(asked.map, file.metres ? Frame::world : asked.frame);
+  file.metres |= file.metres_of_map && map.frame.has_value();
   const Verdict verdict = verdict_of(asked, map, file);
   print(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
   if (verdict.remark && !asked.json)
@@ -183,8 +182,9 @@ Subcommand add_check_path(CLI::App& app) {
       ->required();
   table
       .file("PATH", asked->path,
-            "The path: a table with a header, x,y[,yaw,kappa,...], or a saved result of plan",
-            {".csv", ".json"})
+            "The path: a table with a header, x,y[,yaw,kappa,...], a nav_msgs/Path, or a saved "
+            "result of plan, drive or tour",
+            {".csv", ".json", ".yaml", ".yml"})
       ->required();
   table.file("--vehicle", asked->vehicle,
              "The footprint that keeps from what is blocked, over its whole sweep (default: the "
@@ -204,7 +204,8 @@ Subcommand add_check_path(CLI::App& app) {
   table.flag("--json", asked->json, "Print one JSON object");
   return table.command(
       {.detail = "Between two poses of a table the arc, line or rotation is assumed that joins "
-                 "them; where none does, x, y and yaw change in proportion. Without yaw, and for "
+                 "them, with a column kappa also the clothoid; where none does, x, y and yaw "
+                 "change in proportion. Without yaw, and for "
                  "a point, straight lines.",
        .examples = {{"lasius check-path maps/fan400x200.map run.json",
                      "whether a saved path keeps what it was planned with"},

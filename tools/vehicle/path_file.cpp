@@ -10,15 +10,19 @@
 #include "lasius/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
+#include "tools/record/outputs.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 #include "tools/record/saved.h"
 #include "tools/vehicle/vehicle_json.h"
+#include "tools/yaml/document.h"
 
 namespace lasius::tool {
 namespace {
 
 constexpr std::string_view kSeparators = " \t\r\v\f,";
+constexpr const char* kRemedyMissing =
+    "name a .csv of a path, a path.yaml or a saved result, .json";
 
 /// A table of points.
 class TableReader {
@@ -27,7 +31,7 @@ class TableReader {
       : path_{.file = file, .metres = frame == Frame::world} {}
 
   PathFile read() {
-    auto in = opened(path_.file, "name a .csv of a path, or a saved result, .json");
+    auto in = opened(path_.file, kRemedyMissing);
     std::string text(std::istreambuf_iterator<char>(in), {});
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     end_lines_in_lf(text);
@@ -128,19 +132,50 @@ lasius::Curve recorded_curve(const Json& list) {
   return curve;
 }
 
-/// @throws UsageError naming the key
-PathFile path_of(const std::string& file, const Json& result) {
-  PathFile path{.file = file};
-  for (const Json& vertex : result["path"])
-    path.points.push_back(recorded_point(Json{{"path", vertex}}, "path"));
-  const auto told = [](const Json& in, const char* key) {
-    return in.is_object() && in.contains(key) && !in[key].is_null();
-  };
-  if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
-  if (result.contains("segments")) {
-    path.segments = recorded_segments(result);
-    if (path.segments.empty()) throw UsageError("\"segments\" are none");
+bool told(const Json& in, const std::string& key) {
+  return in.is_object() && in.contains(key) && !in[key].is_null();
+}
+
+/// Where its path is: "path" of a plan, "track" of a drive, "legs" of a tour.
+std::string path_key(const Json& result) {
+  for (const char* key : {"path", "track", "legs"})
+    if (result.is_object() && result.contains(key)) return key;
+  throw UsageError("it has no \"path\"");
+}
+
+/// Appends its points and segments. @throws UsageError naming the key
+void take_path(PathFile& path, const Json& part, const std::string& key) {
+  for (const Json& vertex : value_at(part, key)) {
+    if (!vertex.is_array() || vertex.size() < 2)
+      throw UsageError("\"" + key + "\" is no list of points");
+    const Point at = recorded_point(Json{{key, {vertex[0], vertex[1]}}}, key);
+    const bool cell = key == "track" && vertex.size() == 2;
+    path.points.push_back(cell ? Point{at.x + 0.5, at.y + 0.5} : at);
   }
+  if (!part.contains("segments")) return;
+  const auto segments = recorded_segments(part);
+  path.segments.insert(path.segments.end(), segments.begin(), segments.end());
+}
+
+/// @throws UsageError naming the key
+PathFile path_of(const std::string& file, const Json& result, const std::string& key) {
+  PathFile path{.file = file};
+  if (told(result, "tours"))
+    throw UsageError("it has tours of several robots; give one robot's path");
+  if (key == "legs")
+    for (const Json& leg : result["legs"]) take_path(path, leg, "path");
+  else
+    take_path(path, result, key);
+  if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
+  if (of_vehicle(result) && path.segments.empty()) {  // a drive or tour that only stands
+    if (key == "path") throw UsageError("\"segments\" are none");
+    const Json& poses = value_at(result, key == "legs" ? "poses" : key);
+    if (!poses.is_array() || poses.empty()) throw UsageError("it has no pose");
+    const PoseEnd at = recorded_pose(Json{{"pose", poses.front()}}, "pose");
+    path.points = {{at.x, at.y}};
+    path.segments = {{.begin = {at.x, at.y, at.yaw}}};
+  }
+  if (path.points.empty()) throw UsageError("its path has no point");
   const Json parameters = result.value("parameters", Json());
   if (told(parameters, "vehicle")) path.vehicle = recorded_vehicle(parameters);
   if (told(parameters, "radius")) path.radius = recorded_real(parameters, "radius", 0, kNoLimit);
@@ -155,24 +190,71 @@ PathFile read_result(const std::string& file) {
     throw UsageError(file + " holds " + std::to_string(results.size()) +
                      " results; give one with one result");
   const Json& result = results.front().json;
-  const bool has_path = result.is_object() && result.contains("path");
-  const bool none = has_path && (result["path"].is_null() || result["path"] == Json::array());
-  if (none && result.contains("status"))
-    throw UsageError(file + " has no path to judge: its status is " +
-                     recorded<std::string>(result, "status"));
   try {
-    if (!has_path || none || !result["path"].is_array()) throw UsageError("it has no \"path\"");
-    return path_of(file, result);
+    const std::string key = path_key(result);
+    const bool none = !told(result, key) || (result[key].empty() && key != "legs");
+    if (!none || !result.contains("status")) return path_of(file, result, key);
   } catch (const UsageError& error) {
     throw Error(ErrorCode::file_broken, {.file = file, .offset = results.front().offset},
-                std::string("is no result of `lasius plan`: ") + error.what(),
+                std::string("is no result of `lasius plan`, `drive` or `tour`: ") + error.what(),
                 "give one as it was saved");
   }
+  throw UsageError(file + " has no path to judge: its status is " +
+                   recorded<std::string>(result, "status"));
+}
+
+/// A nav_msgs/Path.
+PathFile read_ros_path(const std::string& file) {
+  auto in = opened(file, kRemedyMissing);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  text.resize(text.find_last_not_of(" \t\r\n") + 1);
+  if (text.ends_with("\n---")) text.resize(text.size() - 3);  // as `ros2 topic echo` ends
+  const Node document = parse_document(text, file);
+  PathFile path{.file = file, .metres_of_map = true};
+  for (const Node& stamped : document.at("poses").items()) {
+    const Node& pose = stamped.at("pose");
+    const auto real = [&pose](const char* of, const char* key) {
+      return pose.at(of).at(key).number(-kNoLimit, kNoLimit);
+    };
+    const auto turned = [&real](const char* axis) { return real("orientation", axis); };
+    const double x = turned("x"), y = turned("y"), z = turned("z"), w = turned("w");
+    if (x == 0 && y == 0 && z == 0 && w == 0)
+      pose.at("orientation").fail("is all zero", "give the quaternion of its yaw");
+    path.points.push_back({real("position", "x"), real("position", "y")});
+    path.yaws.push_back(std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z));
+  }
+  if (path.points.empty())
+    document.at("poses").fail("are none: there is no path",
+                              "give the path of a plan that found one");
+  return path;
+}
+
+constexpr double kNear = 1e-3;  // cells
+
+/// The clothoid of that curvature at `from`, whose chord is as long as theirs and which turns as
+/// they do; nothing where it ends elsewhere.
+std::optional<vehicle::Segment> clothoid_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                                 int gear, double curvature) {
+  const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+  const double chord = std::hypot(to.x - from.x, to.y - from.y);
+  vehicle::Segment motion{.begin = from, .curvature = curvature, .length = chord, .gear = gear};
+  // The chord is nearly all of the length: each round leaves a small part of what is missing.
+  for (int round = 0; round < 10; ++round) {
+    const double s = gear * motion.length;
+    motion.curvature_rate = 2 * (turned - curvature * s) / (s * s);
+    const vehicle::Pose end = motion.end();
+    motion.length *= chord / std::hypot(end.x - from.x, end.y - from.y);
+    if (!(motion.length < 2 * chord)) return std::nullopt;
+  }
+  const vehicle::Pose end = motion.end();
+  if (!(std::hypot(end.x - to.x, end.y - to.y) <= kNear)) return std::nullopt;
+  return motion;
 }
 
 }  // namespace
 
 PathFile read_path(const std::string& file, Frame frame) {
+  if (is_yaml(file)) return read_ros_path(file);
   return file.ends_with(".json") ? read_result(file) : TableReader(file, frame).read();
 }
 
@@ -192,9 +274,16 @@ std::vector<vehicle::Pose> poses_of(const PathFile& path, const LoadedMap& map) 
   return poses;
 }
 
-std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to) {
+std::vector<double> curvatures_of(const PathFile& path, const LoadedMap& map) {
+  std::vector<double> curvatures = path.curvatures;
+  if (path.metres)
+    for (double& curvature : curvatures) curvature *= -map.metres(1);  // y up: the other sense
+  return curvatures;
+}
+
+std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                               const std::optional<TwoCurvatures>& told) {
   constexpr double kStill = 1e-9;  // cells
-  constexpr double kNear = 1e-3;   // cells
   vehicle::Segment motion{.begin = from};
   const double x = to.x - from.x, y = to.y - from.y;
   const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
@@ -207,7 +296,18 @@ std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const 
   const double middle = from.yaw + turned / 2;
   const double along = x * std::cos(middle) + y * std::sin(middle);
   const double across = y * std::cos(middle) - x * std::sin(middle);
-  if (std::abs(across) > kNear) return std::nullopt;
+  if (std::abs(across) > kNear) {
+    if (!told) return std::nullopt;
+    const int gear = along < 0 ? -1 : 1;
+    if (auto clothoid = clothoid_between(from, to, gear, told->from)) return clothoid;
+    // From its end, driven the other way.
+    auto back = clothoid_between(to, from, -gear, told->to);
+    if (!back) return std::nullopt;
+    back->curvature = back->curvature_at(back->length);
+    back->begin = from;
+    back->gear = gear;
+    return back;
+  }
   const double half = turned / 2;
   const double stretch = std::abs(half) < 1e-6 ? 1 + half * half / 6 : half / std::sin(half);
   motion.gear = along < 0 ? -1 : 1;

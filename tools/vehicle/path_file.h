@@ -19,6 +19,7 @@ struct PathFile {
   std::vector<double> yaws = {};                ///< with a column yaw: one a point, else empty
   std::vector<double> curvatures = {};          ///< with a column kappa, likewise
   bool metres = false;                          ///< all of these in the map's frame, else in cells
+  bool metres_of_map = false;                   ///< likewise, of a map that has a frame
   lasius::Curve curve = {};                     ///< of a disc's result, in cells
   std::vector<vehicle::Segment> segments = {};  ///< of a vehicle's result, in cells
   // Of a result, what it was planned with.
@@ -29,7 +30,9 @@ struct PathFile {
 };
 
 /// Reads
-///   .json   a result of `plan`: its segments, its curve or its path
+///   .json   a result of `plan`, `drive` or `tour`: its segments, its curve or its path; of a tour
+///           all legs as one path
+///   .yaml   a nav_msgs/Path
 ///   others  a table whose header names x and y (or x_m and y_m: metres) and perhaps yaw and kappa
 ///           among others, split at commas, tabs or blanks
 /// @throws Error(file_missing, file_broken) naming the file and the line, or the byte and the key;
@@ -40,9 +43,17 @@ PathFile read_path(const std::string& file, Frame frame);
 std::vector<Point> points_of(const PathFile& path, const LoadedMap& map);
 /// Likewise, where it has yaws.
 std::vector<vehicle::Pose> poses_of(const PathFile& path, const LoadedMap& map);
+/// Likewise, where it has them.
+std::vector<double> curvatures_of(const PathFile& path, const LoadedMap& map);
 
-/// The arc, the line or the rotation in place that joins two poses; nothing where none comes within
-/// a thousandth of a cell.
-std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to);
+/// Curvatures that a table tells at two poses: one of them, where it jumps there, is of a motion
+/// beside that between the poses.
+struct TwoCurvatures {
+  double from = 0, to = 0;
+};
+/// The arc, the line or the rotation in place that joins two poses, else the clothoid that has one
+/// of the curvatures; nothing where none comes within a thousandth of a cell.
+std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                               const std::optional<TwoCurvatures>& told = {});
 
 }  // namespace lasius::tool

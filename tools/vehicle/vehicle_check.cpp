@@ -39,11 +39,13 @@ DrivenPath driven(std::span<const Segment> segments) {
   return path;
 }
 
-DrivenPath driven(std::span<const vehicle::Pose> poses) {
+DrivenPath driven(std::span<const vehicle::Pose> poses, std::span<const double> curvatures) {
   DrivenPath path{.pieces = {}, .sampled = true};
   if (poses.size() == 1) path.pieces.push_back({poses[0], poses[0], Segment{.begin = poses[0]}});
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    path.pieces.push_back({poses[i - 1], poses[i], motion_between(poses[i - 1], poses[i])});
+    std::optional<TwoCurvatures> told;
+    if (!curvatures.empty()) told = {curvatures[i - 1], curvatures[i]};
+    path.pieces.push_back({poses[i - 1], poses[i], motion_between(poses[i - 1], poses[i], told)});
     path.length += length_of(path.pieces.back());
     if (!path.pieces.back().motion) ++path.assumed_straight;
   }
@@ -113,6 +115,11 @@ std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const 
       return fault("it turns in place, which the vehicle does not");
     if (motion.gear < 0 && !vehicle.reverse && length > kRounding)
       return fault("it drives backwards, which the vehicle does not");
+    if (!path.sampled && vehicle.curvature_rate > 0 &&
+        std::abs(motion.curvature_rate) > vehicle.curvature_rate * (1 + kExact))
+      return fault("its curvature changes faster than the vehicle's can: by " +
+                   to_text(std::abs(motion.curvature_rate)) + " a cell, " +
+                   to_text(vehicle.curvature_rate) + " is its most");
     if (motion.gear != 0) {
       const double room = path.sampled ? kShare * most + kRounding / std::max(length, kRounding)
                                        : kExact * std::max(most, 1.);

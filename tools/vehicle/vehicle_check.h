@@ -25,9 +25,10 @@ struct DrivenPath {
   double length = 0;         ///< cells
   int assumed_straight = 0;  ///< pieces without a motion
 };
-/// Of motions, and of poses with the motions that join them.
+/// Of motions, and of poses with the motions that join them; `curvatures`, one a pose or none, are
+/// what a table tells.
 DrivenPath driven(std::span<const vehicle::Segment> segments);
-DrivenPath driven(std::span<const vehicle::Pose> poses);
+DrivenPath driven(std::span<const vehicle::Pose> poses, std::span<const double> curvatures);
 
 /// A fault, and the vehicle's pose there.
 struct VehicleFault : PathFault {
@@ -38,7 +39,7 @@ std::optional<VehicleFault> contact_fault(const Grid& grid, const vehicle::Space
                                           const DrivenPath& path);
 
 /// The first motion that the vehicle does not have: sharper than its radius, backwards, in place,
-/// aside; or a jump between motions. `curvatures`, one a pose or none, are what a table tells.
+/// aside; or a jump between motions.
 std::optional<VehicleFault> motion_fault(const vehicle::Vehicle& vehicle, const DrivenPath& path,
                                          std::span<const double> curvatures);
 

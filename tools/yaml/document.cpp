@@ -18,7 +18,7 @@ namespace lasius::tool {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 16;
-constexpr std::size_t kMostNodes = 1 << 14;
+constexpr std::size_t kMostNodes = 1 << 14;  // of a text of fewer bytes
 constexpr int kDeepest = 100;
 constexpr std::size_t kMostKeys = 2000;  // of one map: it is looked through
 
@@ -47,6 +47,7 @@ class DocumentReader {
   Node read(const std::string& text) {
     Node root;
     root.file_ = file_;
+    most_ = std::max(kMostNodes, text.size());
     try {
       if (const int documents = documents_in(text); documents != 1)
         root.fail(documents == 0 ? "the file is empty" : kMoreDocuments, kOneDocument);
@@ -65,7 +66,7 @@ class DocumentReader {
     node.file_ = file_;
     node.key_ = key;
     node.line_ = line;
-    if (++count_ > kMostNodes)
+    if (++count_ > most_)
       node.fail("the document has too many values", "leave out aliases that repeat themselves");
     if (++depth_ > kDeepest) node.fail("nests too deep", "leave out aliases that hold themselves");
     if (from.IsScalar()) {
@@ -93,7 +94,7 @@ class DocumentReader {
   }
 
   std::shared_ptr<const std::string> file_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, most_ = 0;
   int depth_ = 0;
 };
 
