@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "core/base/stored_arrays.h"
+
 namespace lasius {
 
 Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
-                 const disc::DiscSpace* disc, const cost::Terrain* terrain)
-    : params_(params), threads_(thread_count(params.threads)) {
+                 const disc::DiscSpace* disc, const cost::Terrain* terrain, const Ranks* ranks)
+    : params_(params), ranks_(ranks), threads_(thread_count(params.threads)) {
   const auto count = static_cast<std::size_t>(params.islands);
+  news_.resize(count);
   if (memory.islands.size() < count) memory.islands.resize(count);
   auto of_island = memory.islands.begin();
   int first_ant = 0;
@@ -15,97 +18,171 @@ Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
     Params share = params;
     share.ants = params.ants / params.islands + (i < params.ants % params.islands ? 1 : 0);
     share.threads = 1;
-    GridColony& colony =
-        islands_.emplace_back(grid, std::move(share), *of_island++, first_ant, disc, terrain)
-            .colony;
-    for (int a = 0; a < colony.ants(); ++a) places_.push_back({&colony, a});
-    first_ant += colony.ants();
+    const int ants = share.ants;
+    for (int a = 0; a < ants; ++a) places_.push_back({i, a});
+    news(i).ants.resize(static_cast<std::size_t>(ants));
+    if (ranks == nullptr || i % ranks->count == ranks->own)
+      islands_.emplace_back(i, grid, std::move(share), *of_island++, first_ant, disc, terrain);
+    first_ant += ants;
   }
-  leader_ = &islands_.front().colony;
 }
 
 Result Islands::run(const Request& request, const Observer& observer) {
+  stop_ = request.stop;
   for_each([&](Island& island) {
     island.colony.begin(request);
     island.colony.set_out(request, observer);
   });
   Convergence run;
-  const auto cause = run_colony_loop(*this, params_.iterations, request.stop, run);
-  BestPath* best = nullptr;
-  for (Island& island : islands_) {
-    BestPath& found = island.colony.best_path();
-    if (best == nullptr || found.shorter_than(*best)) best = &found;
-  }
-  return result_after(cause, std::move(run), best->give());
+  // Ranks stop at one iteration, by what was told there.
+  const auto cause = run_colony_loop(*this, params_.iterations,
+                                     ranks_ == nullptr ? request.stop : StopCondition{}, run);
+  return result_after(cause, std::move(run), best_path());
 }
 
 template <class Do>
 void Islands::for_each(const Do& act) {
-  parallel_for(params_.islands, threads_,
+  parallel_for(static_cast<int>(islands_.size()), threads_,
                [&](int i, int) { act(islands_[static_cast<std::size_t>(i)]); });
 }
 
 void Islands::exchange_tours() {
-  const GridColony* before = &islands_.back().colony;
   for (Island& island : islands_) {
-    island.colony.welcome(before->best_tour());
-    before = &island.colony;
+    const News& before = news((island.number + params_.islands - 1) % params_.islands);
+    island.colony.welcome({before.best_tour, before.whole.best_tour});
   }
 }
 
 StopCondition::Cause Islands::send_ants(int q) {
-  if (q > 0 && q % params_.exchange_every == 0) exchange_tours();
-  for_each([q](Island& island) { island.cause = island.colony.send_ants(q); });
-  for (const Island& island : islands_)
-    if (island.cause != StopCondition::Cause::none) return island.cause;
+  if (exchange_at(q)) exchange_tours();
+  for_each([this, q](Island& island) {
+    auto cause = StopCondition::Cause::token;
+    if (!observer_stops_) cause = island.colony.send_ants(q);
+    if (cause == StopCondition::Cause::none) {
+      island.colony.offer();
+      island.colony.update_trail(q);
+    } else if (!observer_stops_) {
+      island.colony.offer_cut();
+    }
+    tell(island, cause, exchange_at(q + 1));
+  });
+  if (ranks_ != nullptr) share_news();
+  for (Island& island : islands_)
+    if (leader_ == nullptr || island.colony.best_path().shorter_than(leader_->best_path()))
+      leader_ = &island.colony;
+  for (const News& one : news_)
+    if (one.whole.cause != StopCondition::Cause::none) return one.whole.cause;
   return StopCondition::Cause::none;
 }
 
-void Islands::offer() {
-  for (Island& island : islands_) island.colony.offer();
-}
-void Islands::offer_cut() {
-  for (Island& island : islands_) island.colony.offer_cut();
+void Islands::tell(const Island& island, StopCondition::Cause cause, bool with_tour) {
+  const GridColony& colony = island.colony;
+  News& to = news(island.number);
+  to.whole.cause = cause;
+  if (cause != StopCondition::Cause::none) return;
+  to.whole = {.cause = cause,
+              .settled = colony.settled() ? 1 : 0,
+              .best = colony.best_length(),
+              .iteration_best = colony.iteration_best(),
+              .trail_entropy = colony.trail_entropy(),
+              .best_tour = kNaN};
+  for (int a = 0; a < colony.ants(); ++a)
+    to.ants[static_cast<std::size_t>(a)] = {colony.tour_length(a), *colony.walked(a)};
+  if (!with_tour) return;
+  const Tour tour = colony.best_tour();
+  to.whole.best_tour = tour.length;
+  to.best_tour.assign(tour.moves.begin(), tour.moves.end());
 }
 
-void Islands::update_trail(int q) {
-  for_each([q](Island& island) { island.colony.update_trail(q); });
+void Islands::share_news() {
+  ArrayWriter own;
+  for (const Island& island : islands_) {
+    const News& one = news(island.number);
+    own.value(one.whole);
+    own.array(one.ants);
+    own.array(one.best_tour);
+  }
+  const std::vector<std::string> all = ranks_->gather(own.text());
+  for (int rank = 0; rank < ranks_->count; ++rank) {
+    ArrayReader from(all[static_cast<std::size_t>(rank)], "a rank's news", 0);
+    for (int i = rank; rank != ranks_->own && i < params_.islands; i += ranks_->count) {
+      if (from.at_end()) {  // it has ended; the own deadline is near
+        const auto cause = stop_.poll();
+        const bool none = cause == StopCondition::Cause::none;
+        news(i).whole.cause = none ? StopCondition::Cause::deadline : cause;
+        continue;
+      }
+      news(i).whole = from.value<News::Whole>();
+      auto ants = from.array<News::OfAnt>();
+      from.require(ants.size() == news(i).ants.size());
+      news(i).ants = std::move(ants);
+      news(i).best_tour = from.array<std::uint8_t>();
+    }
+  }
+}
+
+std::vector<Point> Islands::best_path() {
+  Island* best = nullptr;
   for (Island& island : islands_)
-    if (island.colony.best_path().shorter_than(leader_->best_path())) leader_ = &island.colony;
-}
-
-double Islands::tour_length(int ant) const {
-  const Place place = places_[static_cast<std::size_t>(ant)];
-  return place.colony->tour_length(place.ant);
-}
-std::optional<ColonyWorld::Walked> Islands::walked(int ant) const {
-  const Place place = places_[static_cast<std::size_t>(ant)];
-  return place.colony->walked(place.ant);
+    if (best == nullptr || island.colony.best_path().shorter_than(best->colony.best_path()))
+      best = &island;
+  std::vector<Point> path;
+  if (best != nullptr) path = best->colony.best_path().give();
+  if (ranks_ == nullptr) return path;
+  // Of equal ones the first island's.
+  struct Found {
+    double length = kInfinity;
+    int island = 0, none = 0;
+    auto operator<=>(const Found&) const = default;
+  };
+  Found least, mine;
+  if (!path.empty()) mine = {best->colony.best_path().length(), best->number};
+  ArrayWriter own;
+  own.value(mine);
+  own.array(path);
+  for (const std::string& text : ranks_->gather(own.text())) {
+    if (text.empty()) continue;
+    ArrayReader from(text, "a rank's path", 0);
+    const auto found = from.value<Found>();
+    if (!(found < least)) continue;
+    least = found;
+    path = from.array<Point>();
+  }
+  return path;
 }
 
 double Islands::trail_entropy() const {
   double sum = 0;
   int count = 0;
-  for (const Island& island : islands_) {
-    const double entropy = island.colony.trail_entropy();
-    if (std::isnan(entropy)) continue;
-    sum += entropy;
+  for (const News& one : news_) {
+    if (std::isnan(one.whole.trail_entropy)) continue;
+    sum += one.whole.trail_entropy;
     ++count;
   }
   return count > 0 ? sum / count : kNaN;
 }
 
+double Islands::best_length() const {
+  double best = kNaN;
+  for (const News& one : news_) best = std::fmin(best, one.whole.best);
+  return best;
+}
+
 double Islands::iteration_best() const {
   double best = kNaN;
-  for (const Island& island : islands_) best = std::fmin(best, island.colony.iteration_best());
+  for (const News& one : news_) best = std::fmin(best, one.whole.iteration_best);
   return best;
 }
 
 bool Islands::settled() const {
-  return std::ranges::all_of(islands_,
-                             [](const Island& island) { return island.colony.settled(); });
+  return std::ranges::all_of(news_, [](const News& one) { return one.whole.settled != 0; });
 }
 
-StopCondition::Cause Islands::observe(const Convergence& run) { return leader_->observe(run); }
+StopCondition::Cause Islands::observe(const Convergence& run) {
+  const auto cause = leader_ != nullptr ? leader_->observe(run) : StopCondition::Cause::none;
+  if (ranks_ == nullptr) return cause;
+  observer_stops_ = cause != StopCondition::Cause::none;  // others hear of it in the next iteration
+  return StopCondition::Cause::none;
+}
 
 }  // namespace lasius

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "core/colony/grid_colony.h"
@@ -17,60 +18,90 @@ namespace lasius {
 /// Middendorf, Reischle & Schmeck: Multi colony ant algorithms. Journal of Heuristics 8, 2002,
 /// 305-320; that the tour teaches as an ant does, whatever the update, is ours.
 ///
-/// Islands are sent side by side over threads, an island by one; what they find depends on their
-/// number and the schedule alone.
+/// Islands are sent side by side over threads, an island by one, and over Request::ranks, island i
+/// by rank i mod their number; what they find depends on their number and the schedule alone.
 class Islands final : public ColonyWorld {
  public:
   /// As GridColony for one run; `params` have more than one island, and an ant for each.
   Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
-          const cost::Terrain* terrain);
+          const cost::Terrain* terrain, const Ranks* ranks);
 
   Result run(const Request& request, const Observer& observer);
 
   // What the loop asks for: of all ants, by their numbers.
+
+  /// Their whole iteration, the update too, after which all ranks know what each island found.
   StopCondition::Cause send_ants(int q) override;
-  void offer() override;
-  void offer_cut() override;
-  void update_trail(int q) override;
+  void offer() override {}
+  void update_trail(int) override {}
   int ants() const override { return params_.ants; }
   int threads() const override { return threads_; }
-  double tour_length(int ant) const override;
-  std::optional<Walked> walked(int ant) const override;
+  double tour_length(int ant) const override { return news_of(ant).length; }
+  std::optional<Walked> walked(int ant) const override { return news_of(ant).walked; }
   /// The mean over islands that have a trail.
   double trail_entropy() const override;
-  double best_length() const override { return leader_->best_length(); }
+  double best_length() const override;
   double iteration_best() const override;
   /// All islands have.
   bool settled() const override;
-  /// Shows the island that has the shortest path, of equal ones the first.
+  /// Shows the island that has the shortest path, of equal ones the first; of ranks the own ones'.
   StopCondition::Cause observe(const Convergence& run) override;
 
  private:
   struct Island {
+    int number;
     Params params;
     GridColony colony;
-    StopCondition::Cause cause = StopCondition::Cause::none;
 
-    Island(const Grid& grid, Params share, ColonyMemory& memory, int first_ant,
+    Island(int i, const Grid& grid, Params share, ColonyMemory& memory, int first_ant,
            const disc::DiscSpace* disc, const cost::Terrain* terrain)
-        : params(std::move(share)),
+        : number(i),
+          params(std::move(share)),
           colony(grid, params, memory, no_own_rules(), GridColony::After::nothing, disc, terrain,
                  first_ant) {}
   };
+  /// What is known of an island after an iteration.
+  struct News {
+    struct Whole {
+      StopCondition::Cause cause = StopCondition::Cause::none;
+      int settled = 0;
+      double best = kNaN, iteration_best = kNaN, trail_entropy = kNaN, best_tour = kNaN;
+    };
+    struct OfAnt {
+      double length;
+      Walked walked;
+    };
+    Whole whole;
+    std::vector<OfAnt> ants;
+    std::vector<std::uint8_t> best_tour;  ///< its moves, where an exchange is due
+  };
   struct Place {
-    const GridColony* colony;
-    int ant;
+    int island, ant;
   };
 
   template <class Do>
   void for_each(const Do& act);
+  bool exchange_at(int q) const { return q > 0 && q % params_.exchange_every == 0; }
   void exchange_tours();
+  void tell(const Island& island, StopCondition::Cause cause, bool with_tour);
+  void share_news();
+  News& news(int island) { return news_[static_cast<std::size_t>(island)]; }
+  const News::OfAnt& news_of(int ant) const {
+    const Place place = places_[static_cast<std::size_t>(ant)];
+    return news_[static_cast<std::size_t>(place.island)].ants[static_cast<std::size_t>(place.ant)];
+  }
+  /// Over all islands.
+  std::vector<Point> best_path();
 
   const Params& params_;
+  const Ranks* ranks_;
   int threads_;
-  std::deque<Island> islands_;
-  std::vector<Place> places_;  ///< of all ants
+  StopCondition stop_;
+  std::deque<Island> islands_;  ///< of this rank
+  std::vector<News> news_;      ///< of all
+  std::vector<Place> places_;   ///< of all ants
   GridColony* leader_ = nullptr;
+  bool observer_stops_ = false;
 };
 
 }  // namespace lasius

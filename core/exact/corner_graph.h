@@ -16,6 +16,11 @@
 #include "lasius/grid.h"
 #include "lasius/preparation.h"
 
+namespace lasius {
+class ArrayReader;
+class ArrayWriter;
+}  // namespace lasius
+
 namespace lasius::exact {
 
 /// A lattice point where exactly one of the four cells is blocked, and where its edges are in its
@@ -81,9 +86,6 @@ struct GraphEdge {
   static constexpr std::uint32_t kSideBit = std::uint32_t{1} << 31;
 };
 static_assert(sizeof(GraphEdge) == 8);
-
-class ArrayWriter;
-class ArrayReader;
 
 /// The tangent visibility graph of a map: an edge joins two corners that see each other where a
 /// taut path may come along at both ends. Corners are numbered tile by tile, 8 x 8 lattice points

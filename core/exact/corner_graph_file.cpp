@@ -2,8 +2,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/base/stored_arrays.h"
 #include "core/exact/corner_graph.h"
-#include "core/exact/stored_arrays.h"
 
 namespace lasius::exact {
 

@@ -1,13 +1,27 @@
 // What a planner on a bitmap is asked.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
 
 namespace lasius {
+
+/// Processes that send the islands of one colony (Params::islands) together. All ask the same of
+/// the same map; each sends a share of the islands and gets the whole answer, that of one process.
+/// Where one of them is told to stop, all end; an observer is shown the islands of its own process.
+struct Ranks {
+  int own = 0;    ///< the number of this process, from 0
+  int count = 1;  ///< of processes
+  /// Hands in what this one has, and gets what each has handed in, by number; empty: it has ended,
+  /// which is as if its deadline had passed. Called by the thread that plans, once an iteration and
+  /// once at the end. What it throws ends the call.
+  std::function<std::vector<std::string>(std::string)> gather = {};
+};
 
 /// What is asked of a planner.
 struct Request {
@@ -32,6 +46,7 @@ struct Request {
   /// Of `exact` for a point, without a target gap and points on the way: so many other ways are
   /// wanted as well, see Result::alternatives. At most kMostAlternatives.
   int alternatives = 0;
+  const Ranks* ranks = nullptr;  ///< null: this process alone
 };
 
 }  // namespace lasius

@@ -13,7 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/opening_pipe.h"
 #include "core/base/output.h"
-#include "core/exact/stored_arrays.h"
+#include "core/base/stored_arrays.h"
 #include "core/plan/planner_impl.h"
 
 namespace lasius {
@@ -78,7 +78,7 @@ void Planner::save_preparation(const std::string& file) const {
     throw invalid_parameter(
         "there is no preparation to write to " + file,
         impl_->disc == nullptr ? "prepare the map first" : "a disc's is kept in no file");
-  exact::ArrayWriter arrays;
+  ArrayWriter arrays;
   impl_->graph->save(arrays);
   if (impl_->labels != nullptr) impl_->labels->save(arrays);
   const std::string& text = arrays.text();
@@ -126,7 +126,7 @@ Planner Planner::load_preparation(const std::string& file) const {
     refuse(file, static_cast<std::int64_t>(sizeof header), "is damaged: its checksum differs");
   auto more =
       std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed, impl_->disc);
-  exact::ArrayReader arrays(text, file, sizeof header);
+  ArrayReader arrays(text, file, sizeof header);
   const auto graph = exact::CornerGraph::load(map, arrays);
   Preparation& report = more->preparation;
   if (header.labels == 1) {

@@ -13,6 +13,10 @@ from program import MAPS, PROGRAM, ProgramTest
 SHELLS = os.path.join(os.path.dirname(MAPS), "tools", "manual", "shells")
 
 
+def paths(folder):
+    return ":".join((os.path.join(folder, "bin"), os.path.dirname(PROGRAM), os.environ["PATH"]))
+
+
 class CompletionTest(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -112,7 +116,7 @@ class Terminal:
         if self.child == 0:
             os.chdir(folder)
             os.environ.update(HOME=home, TERM="dumb", LC_ALL="C.UTF-8", HISTFILE="",
-                              PATH=os.path.dirname(PROGRAM) + ":" + os.environ["PATH"])
+                              PATH=paths(home))
             os.execvp(words[0], words)
         self.shown = ""
 
@@ -159,7 +163,13 @@ class Shells(CompletionTest):
              ("lasius verify res", "result.json"),
              ("lasius plan world.geojson --algorithm maklink", "maklink-acs"),
              ("lasius study fan2004 -o fol", "folder/"),
-             ("lasius help exit", "exit-codes")]
+             ("lasius help exit", "exit-codes"),
+             ("lasius_mpi batch --thr", "--threads")]
+
+    def setUp(self):
+        super().setUp()
+        os.makedirs(self.path("bin"))
+        os.symlink(PROGRAM, self.path("bin/lasius_mpi"))
 
     def shell(self, name):
         if shutil.which(name) is None:
@@ -201,7 +211,7 @@ class Shells(CompletionTest):
             done = subprocess.run(
                 ["fish", "--no-config", "-c", f"source {SHELLS}/lasius.fish; complete --do-complete '{line}'"],
                 cwd=self.folder, capture_output=True, text=True, timeout=120, check=False,
-                env={**os.environ, "HOME": self.folder, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"]})
+                env={**os.environ, "HOME": self.folder, "PATH": paths(self.folder)})
             words = [found.split("\t")[0] for found in done.stdout.splitlines()]
             with self.subTest(line=line):
                 self.assertEqual(done.stderr, "")

@@ -160,7 +160,7 @@ class ManualPages(HelpTest):
         return sorted(os.listdir(self.path("man")))
 
     def test_a_page_for_each_command(self):
-        self.assertEqual(self.pages(), sorted(["lasius.1", *(f"lasius-{name}.1" for name in self.commands())]))
+        self.assertEqual(self.pages(), sorted(["lasius.1", *(f"lasius-{name}.1" for name in self.commands()), "lasius_mpi.1"]))
 
     def test_the_same_every_time(self):
         self.make_pages("again")

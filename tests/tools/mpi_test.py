@@ -333,6 +333,38 @@ class Plans(MpiTest):
         self.assertEqual((run.code, run.err, timeless(run.lines)), (5, alone.err, timeless(alone.lines)))
 
 
+class Islands(MpiTest):
+    """Of one search, with one seed: what is shared are the islands of its colony."""
+
+    def asked(self, colony, *more):
+        return ("plan", FAN, "--start", "14,14", "--goal", "380,179", "--algorithm", colony, "--islands", "4", "--ants", "12",
+                *(more or ("--iterations", "5")), "--set", "exchange_every=2", "--json", "-q", "--threads")
+
+    def test_any_ranks_find_one_path(self):
+        for colony in ("acs", "mmas", "fan2004") if KILLS else ("acs",):
+            alone = timeless([self.run_program(*self.asked(colony), 2).json])
+            for mpi, ranks, threads in RANKS:
+                with self.subTest(colony=colony, mpi=mpi, ranks=ranks, threads=threads):
+                    run = self.run_job(mpi, ranks, *self.asked(colony), threads)
+                    self.assertEqual((run.code, timeless(run.lines)), (0, alone), run.err)
+
+    def test_limits_and_other_input_end_all_ranks(self):
+        mpi = list(PROGRAMS)[-1]
+        run = self.run_job(mpi, 2, *self.asked("acs", "--iterations", "1000000", "--time-limit", "0.5"), 1)
+        self.assertEqual(run.json["status"], "limit", run.err)
+        shutil.copy(FAN, self.path("a.map"))
+        os.makedirs(self.path("other"))
+        self.write("other/a.map", self.read("a.map").replace(b".", b"@", 1))
+        asked = [word if word != FAN else "a.map" for word in self.asked("acs")]
+        self.ended(self.run_job(mpi, 1, *asked, 1, other_folder=self.path("other")), 3, "rank 1 has other input")
+
+    def test_pictures_of_ants_are_of_one_process(self):
+        self.quiet(self.run_program(*self.asked("acs"), 1, "-o", "alone.svg"))
+        run = self.run_job(list(PROGRAMS)[-1], 2, *self.asked("acs"), 1, "-o", "ranks.svg")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(self.read("ranks.svg"), self.read("alone.svg"))
+
+
 class Keys(MpiTest):
     """A journal is of one input. An output that cannot be written leaves it, and its name is the input's hash."""
 

@@ -6,10 +6,13 @@
 
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
+#include "tools/console/crew.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
+#include "tools/record/batch.h"
 #include "tools/record/json_values.h"
+#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 namespace {
@@ -55,6 +58,11 @@ std::optional<Point> short_end(const Answer& answer) {
   return path.back();
 }
 
+bool shares_islands(const RunOptions& run) {
+  const auto is_seen = [](const std::string& file) { return is_picture(file) || is_page(file); };
+  return crew() != nullptr && run.params.islands > 1 && std::ranges::none_of(run.outputs, is_seen);
+}
+
 Request request_of(const LoadedMap& map, const RunOptions& run, const Place& start,
                    const Place& goal) {
   Request request{.start = start.cell,
@@ -77,6 +85,14 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   }
   Request request = request_of(map, run, start, goal);
   request.stop = stop;
+  const bool shared = shares_islands(run);
+  Ranks ranks;
+  if (shared) {
+    ranks = {crew()->number(), crew()->size(), [key = shared_key(run, "")](const std::string& own) {
+               return crew()->gather(key, own);
+             }};
+    request.ranks = &ranks;
+  }
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   in_metres_asked(map, run, [&] {
@@ -86,6 +102,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
       answer.result = map.planner->plan(request, run.params, &workspace, observer);
   });
   answer.elapsed_ms = ms_since(begin);
+  if (shared) leave_to_leader();
   if (!run.with_optimum) return answer;
   if (map.costs)
     set_least_cost(answer, least_cost(map, run, request, again(stop, run.time_limit)));

@@ -45,6 +45,9 @@ Route route_of(const LoadedMap& map, const RunOptions& run);
 /// Looks for what would join ends that are not.
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer);
+/// Is the run of a colony whose islands the ranks of a crew send together? Pictures of ants are of
+/// one process.
+bool shares_islands(const RunOptions& run);
 /// The question, without what ends it.
 Request request_of(const LoadedMap& map, const RunOptions& run, const Place& start,
                    const Place& goal);
@@ -65,8 +68,9 @@ void set_least_cost(Answer& answer, const CostResult& least);
 /// Makes an answer of one over costs.
 void set_costs(Answer& answer, const CostResult& found);
 
-/// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
-/// each, as long a limit again.
+/// Plans from `start` to `goal` under `stop`, with a crew whose islands are shared on all its
+/// ranks, of which one goes on; then looks for --gap's optima under the token and, each, as long a
+/// limit again.
 Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer = {});
 

@@ -266,7 +266,9 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
 int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   RunOptions& asked = text.run;
   asked.called = call.line;
-  if (text.queries.empty() && !asked.ranged) leave_to_leader();  // one search
+  const bool on_bitmap = text.vehicle.file.empty() && !is_polygon_file(asked.map.file);
+  const bool one_search = text.queries.empty() && !asked.ranged;
+  if (one_search && !on_bitmap) leave_to_leader();
   if (!text.vehicle.file.empty()) return run_command(vehicle_command(table, text));
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
@@ -286,6 +288,7 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   check_alternatives(plan.run);
   finish_costs(plan.run, plan.run.ranged);
   if (plan.run.ranged) return run_bitmap_batch(plan);
+  if (!shares_islands(plan.run)) leave_to_leader();
   BitmapProblem problem(plan);
   return run(problem);
 }

@@ -16,7 +16,7 @@ namespace lasius::tool {
 class Crew {
  public:
   virtual ~Crew() = default;
-  virtual bool leads() const noexcept = 0;
+  bool leads() const noexcept { return number() == 0; }
 
   struct Work {
     /// What the leader gives out, in this order; unread elsewhere. Items mean the same to all.
@@ -37,6 +37,12 @@ class Crew {
   /// ended it before; the others are dismissed then. @throws Dismissed; Error(file_broken) for a
   /// rank with another key; std::runtime_error for what another rank met with.
   virtual std::optional<std::string> share(const Work& work) = 0;
+
+  virtual int number() const noexcept = 0;  ///< of this rank, the leader's is 0
+  virtual int size() const noexcept = 0;
+  /// What each rank has handed in, by number; empty of one that has ended well without. Every rank
+  /// calls it as often. `key` as of work. @throws as share.
+  virtual std::vector<std::string> gather(const std::string& key, const std::string& own) = 0;
 };
 
 /// Thrown where a rank's work is done.

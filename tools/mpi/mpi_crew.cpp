@@ -79,9 +79,14 @@ std::string packed(std::span<const int> items, const std::vector<std::string>& t
 void send(int to, const std::string& text) {
   std::string whole;
   put(whole, text);
-  for (std::size_t at = 0; at < whole.size(); at += kPiece)
-    MPI_Send(whole.data() + at, static_cast<int>(std::min(kPiece, whole.size() - at)), MPI_CHAR, to,
-             0, MPI_COMM_WORLD);
+  for (std::size_t at = 0; at < whole.size(); at += kPiece) {
+    MPI_Request sending = MPI_REQUEST_NULL;
+    MPI_Isend(whole.data() + at, static_cast<int>(std::min(kPiece, whole.size() - at)), MPI_CHAR,
+              to, 0, MPI_COMM_WORLD, &sending);
+    int sent = 0;  // of a large piece not until it is read
+    for (Naps naps; MPI_Test(&sending, &sent, MPI_STATUS_IGNORE), sent == 0;)
+      std::this_thread::sleep_for(naps.next());
+  }
 }
 
 struct Letter {
@@ -194,19 +199,24 @@ std::optional<std::string> MpiCrew::share(const Work& work) {
   return summary;
 }
 
+std::string MpiCrew::ask(const std::string& key, const std::string& results) const {
+  std::string wanted(1, kWant);
+  put(wanted, shared_);
+  put(wanted, key);
+  send(0, wanted + results);
+  std::optional<Letter> reply;
+  for (Naps naps; !(reply = post());) std::this_thread::sleep_for(naps.next());
+  if (reply->text[0] == kDismissed) throw Dismissed{};
+  return reply->text;
+}
+
 std::string MpiCrew::follow(const Work& work) {
   std::string results;
   for (;;) {
-    std::string wanted(1, kWant);
-    put(wanted, shared_);
-    put(wanted, work.key);
-    send(0, wanted + results);
-    std::optional<Letter> reply;
-    for (Naps naps; !(reply = post());) std::this_thread::sleep_for(naps.next());
-    if (reply->text[0] == kEnd) return reply->text.substr(1);
-    if (reply->text[0] != kItems) throw Dismissed{};
+    const std::string reply = ask(work.key, results);
+    if (reply[0] == kEnd) return reply.substr(1);
     std::vector<int> items;
-    for (std::string_view left = std::string_view(reply->text).substr(1); !left.empty();)
+    for (std::string_view left = std::string_view(reply).substr(1); !left.empty();)
       items.push_back(static_cast<int>(take_number(left)));
     try {
       results = packed(items, work.act(items));
@@ -215,6 +225,61 @@ std::string MpiCrew::follow(const Work& work) {
       throw Dismissed{};
     }
   }
+}
+
+bool MpiCrew::read_post(const std::string& key, bool all_needed,
+                        const std::function<void(int, std::string_view)>& act) {
+  bool any = false;
+  while (const auto letter = post()) {
+    any = true;
+    std::string_view text = std::string_view(letter->text).substr(1);
+    const std::string rank = "rank " + std::to_string(letter->from);
+    if (letter->text[0] == kGone) {
+      gone_[static_cast<std::size_t>(letter->from)] = true;
+      if (text == "0") continue;
+      const std::string how = rank + " ended with exit code " + std::string(text);
+      if (all_needed) throw std::runtime_error(how);
+      message(how + " before it was at work; the others go on");
+      continue;
+    }
+    if (letter->text[0] == kFailed) throw std::runtime_error(rank + ": " + std::string(text));
+    const auto sharing = static_cast<std::size_t>(take_number(text));
+    if (sharing < farewells_.size()) {  // it comes late: that work is done
+      send(letter->from, farewells_[sharing]);
+      continue;
+    }
+    waiting_.push_back(letter->from);
+    if (take_text(text) != key)
+      throw Error(ErrorCode::file_broken, {}, rank + " has other input than rank 0",
+                  "give all ranks the same files and the same lasius");
+    act(letter->from, text);
+  }
+  return any;
+}
+
+std::vector<std::string> MpiCrew::gather(const std::string& key, const std::string& own) {
+  std::vector<std::string> all;
+  if (!leads()) {
+    const std::string reply = ask(key, own);
+    for (std::string_view left = std::string_view(reply).substr(1); !left.empty();)
+      all.push_back(take_text(left));
+    return all;
+  }
+  all.resize(static_cast<std::size_t>(ranks_));
+  all[0] = own;
+  const auto read = [&](int rank, std::string_view text) {
+    all[static_cast<std::size_t>(rank)] = text;
+  };
+  const auto missing = [&] {
+    return ranks_ - 1 - std::ranges::count(gone_, true) - std::ssize(waiting_);
+  };
+  for (Naps naps; missing() > 0;) {
+    if (!read_post(key, true, read)) std::this_thread::sleep_for(naps.next());
+  }
+  std::string reply(1, kEnd);
+  for (const std::string& text : all) put(reply, text);
+  bid_farewell(reply);
+  return all;
 }
 
 std::optional<std::string> MpiCrew::lead(const Work& work) {
@@ -238,31 +303,11 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
       ledger.enter(*results);
       rest = false;
     }
-    while (const auto letter = post()) {
-      rest = false;
-      std::string_view text = std::string_view(letter->text).substr(1);
-      if (letter->text[0] == kGone) {
-        gone_[static_cast<std::size_t>(letter->from)] = true;
-        if (text != "0")
-          message("rank " + std::to_string(letter->from) + " ended with exit code " +
-                  std::string(text) + " before it was at work; the others go on");
-        continue;
-      }
-      if (letter->text[0] == kFailed)
-        throw std::runtime_error("rank " + std::to_string(letter->from) + ": " + std::string(text));
-      const auto sharing = static_cast<std::size_t>(take_number(text));
-      if (sharing < farewells_.size()) {  // it comes late: that work is done
-        send(letter->from, farewells_[sharing]);
-        continue;
-      }
-      waiting_.push_back(letter->from);
-      if (take_text(text) != work.key)
-        throw Error(ErrorCode::file_broken, {},
-                    "rank " + std::to_string(letter->from) + " has other input than rank 0",
-                    "give all ranks the same files and the same lasius");
-      ledger.enter(text);
+    const auto read = [&](int, std::string_view results) {
+      ledger.enter(results);
       give();
-    }
+    };
+    if (read_post(work.key, false, read)) rest = false;
     if (rest)
       own.wait(naps.next());
     else

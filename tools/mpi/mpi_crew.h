@@ -1,8 +1,10 @@
 // Ranks of MPI as a crew.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/console/crew.h"
@@ -16,8 +18,10 @@ class MpiCrew final : public Crew {
   MpiCrew(int* argc, char*** argv);  ///< MPI_Init_thread
   ~MpiCrew() override;               ///< MPI_Finalize
 
-  bool leads() const noexcept override { return rank_ == 0; }
   std::optional<std::string> share(const Work& work) override;
+  int number() const noexcept override { return rank_; }
+  int size() const noexcept override { return ranks_; }
+  std::vector<std::string> gather(const std::string& key, const std::string& own) override;
 
   /// The command has ended with this exit code. The leader waits for the others; where the command
   /// did not do its work only a while, and then it ends the job.
@@ -26,6 +30,12 @@ class MpiCrew final : public Crew {
  private:
   std::optional<std::string> lead(const Work& work);
   std::string follow(const Work& work);
+  /// Another rank's: the leader's reply to what came of its last work.
+  std::string ask(const std::string& key, const std::string& results) const;
+  /// The leader's: tells of each letter that has come to this sharing, which rank sent what. False
+  /// where there was none. Where all are needed, none may end badly.
+  bool read_post(const std::string& key, bool all_needed,
+                 const std::function<void(int rank, std::string_view results)>& act);
   /// To all that wait.
   void bid_farewell(const std::string& text);
 

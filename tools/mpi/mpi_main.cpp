@@ -9,6 +9,8 @@
 
 int main(int argc, char** argv) {
   using namespace lasius::tool;
+  // What a shell asks at a key needs no ranks.
+  if (argc > 1 && std::string_view(argv[1]) == "complete") return run_program(argc, argv);
   MpiCrew ranks(&argc, &argv);
   constexpr std::array<std::string_view, 4> kShared{"batch", "plan", "study", "tune"};
   bool shares = false;

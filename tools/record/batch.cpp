@@ -180,29 +180,6 @@ class BatchOutput {
   Batch::Paths kept_;
 };
 
-/// Tells a command, its input and how its chunks are numbered from all others, but not on how many
-/// threads it runs. @throws Error for an input that is read once: it cannot be shared, nor gone on
-/// with.
-std::string key_of(const Batch& batch, std::size_t chunk, std::size_t seeds_at_once) {
-  std::string called = batch.options.called;
-  if (const auto at = called.find(" --threads"); at != called.npos) {
-    const auto value = called.find_first_not_of(" =", at + std::string_view(" --threads").size());
-    called.erase(at, std::min(called.find(' ', value), called.size()) - at);
-  }
-  std::uint64_t hash =
-      bytes_hash(called + "\n" + std::to_string(batch.queries) + "\n" + std::to_string(chunk) +
-                 " " + std::to_string(seeds_at_once) + "\n" + LASIUS_VERSION);
-  for (const std::string& file : batch.options.inputs) {
-    std::error_code none;
-    if (!file.empty() && !std::filesystem::is_regular_file(file, none))
-      throw Error(ErrorCode::file_unsupported, {.file = file},
-                  "is no regular file, and each rank has to read it",
-                  "write it to one, or use lasius");
-    hash = file_hash(file, hash);
-  }
-  return hash_text(hash);
-}
-
 /// A batch whose chunks a crew shares. They do not depend on the ranks, so that others may go on.
 class SharedBatch {
  public:
@@ -221,7 +198,10 @@ class SharedBatch {
 
   /// False where it was stopped before all is done.
   bool run() {
-    Crew::Work work{.key = key_of(batch_, chunk_, seeds_at_once_), .stop = how_.token};
+    Crew::Work work{.key = shared_key(batch_.options, std::to_string(batch_.queries) + "\n" +
+                                                          std::to_string(chunk_) + " " +
+                                                          std::to_string(seeds_at_once_)),
+                    .stop = how_.token};
     if (crew_.leads()) {
       ready_ =
           std::move(journal_.emplace("lasius-batch-" + work.key + ".journal", work.key).kept());
@@ -284,6 +264,24 @@ class SharedBatch {
 };
 
 }  // namespace
+
+std::string shared_key(const SearchOptions& options, const std::string& more) {
+  std::string called = options.called;
+  if (const auto at = called.find(" --threads"); at != called.npos) {
+    const auto value = called.find_first_not_of(" =", at + std::string_view(" --threads").size());
+    called.erase(at, std::min(called.find(' ', value), called.size()) - at);
+  }
+  std::uint64_t hash = bytes_hash(called + "\n" + more + "\n" + LASIUS_VERSION);
+  for (const std::string& file : options.inputs) {
+    std::error_code none;
+    if (!file.empty() && !std::filesystem::is_regular_file(file, none))
+      throw Error(ErrorCode::file_unsupported, {.file = file},
+                  "is no regular file, and each rank has to read it",
+                  "write it to one, or use lasius");
+    hash = file_hash(file, hash);
+  }
+  return hash_text(hash);
+}
 
 int run_batch(const Batch& batch, const SignalWatcher& signals) {
   const SearchOptions& options = batch.options;

@@ -44,4 +44,8 @@ struct Batch {
 /// those that are done in the working folder until all are. The program's exit code.
 int run_batch(const Batch& batch, const SignalWatcher& signals);
 
+/// Tells a command and its input from all others, but not on how many threads it runs. @throws
+/// Error for an input that is read once: it cannot be shared, nor gone on with.
+std::string shared_key(const SearchOptions& options, const std::string& more);
+
 }  // namespace lasius::tool

@@ -1,6 +1,6 @@
 // CornerLabels in a file.
+#include "core/base/stored_arrays.h"
 #include "core/exact/labels/corner_labels.h"
-#include "core/exact/stored_arrays.h"
 
 namespace lasius::exact {
 

@@ -2,7 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "lasius/error.h"
@@ -49,6 +56,107 @@ TEST_P(Archipelago, ThreadsAndWhatAWorkspaceHasSeenChangeNothing) {
     expect_same_islands(far.plan(params, &workspace), once);
     (void)far.plan(split(GetParam(), threads + 1), &workspace);
   }
+}
+
+/// Ranks that are threads: each gets what all have handed in.
+class Meeting {
+ public:
+  explicit Meeting(int ranks) : handed_in_(static_cast<std::size_t>(ranks)), here_(ranks) {}
+
+  Ranks rank(int own) {
+    return {own, static_cast<int>(handed_in_.size()),
+            [this, own](std::string text) { return gather(own, std::move(text)); }};
+  }
+  /// This one comes no more.
+  void leave(int own) {
+    const std::lock_guard lock(mutex_);
+    handed_in_[static_cast<std::size_t>(own)].clear();
+    --here_;
+    meet();
+  }
+
+ private:
+  std::vector<std::string> gather(int own, std::string text) {
+    std::unique_lock lock(mutex_);
+    handed_in_[static_cast<std::size_t>(own)] = std::move(text);
+    ++waiting_;
+    const int number = number_;
+    meet();
+    met_.wait(lock, [&] { return number_ != number; });
+    return all_;
+  }
+  void meet() {
+    if (waiting_ < here_) return;
+    all_ = handed_in_;
+    waiting_ = 0;
+    ++number_;
+    met_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable met_;
+  std::vector<std::string> handed_in_, all_;
+  int here_, waiting_ = 0, number_ = 0;
+};
+
+/// The answer of each rank; `as(rank, request)` may change what one is asked.
+std::vector<Result> plan_on_ranks(int count, const Params& params,
+                                  const std::function<void(int, Request&)>& as = {},
+                                  const Observer& observer = {}) {
+  std::vector<Result> results(static_cast<std::size_t>(count));
+  Meeting meeting(count);
+  std::vector<std::jthread> threads;
+  for (int r = 0; r < count; ++r)
+    threads.emplace_back([&, r] {
+      FarApart far;
+      const Ranks rank = meeting.rank(r);
+      far.request.ranks = &rank;
+      if (as) as(r, far.request);
+      results[static_cast<std::size_t>(r)] = far.plan(params, nullptr, observer);
+      meeting.leave(r);
+    });
+  threads.clear();
+  return results;
+}
+
+TEST_P(Archipelago, AllRanksFindWhatOneProcessFinds) {
+  Params params = split(GetParam(), 3);
+  params.exchange_every = 2;
+  const Result alone = FarApart().plan(params);
+  for (const int ranks : {1, 2, 3, 5}) {  // of five, two have no island
+    params.threads = ranks % 2 + 1;
+    for (const Result& one : plan_on_ranks(ranks, params)) expect_same_islands(one, alone);
+  }
+}
+
+TEST(Islands, ARankThatIsToldToStopEndsAllOfThem) {
+  Params params = split("acs", 4);
+  params.iterations = 1000000;
+  std::stop_source stop;
+  stop.request_stop();
+  for (const Result& one : plan_on_ranks(3, params, [&](int rank, Request&request) {
+         if (rank == 1) request.stop.token = stop.get_token();
+       }))
+    EXPECT_EQ(one.status, Status::interrupted);
+  // An observer, of a rank that has islands, is heard in the next iteration.
+  std::atomic<int> seen = 0;
+  for (const Result& one : plan_on_ranks(2, params, {}, [&](const GridProgress& now) {
+         if (++seen == 5) now.stop();
+       })) {
+    EXPECT_EQ(one.status, Status::interrupted);
+    EXPECT_LE(one.iterations, 5);
+    EXPECT_FALSE(one.path.empty());
+  }
+}
+
+TEST(Islands, ARankThatHasEndedIsAsADeadline) {
+  Params params = split("acs", 4);
+  params.iterations = 1000000;
+  const auto results = plan_on_ranks(2, params, [&](int rank, Request& request) {
+    if (rank == 1) request.goal = request.start;  // an answer without a search
+  });
+  EXPECT_EQ(results[0].status, Status::limit);
+  EXPECT_EQ(results[1].status, Status::solved);
 }
 
 TEST_P(Archipelago, ATourIsLearnedByInTheIterationThatIsDue) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "lasius/drive.h"
+#include "lasius/error.h"
 #include "tests/oracle/drive/drive_checker.h"
 #include "tests/worlds/grids.h"
 

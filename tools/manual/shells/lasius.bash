@@ -35,4 +35,4 @@ _lasius() {
     esac
   done < <("${words[0]/#\~/$HOME}" complete "${words[@]:1}" 2>/dev/null)
 }
-complete -F _lasius lasius
+complete -F _lasius lasius lasius_mpi

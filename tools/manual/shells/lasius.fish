@@ -20,4 +20,4 @@ function __lasius_complete
         end
     end
 end
-complete --command lasius --no-files --arguments '(__lasius_complete)'
+complete --command lasius --command lasius_mpi --no-files --arguments '(__lasius_complete)'

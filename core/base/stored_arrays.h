@@ -1,4 +1,4 @@
-// Arrays of a file of what a map was prepared with, as they are in memory.
+// Arrays as they are in memory, for files and messages.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 #include "lasius/error.h"
 
-namespace lasius::exact {
+namespace lasius {
 
 /// Each array is its number of elements, 8 bytes, and the elements.
 class ArrayWriter {
@@ -83,4 +83,4 @@ class ArrayReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace lasius::exact
+}  // namespace lasius
