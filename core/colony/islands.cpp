@@ -1,6 +1,7 @@
 #include "core/colony/islands.h"
 
 #include <cmath>
+#include <compare>
 
 #include "core/base/stored_arrays.h"
 

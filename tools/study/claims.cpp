@@ -1,6 +1,8 @@
 #include "tools/study/claims.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "tools/draw/text.h"
 #include "tools/study/values.h"
@@ -279,6 +281,26 @@ std::string too_few_seeds(const Evidence& e, double family) {
   return text + "; " + std::to_string(more) + " could";
 }
 
+/// Where the upper tail of the normal distribution is p, 0 < p <= 0.5: by halving.
+double normal_quantile(double p) {
+  double low = 0, high = 40;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (std::erfc(middle / std::numbers::sqrt2) / 2 > p ? low : high) = middle;
+  }
+  return low;
+}
+
+/// How many seeds would decide among `family` claims were the effect what was found: a test's z
+/// grows by the root of the runs.
+std::string seeds_at_this_effect(const Evidence& e, double family) {
+  const double z = normal_quantile(std::min({e.p_for, e.p_against, 0.5}));
+  const double root = normal_quantile(kSignificant / (2 * family)) / z;
+  const double seeds = std::ceil(e.seeds * root * root);
+  if (!(seeds <= kMostSeeds)) return "at this effect no number of seeds decides";
+  return "at this effect about " + std::to_string(static_cast<int>(seeds)) + " seeds would decide";
+}
+
 Verdict verdict_of(const Evidence& e) {
   const bool holds = e.p_for < e.p_against;
   const auto& [low, high] = e.interval;
@@ -338,6 +360,8 @@ void decide(std::span<Evidence> evidence) {
           e.verdict = verdict_of(e);
       } else if (least_p(e, e.seeds) * family >= kSignificant) {
         note(too_few_seeds(e, family));
+      } else {
+        note(seeds_at_this_effect(e, family));
       }
     }
   }

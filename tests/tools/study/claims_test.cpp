@@ -126,6 +126,21 @@ TEST_F(Claims, TooFewSeedsCannotDecideAndItIsSaidHowManyWould) {
   expect_says(e.figures, "cannot decide with 3 seeds; 4 could");
 }
 
+TEST_F(Claims, WhereTheEffectIsSmallItIsSaidHowManySeedsWouldDecideAtIt) {
+  Claim claim = less();
+  claim.test = Claim::Test::most;
+  claim.b.clear();
+  claim.share = 0.5;
+  claim.to = 20;
+  both("a", {10, 10, 10, 10, 10, 10, 30, 30});
+  // 12 of 16: one-sided 2517 / 65536, z = 1.7696; 0.025: 1.9600; 8 (1.9600 / 1.7696)^2 = 9.81.
+  expect_says(judge(claim).figures, "at this effect about 10 seeds would decide; 12 of 16 runs");
+  // Of two tests 0.0125: 2.2414, 12.84.
+  expect_says(judge(claim, 1).figures, "about 13 seeds would decide");
+  both("a", {10, 10, 10, 10, 30, 30, 30, 30});
+  expect_says(judge(claim).figures, "at this effect no number of seeds decides");
+}
+
 TEST_F(Claims, WhatNoNumberOfSeedsDecidesIsSaid) {
   Claim claim = less();
   claim.test = Claim::Test::most;
