@@ -18,7 +18,7 @@ constexpr const char* kLines[] = {
     "colony --rounds 1 --side 1024 --plans 4",
     "tours --generated 96 --kinds blobs --stops 20 --seeds 1 --seconds 0.05",
     "cover --generated 96 --kinds rooms --generations 0",
-    "vehicles --generated 96",
+    "vehicles --generated 96 --size 4 2 --optimum",
     "hunt --answers 2000",
     "overshoot --generated 96 --cuts 2 --limit 2",
     "quality --seeds 1 --blobs 1 --no-fan",

@@ -2,22 +2,23 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
+#include "bench/pose_pairs.h"
 #include "bench/report.h"
 #include "core/vehicle/lattice.h"
 #include "core/vehicle/sweep.h"
-#include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/vehicle/planner.h"
-#include "tests/oracle/vehicle/footprint_judge.h"
+#include "tests/oracle/vehicle/motions.h"
 
 namespace lasius::bench {
 namespace {
@@ -25,51 +26,25 @@ namespace {
 using vehicle::Pose;
 
 struct VehicleOptions {
-  std::string folder, maps;
+  std::string folder, maps, graph;
+  std::vector<double> world = {0.05, 0, 0, 0.25};
+  std::vector<double> size = {12, 8};
+  double radius = 8;
   std::string kind = "reversing";
   double limit = 5;
   double cusp_cost = 0;
   double reverse_cost = 2;
   double inflation = 0;
   double curvature_rate = 0;
-  bool smooth = true;
+  bool smooth = true, optimum = false;
   int generated = 0;
   std::string markdown;
 };
 
-using PosePairs = std::vector<std::pair<Pose, Pose>>;
-
-PosePairs read_pairs(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  PosePairs pairs;
-  for (Pose a, b; in >> a.x >> a.y >> a.yaw >> b.x >> b.y >> b.yaw;) pairs.emplace_back(a, b);
-  if (pairs.empty() || !in.eof())
-    throw Error(ErrorCode::file_broken, {.file = file.string()}, "a line is not x y yaw x y yaw",
-                "give six numbers a line");
-  return pairs;
-}
-
-PosePairs random_pairs(const vehicle::Space& space, const Grid& grid, int count) {
-  std::mt19937_64 random(1);
-  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  const auto draw = [&] {
-    Pose pose;
-    for (int tries = 0; tries < 100000; ++tries) {
-      pose = {grid.width() * unit(), grid.height() * unit(), 6.28 * unit()};
-      if (space.free(pose)) break;
-    }
-    return pose;
-  };
-  PosePairs pairs;
-  for (int i = 0; i < count; ++i) {
-    const Pose start = draw();
-    pairs.emplace_back(start, draw());
-  }
-  return pairs;
-}
-
 vehicle::Vehicle vehicle_of(const VehicleOptions& options) {
-  vehicle::Vehicle made = vehicle::car(vehicle::rectangle(6, 6, 4), 8);
+  const double half = options.size[0] / 2;
+  vehicle::Vehicle made =
+      vehicle::car(vehicle::rectangle(half, half, options.size[1] / 2), options.radius);
   made.reverse = options.kind == "reversing";
   made.rotate_in_place = options.kind == "in-place";
   made.cusp_cost = options.cusp_cost;
@@ -104,60 +79,117 @@ double million_checks(const vehicle::Space& space) {
   return free < 0 ? 0 : 1e-6 * kRounds * static_cast<double>(asked.size()) / seconds;
 }
 
-void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs* given,
-                     const VehicleOptions& options, Table& table) {
-  const ThreadStopwatch preparing;
-  CostField costs(grid.width(), grid.height());
-  // As Nav2's default has it, at 0.05 m a cell.
-  if (options.inflation > 0)
-    costs.add(grid, {.radius = 14, .scaling = 0.15, .weight = options.inflation, .inscribed = 4});
-  const vehicle::Planner planner = *vehicle::Planner::make(
-      grid, vehicle_of(options), {}, options.inflation > 0 ? &costs : nullptr);
-  const double prepared = 1e3 * preparing.seconds();
-  const PosePairs pairs = given != nullptr ? *given : random_pairs(planner.space(), grid, 10);
-  std::vector<double> times, gaps;
-  oracle::FootprintJudge judge(grid, planner.space().vehicle().footprint);
-  int found = 0, touching = 0;
-  double length = 0, cusps = 0, cost = 0, corners = 0;
-  for (const auto& [start, goal] : pairs) {
-    vehicle::Request request{.start = start, .goals = {goal}};
-    request.smooth = options.smooth;
-    request.stop.deadline = deadline_in(std::chrono::duration<double>(options.limit));
-    const ThreadStopwatch watch;
-    const vehicle::Result result = planner.plan(request);
-    times.push_back(1e3 * watch.seconds());
-    if (result.goal < 0) continue;
+// What plans on one map come to.
+struct VehicleTally {
+  VehicleTally(const Grid& map, const vehicle::Space& of)
+      : grid(map), space(of), judge(map, of.vehicle().footprint) {}
+
+  void add(const vehicle::Result& result) {
     ++found;
     length += result.length;
     cost += result.cost;
     cusps += result.cusps;
     corners += result.corners;
     gaps.push_back(100 * result.gap().value_or(0));
-    std::vector<oracle::Motion> path;
-    for (const vehicle::Segment& s : result.segments)
-      path.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle,
-                      s.curvature_rate});
-    touching += judge.first_touch(path) ? 1 : 0;
+    touching += judge.first_touch(oracle::motions_of(result.segments)) ? 1 : 0;
+    misjudged += space.first_contact(result.segments) ? 1 : 0;
+    plant(result.segments);
   }
-  double sum = 0;
-  for (const double time : times) sum += time;
-  const auto count = static_cast<double>(times.size());
+
+  const Grid& grid;
+  const vehicle::Space& space;
+  oracle::FootprintJudge judge;
+  std::mt19937_64 random{1};
+  std::vector<double> times, gaps;
+  int open = 0, found = 0, touching = 0, planted = 0, misjudged = 0;
+  double length = 0, cusps = 0, cost = 0, corners = 0, above = 0;
+
+ private:
+  // Blocks a cell somewhere under the sweep: is it found, and not behind where it is touched first?
+  void plant(std::span<const vehicle::Segment> path) {
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    const vehicle::Segment& segment = path[random() % path.size()];
+    const Pose at = segment.pose(unit() * segment.extent());
+    const std::vector<Point>& footprint = space.vehicle().footprint;
+    const Point corner = footprint[random() % footprint.size()];
+    const double share = unit(), c = share * std::cos(at.yaw), s = share * std::sin(at.yaw);
+    Grid with = grid;
+    with.set_blocked({static_cast<int>(at.x + c * corner.x - s * corner.y),
+                      static_cast<int>(at.y + s * corner.x + c * corner.y)});
+    const auto touch =
+        oracle::FootprintJudge(with, footprint).first_touch(oracle::motions_of(path));
+    if (!touch) return;
+    ++planted;
+    const auto met = vehicle::Space(with, space.vehicle()).first_contact(path);
+    misjudged += met && met->segment <= static_cast<int>(touch->motion) ? 0 : 1;
+  }
+};
+
+void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs* given,
+                     const VehicleOptions& options, Table& table) {
+  CostField costs(grid.width(), grid.height());
+  // As Nav2's default has it, at 0.05 m a cell.
+  if (options.inflation > 0)
+    costs.add(grid, {.radius = 14, .scaling = 0.15, .weight = options.inflation, .inscribed = 4});
+  // What depends on the vehicle alone is made with the first map.
+  const ThreadStopwatch starting;
+  const vehicle::Planner first(Grid(1, 1), vehicle_of(options));
+  const double started = 1e3 * starting.seconds();
+  const ThreadStopwatch preparing;
+  const vehicle::Planner planner = *first.on(grid, {}, options.inflation > 0 ? &costs : nullptr);
+  const double prepared = 1e3 * preparing.seconds();
+  const PosePairs pairs = given != nullptr ? *given : random_pose_pairs(planner.space(), grid, 10);
+  VehicleTally tally(grid, planner.space());
+  for (const auto& [start, goal] : pairs) {
+    vehicle::Request request{.start = start, .goals = {goal}};
+    request.smooth = options.smooth;
+    const auto deadline = [&] { return deadline_in(std::chrono::duration<double>(options.limit)); };
+    request.stop.deadline = deadline();
+    const ThreadStopwatch watch;
+    const vehicle::Result result = planner.plan(request);
+    tally.times.push_back(1e3 * watch.seconds());
+    tally.open += planner.space().free(start) && planner.space().free(goal) ? 1 : 0;
+    if (result.goal < 0) continue;
+    tally.add(result);
+    if (!options.optimum) continue;
+    request.weight = 1;
+    request.smooth = request.bound = false;
+    request.stop.deadline = deadline();
+    const double least = planner.plan(request).cost;
+    tally.above += least > 0 ? result.cost / least : 1;
+  }
+  const double found = std::max(1, tally.found);
+  const auto mean_time = std::accumulate(tally.times.begin(), tally.times.end(), 0.0) /
+                         static_cast<double>(tally.times.size());
   table.row(name + " (" + std::to_string(pairs.size()) + ")",
-            {1.0 * found, 1.0 * touching, median(times), sum / count, quantile(times, 0.95),
-             largest(times), length / std::max(1, found), cost / std::max(1, found),
-             gaps.empty() ? 0 : median(gaps), cusps / std::max(1, found),
-             corners / std::max(1, found), prepared, million_checks(planner.space())});
+            {1.0 * tally.open, 1.0 * tally.found, 1.0 * tally.touching, median(tally.times),
+             mean_time, quantile(tally.times, 0.95), largest(tally.times), tally.length / found,
+             tally.cost / found, tally.gaps.empty() ? 0 : median(tally.gaps), tally.cusps / found,
+             tally.corners / found, started, prepared, million_checks(planner.space()),
+             1.0 * tally.planted, 1.0 * tally.misjudged, tally.above / found});
 }
 
 void run_vehicles(const VehicleOptions& options) {
   namespace fs = std::filesystem;
-  Table table("A rectangle of 12 x 8 cells, radius 8, " + options.kind +
-                  "; milliseconds of processor time a plan, bound included" +
+  Table table("A rectangle of " + short_number(options.size[0]) + " x " +
+                  short_number(options.size[1]) + " cells, radius " + short_number(options.radius) +
+                  ", " + options.kind + "; milliseconds of processor time a plan, bound included" +
                   (options.smooth ? ", smoothed" : ", not smoothed") +
-                  "; touching: by separating axes every 0.05 cells.",
-              {"map (pairs)", "found", "touching", "median", "mean", "95%", "most", "length",
-               "cost", "gap %, median", "cusps", "corners", "prepared, ms", "motions / us"},
+                  "; open: both ends touch nothing; touching: by separating axes every 0.05 cells; "
+                  "misjudged: paths, or contacts planted on them, that the certificate has wrong.",
+              {"map (pairs)", "open", "found", "touching", "median", "mean", "95%", "most",
+               "length", "cost", "gap %, median", "cusps", "corners", "vehicle, ms", "map, ms",
+               "motions / us", "planted", "misjudged", "cost to weight 1's"},
               options.markdown);
+  if (!options.graph.empty()) {
+    const auto& world = options.world;
+    const Grid grid = read_map(options.maps, {.free_below = world[3]}).grid;
+    const PosePairs pairs = pairs_of_graph(
+        options.graph, {.resolution = world[0], .origin_x = world[1], .origin_y = world[2]},
+        grid.height());
+    measure_vehicle(fs::path(options.graph).stem().string(), grid, &pairs, options, table);
+    return;
+  }
   if (options.folder.empty()) {
     const int side = options.generated > 0 ? options.generated : 256;
     measure_vehicle("blobs", generate(MapKind::blobs, {.width = side, .height = side, .seed = 1}),
@@ -173,7 +205,7 @@ void run_vehicles(const VehicleOptions& options) {
     const std::string map = file.stem().string() + ".map";
     fs::path from = fs::path(options.folder) / map;
     if (!fs::exists(from)) from = fs::path(options.maps) / map;
-    const PosePairs pairs = read_pairs(file);
+    const PosePairs pairs = read_pose_pairs(file);
     measure_vehicle(file.stem().string(), read_map(from.string()).grid, &pairs, options, table);
   }
 }
@@ -186,6 +218,17 @@ void add_vehicles_command(CLI::App& app) {
   command.add_option("folder", options.folder,
                      "Pairs: NAME.txt, a line x y yaw x y yaw each; none: a generated map");
   command.add_option("--maps", options.maps, "Where a NAME.map is that the folder has not");
+  command.add_option("--graph", options.graph,
+                     "In place of a folder: a route graph in GeoJSON, whose nodes face the next; "
+                     "its map is --maps");
+  command.add_option("--world", options.world, "Of that: resolution, origin, free below")
+      ->expected(4)
+      ->capture_default_str();
+  command.add_option("--size", options.size, "Length and width of the rectangle, cells")
+      ->expected(2)
+      ->capture_default_str();
+  add_number(command, "--radius", options.radius, "Of the smallest turn, cells", 0.1, 1000);
+  command.add_flag("--optimum", options.optimum, "Plan once more with weight 1, not smoothed");
   command.add_option("--kind", options.kind, "What it may do")
       ->check(CLI::IsMember({"reversing", "forward", "in-place"}))
       ->capture_default_str();

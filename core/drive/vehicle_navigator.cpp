@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
@@ -51,17 +53,23 @@ class Navigator::Impl {
         set({x, y}, blocked);
   }
 
+  void set_costs(CostField costs) {
+    (void)costs.range(map_);  // refuses another size
+    costs_ = std::move(costs);
+    changed_ = tempted_ = true;
+  }
+
   const Way& step(const Pose& robot, const StopCondition& stop) {
     require_pose(robot, "a coordinate of the vehicle");
     const int goal = way_.goal;
     way_ = {};
     if (const auto rest = left_from(robot); !rest.empty()) {
-      tempted_ = tempted_ || shortens(robot, cost(vehicle(), rest));
+      tempted_ = tempted_ || shortens(robot, planner_.cost(rest));
       news_.clear();
       if (const int there = reached(robot); there >= 0 && !leads_out()) {
         way_.rejoined = 0;
         tell({{.begin = robot, .length = 0, .gear = 1}}, there);
-      } else if (!tempted_ || !shorter(robot, cost(vehicle(), rest), stop)) {
+      } else if (!tempted_ || !cheaper(robot, rest, stop)) {
         tell(rest, goal);
       }
       return way_;
@@ -139,13 +147,13 @@ class Navigator::Impl {
     return at == goals_.end() ? -1 : static_cast<int>(at - goals_.begin());
   }
   /// Plans anew; true where that is cheaper than what is left, which else stays.
-  bool shorter(const Pose& robot, double left, const StopCondition& stop) {
+  bool cheaper(const Pose& robot, std::span<const Segment> left, const StopCondition& stop) {
     Way before = std::exchange(way_, {});
     KeptWay kept = kept_;
     const bool led_out = led_out_;
     plan(robot, stop);
     tempted_ = stop.poll() != StopCondition::Cause::none;
-    if (!way_.segments.empty() && way_.cost < left - kOnWay) return true;
+    if (!way_.segments.empty() && way_.cost < planner_.cost(left) - kOnWay) return true;
     way_ = std::move(before);
     kept_ = std::move(kept);
     led_out_ = led_out;
@@ -169,7 +177,7 @@ class Navigator::Impl {
     way_.replanned = true;
     kept_.drop();
     if (changed_) {
-      std::optional<Planner> planner = planner_.on(map_, stop);
+      std::optional<Planner> planner = planner_.on(map_, stop, costs_ ? &*costs_ : nullptr);
       if (!planner) return tell_stopped(stop.poll());
       planner_ = std::move(*planner);
       changed_ = false;
@@ -212,15 +220,16 @@ class Navigator::Impl {
   bool leads_out() const noexcept { return led_out_ && kept_.in_first(); }
   void measure() {
     way_.length = driven_length(way_.segments);
-    way_.cost = cost(vehicle(), way_.segments);
+    way_.cost = planner_.cost(way_.segments);
     way_.cusps = cusps(way_.segments);
   }
 
   Grid map_;
   NavigatorOptions options_;
   Doubts doubts_;
-  Planner planner_;       ///< on the map as it was when last planned on
-  bool changed_ = false;  ///< since then
+  Planner planner_;  ///< on the map as it was when last planned on
+  std::optional<CostField> costs_;
+  bool changed_ = false;  ///< map or costs, since then
   KeptWay kept_;
   bool led_out_ = false;  ///< by its first segment
   double around_;
@@ -241,6 +250,7 @@ void Navigator::observe(std::span<const Cell> cells, bool blocked) {
   impl_->observe(cells, blocked);
 }
 void Navigator::observe(const Rectangle& part, bool blocked) { impl_->observe(part, blocked); }
+void Navigator::set_costs(CostField costs) { impl_->set_costs(std::move(costs)); }
 const Way& Navigator::step(const Pose& robot, const StopCondition& stop) {
   return impl_->step(robot, stop);
 }

@@ -1,6 +1,7 @@
 """plan, batch and check-path --vehicle: footprints judged by separating axes of the test's own."""
 import json
 import math
+import os
 import random
 import re
 import unittest
@@ -185,7 +186,7 @@ class Vehicles(ProgramTest):
 
     def test_planted_contacts_are_found_and_clean_paths_pass(self):
         draw, verdicts = random.Random(8), [0, 0]
-        for _ in range(36):
+        while min(verdicts) < int(os.environ.get("LASIUS_PLANTED", "4")):
             x, y, yaw = draw.uniform(3, 41), draw.uniform(3, 27), draw.uniform(-3, 3)
             rows, deepest = ["x,y,yaw"], -math.inf
             k = draw.choice([0, 1 / 4, -1 / 7])
@@ -195,13 +196,14 @@ class Vehicles(ProgramTest):
             for i in range(301):
                 pose = pose_on({"x": x, "y": y, "yaw": yaw, "curvature": k, "length": 12, "gear": 1}, i / 300)
                 deepest = max(deepest, depth(CAR["footprint"], pose))
+                if deepest > 0.04:
+                    break
             if abs(deepest) < 0.04:  # no point of it moves farther in half a step
                 continue
             self.write("path.csv", "\n".join(rows) + "\n")
             run = self.run_program("check-path", "yard.map", "path.csv", "--vehicle", "car.json")
             self.assertEqual(run.code, 0 if deepest < 0 else 1, (run.out, deepest))
             verdicts[deepest < 0] += 1
-        self.assertGreater(min(verdicts), 3)
 
     def test_what_cannot_be_driven(self):
         cases = [

@@ -55,11 +55,15 @@ void Planner::configure(std::tuple_element_t<0, Configured> parent, std::string 
   read(*node, of("minimum_turning_radius"), to.minimum_turning_radius);
   read(*node, of("reverse_penalty"), to.reverse_penalty);
   read(*node, of("change_penalty"), to.change_penalty);
+  read(*node, of("cost_penalty"), to.cost_penalty);
   read(*node, of("tolerance"), to.tolerance);
   read(*node, of("angle_tolerance"), to.angle_tolerance);
   read(*node, of("max_planning_time"), to.max_planning_time);
   read(*node, of("allow_unknown"), to.allow_unknown);
   read(*node, of("smooth_path"), to.smooth_path);
+  if (!(to.cost_penalty >= 0 && to.cost_penalty <= 1e4))
+    throw nav2_core::PlannerException(of("cost_penalty") + " is " +
+                                      std::to_string(to.cost_penalty) + ": give 0 to 10000");
   const auto& models = {"REEDS_SHEPP", "DUBIN", "DIFFERENTIAL", "OMNI"};
   if (std::find(models.begin(), models.end(), to.motion_model) == models.end())
     throw nav2_core::PlannerException(of("motion_model") + " is \"" + to.motion_model +
@@ -105,6 +109,7 @@ void Planner::look() {
                     navigator_->map().width() == width && navigator_->map().height() == height;
   Grid grid(width, height);
   std::vector<Cell> now_free, now_blocked;
+  std::vector<double> weights(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const unsigned char* costs = costmap.getCharMap();
   for (int row = height - 1; row >= 0; --row) {  // its rows go up
     for (int x = 0; x < width; ++x) {
@@ -112,6 +117,10 @@ void Planner::look() {
       const bool blocked = cost == nav2_costmap_2d::LETHAL_OBSTACLE ||
                            (cost == nav2_costmap_2d::NO_INFORMATION && !parameters_.allow_unknown);
       const Cell cell{x, row};
+      constexpr double kDearest = 252;  // where the robot does not touch for certain
+      const double value = cost == nav2_costmap_2d::NO_INFORMATION ? 0 : cost / kDearest;
+      weights[static_cast<std::size_t>(row) * width + x] =
+          1 + parameters_.cost_penalty * std::min(value, 1.0);
       if (!keep && blocked) grid.set_blocked(cell);
       if (keep && blocked != navigator_->map().blocked(cell))
         (blocked ? now_blocked : now_free).push_back(cell);
@@ -120,7 +129,7 @@ void Planner::look() {
   if (keep) {
     navigator_->observe(now_free, false);
     navigator_->observe(now_blocked, true);
-    return;
+    return take(std::move(weights));
   }
   // The costmap forgets what it was told by its own rules.
   navigator_.emplace(std::move(grid), vehicle, std::vector<vehicle::Pose>{{}},
@@ -131,6 +140,15 @@ void Planner::look() {
                          .doubt_after = 0,
                      });
   planned_for_ = vehicle;
+  weights_.clear();
+  take(std::move(weights));
+}
+
+/// Costs as they are now, where they have changed: to be told of them costs a plan.
+void Planner::take(std::vector<double> weights) {
+  if (parameters_.cost_penalty == 0 || weights == weights_) return;
+  navigator_->set_costs({navigator_->map().width(), navigator_->map().height(), weights});
+  weights_ = std::move(weights);
 }
 
 vehicle::Pose Planner::cells_of(const PoseStamped& pose) const {

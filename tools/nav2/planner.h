@@ -28,6 +28,7 @@ struct Parameters {
   double minimum_turning_radius = 0.4;       ///< of the first two
   double reverse_penalty = 2.0;              ///< at least 1: what a length backwards counts
   double change_penalty = 0.0;               ///< a length: what a change of gear counts
+  double cost_penalty = 2.0;                 ///< what the dearest cell counts more; 0: lethal only
   double tolerance = 0.0;                    ///< the path may end so far from the goal
   double angle_tolerance = 0.0;              ///< radians, likewise
   double max_planning_time = 5.0;            ///< seconds
@@ -62,6 +63,7 @@ class Planner : public nav2_core::GlobalPlanner {
  private:
   vehicle::Vehicle vehicle() const;
   void look();
+  void take(std::vector<double> weights);
   vehicle::Pose cells_of(const PoseStamped& pose) const;
   PoseStamped pose_of(const vehicle::Pose& cells) const;
 
@@ -70,6 +72,7 @@ class Planner : public nav2_core::GlobalPlanner {
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
   std::optional<vehicle::Navigator> navigator_;
   vehicle::Vehicle planned_for_;  ///< by it
+  std::vector<double> weights_;   ///< over these
   double resolution_ = 1, left_ = 0, bottom_ = 0;
 };
 

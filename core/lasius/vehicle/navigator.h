@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "lasius/cost_field.h"
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -63,6 +64,10 @@ class LASIUS_EXPORT Navigator {
   void observe(std::span<const Cell> cells, bool blocked);
   /// Likewise all cells of a rectangle.
   void observe(const Rectangle& part, bool blocked);
+  /// From the next step on the cheapest way over these is looked for, and Way::cost is by them. The
+  /// way that is kept stays where none is found that is cheaper.
+  /// @throws Error(invalid_parameter) for costs of a map of another size
+  void set_costs(CostField costs);
 
   /// The way from where the vehicle is. Never throws for what the world is like: without a way
   /// `status` and `error` tell why, and the next step may find one. Holds until the next call that

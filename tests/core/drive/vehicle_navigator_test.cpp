@@ -40,6 +40,42 @@ void expect_from(const Pose& pose, const Way& way) {
   EXPECT_NEAR(std::remainder(begin.yaw - pose.yaw, 2 * std::numbers::pi), 0, 1e-6);
 }
 
+TEST(VehicleNavigator, GoesTheCheapestWayOverItsCosts) {
+  const Grid grid(100, 60);
+  const Vehicle vehicle = car(kBox, 5);
+  const auto band = [&](double weight) {  // across the straight way, up to 30 cells beside it
+    std::vector<double> weights(6000, 1);
+    for (int y = 0; y < 50; ++y)
+      for (int x = 40; x < 60; ++x) weights[static_cast<std::size_t>(y) * 100 + x] = weight;
+    return CostField(100, 60, weights);
+  };
+  Navigator navigator(grid, vehicle, {{90, 20, 0}});
+  const Pose from{10, 20, 0};
+  const double straight = navigator.step(from).length;
+  EXPECT_NEAR(straight, 80, 1e-6);
+  // A little dearer: still the straight way, kept, its cost by the weights.
+  navigator.set_costs(band(1.25));
+  Way way = navigator.step(from);
+  EXPECT_FALSE(way.replanned);
+  EXPECT_NEAR(way.cost, 60 + 20 * 1.25, 1e-6);
+  // Much dearer: around it, as a Planner finds that.
+  navigator.set_costs(band(9));
+  way = navigator.step(from);
+  EXPECT_TRUE(way.replanned);
+  EXPECT_GT(way.length, straight + 1);
+  EXPECT_LT(way.cost, 60 + 20 * 9);
+  const Planner planner(grid, vehicle, band(9));
+  EXPECT_EQ(way.segments, planner.plan({.start = from, .goals = {{90, 20, 0}}}).segments);
+  EXPECT_EQ(way.cost, planner.cost(way.segments));
+  // Kept over walls beside it; straight again without the band.
+  navigator.observe({{{1, 1}}}, true);
+  const Pose on = way.segments[0].pose(way.segments[0].extent() / 2);
+  EXPECT_FALSE(navigator.step(on).replanned);
+  navigator.set_costs(band(1));
+  EXPECT_NEAR(navigator.step(from).length, straight, 1e-6);
+  EXPECT_THROW(navigator.set_costs(CostField(100, 61)), Error);
+}
+
 TEST(VehicleNavigator, KeepsTheRestOfItsWay) {
   const Grid grid = two_rooms();
   Vehicle priced = car(kBox, 5);

@@ -112,6 +112,41 @@ TEST_F(Nav2Planner, PlansRoundAWallInMetresWithYUp) {
   check(plan(start, goal), start, goal);
 }
 
+TEST_F(Nav2Planner, CostsLeadAroundWhatIsInflated) {
+  // A dear place on the straight way, free beside it.
+  for (unsigned int y = 30; y < 50; ++y)
+    for (unsigned int x = 110; x < 130; ++x) costmap_.setCost(x, y, 252);
+  const auto start = pose(2.6, 3, 0), goal = pose(5.5, 3, 0);
+  const auto most_beside = [&](double penalty) {
+    planner_.reset(lasius_nav2_make());
+    node_ = std::make_shared<nav2_core::Node>();
+    set("cost_penalty", penalty);
+    configure();
+    const auto path = plan(start, goal);
+    check(path, start, goal);
+    double most = 0;
+    for (const auto& at : path.poses) most = std::max(most, std::abs(at.pose.position.y - 3));
+    return most;
+  };
+  EXPECT_NEAR(most_beside(0), 0, 1e-6);
+  EXPECT_NEAR(most_beside(0.01), 0, 1e-6);  // around it is farther than that
+  EXPECT_GT(most_beside(50), 0.45);
+  // The same costs: the same path. Others: what is cheaper then.
+  const auto before = plan(start, goal);
+  const auto same = plan(start, goal);
+  ASSERT_EQ(before.poses.size(), same.poses.size());
+  for (std::size_t i = 0; i < before.poses.size(); ++i)
+    EXPECT_EQ(before.poses[i].pose.position.y, same.poses[i].pose.position.y);
+  for (unsigned int y = 30; y < 50; ++y)
+    for (unsigned int x = 110; x < 130; ++x) costmap_.setCost(x, y, 0);
+  EXPECT_LT(plan(start, goal).poses.size(), before.poses.size());
+}
+
+TEST_F(Nav2Planner, RefusesAPenaltyBelowZero) {
+  set("cost_penalty", -1.0);
+  EXPECT_THROW(configure(), nav2_core::PlannerException);
+}
+
 TEST_F(Nav2Planner, AllMotionModels) {
   for (const char* model : {"REEDS_SHEPP", "DUBIN", "DIFFERENTIAL", "OMNI"}) {
     planner_.reset(lasius_nav2_make());
