@@ -196,10 +196,11 @@ std::optional<Planner> Planner::make(const Grid& grid, const Vehicle& vehicle,
                                                      : std::nullopt;
 }
 
-std::optional<Planner> Planner::on(const Grid& grid, const StopCondition& stop) const {
+std::optional<Planner> Planner::on(const Grid& grid, const StopCondition& stop,
+                                   const CostField* costs) const {
   Planner planner(*this);
-  return planner.prepare(grid, impl_->asked, nullptr, stop) ? std::optional(std::move(planner))
-                                                            : std::nullopt;
+  return planner.prepare(grid, impl_->asked, costs, stop) ? std::optional(std::move(planner))
+                                                          : std::nullopt;
 }
 
 bool Planner::prepare(const Grid& grid, const Vehicle& vehicle, const CostField* costs,
