@@ -22,12 +22,34 @@ double clamped_angle(double angle, double most) noexcept {
   return a - most < kTurn - a ? most : 0;
 }
 
+/// Of a clothoid: from the nearest of some poses on along the tangent, again and again.
+double nearest_on_clothoid(const Segment& s, const Pose& pose) noexcept {
+  constexpr int kSteps = 20;
+  const int pieces = std::max(2, static_cast<int>(std::ceil(2 * s.length)));
+  double at = 0, least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= pieces; ++i) {
+    const Pose p = s.pose(s.length * i / pieces);
+    const double dx = pose.x - p.x, dy = pose.y - p.y;
+    if (dx * dx + dy * dy >= least) continue;
+    least = dx * dx + dy * dy;
+    at = s.length * i / pieces;
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    const Pose p = s.pose(at);
+    const auto [sine, cosine] = kernels::sine_cosine(p.yaw);
+    at += s.gear * ((pose.x - p.x) * cosine + (pose.y - p.y) * sine);
+    at = std::clamp(at, 0.0, s.length);
+  }
+  return at;
+}
+
 /// The extent of a motion at the place nearest to a pose, by its point; in place by its yaw.
 double nearest(const Segment& s, const Pose& pose) noexcept {
   if (s.gear == 0) {
     const double turn = pose.yaw - s.begin.yaw;
     return clamped_angle(s.angle < 0 ? -turn : turn, s.extent());
   }
+  if (s.curvature_rate != 0) return nearest_on_clothoid(s, pose);
   const auto [sine, cosine] = kernels::sine_cosine(half_turned(s.begin.yaw + s.angle));
   const double dx = pose.x - s.begin.x, dy = pose.y - s.begin.y;
   if (s.curvature == 0) return std::clamp(s.gear * (dx * cosine + dy * sine), 0.0, s.length);
@@ -56,6 +78,7 @@ double moved_by(const Segment& s, double around) noexcept {
 Segment rest_of(const Segment& motion, double at) noexcept {
   Segment rest = motion;
   rest.begin = motion.pose(at);
+  rest.curvature = motion.curvature_at(at);
   if (motion.gear == 0)
     rest.angle = motion.angle < 0 ? motion.angle + at : motion.angle - at;
   else

@@ -30,6 +30,7 @@ class VehiclePilot final : public Pilot {
       : navigator_(map, vehicle, std::move(goals), options), options_(options) {}
 
   void stand_at(const Pose& pose) { pose_ = pose; }
+  double cost(const Segment& motion) const { return navigator_.cost(std::span(&motion, 1)); }
   const Way& way() const { return *own_; }
   /// What its Navigator asks, from where it stands.
   Request request(const StopCondition& stop) const {
@@ -58,6 +59,7 @@ class VehiclePilot final : public Pilot {
     way_.replanned = own_->replanned;
     if (own_->segments.empty()) return way_;
     way_.length = own_->length;
+    if (own_->over_costs) way_.cost = own_->cost;
     way_.walk = {robot};
     constexpr double kSpacing = 2;  // of what is shown
     for (const PathPose& at : poses(own_->segments, kSpacing))
@@ -215,8 +217,7 @@ class VehicleDrive final : public DriveLoop {
     sweep(motion);
     moves_.push_back(motion);
     stand_at(motion.end());
-    const Vehicle& v = vehicle_;
-    arrive(cell_of(pose_), true, motion.length, cost(v, std::span(&motion, 1)));
+    arrive(cell_of(pose_), true, motion.length, vehicles_pilot_.cost(motion));
     return true;
   }
   /// Holds what a motion meets: pieces of the sweep lie in the footprint at their middle, grown.
@@ -224,7 +225,7 @@ class VehicleDrive final : public DriveLoop {
     constexpr int kPieces = 4;
     const double extent = motion.extent();
     const double reach =
-        motion.gear == 0 ? extent * around_ : extent * (1 + std::fabs(motion.curvature) * around_);
+        motion.gear == 0 ? extent * around_ : extent * (1 + motion.sharpest() * around_);
     for (int i = 0; i < kPieces; ++i) {
       const Pose middle = motion.pose(extent * (i + 0.5) / kPieces);
       (void)outline_.visit_cells(middle, reach / kPieces / 2, [&](int row, int first, int last) {

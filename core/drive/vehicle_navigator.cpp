@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
@@ -29,11 +28,11 @@ class Navigator::Impl {
       : map_(std::move(map)),
         options_(options),
         doubts_(options.doubt_after),
-        planner_(map_, vehicle),
+        planner_(*Planner::make(map_, vehicle, {}, costs_now())),
         kept_(vehicle),
         around_(circumscribed_radius(vehicle)) {
-    require_parameter(vehicle.curvature_rate == 0, "curvature_rate", vehicle.curvature_rate,
-                      "a Navigator leads back to its way by arcs; give 0");
+    if (options_.costs) unit_ = std::ranges::min(options_.costs->weights());
+    if (options_.inflation) follow_ = options_.inflation->radius;
     require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
                       "give 0 or more steps");
     set_goals(std::move(goals));
@@ -55,7 +54,8 @@ class Navigator::Impl {
 
   void set_costs(CostField costs) {
     (void)costs.range(map_);  // refuses another size
-    costs_ = std::move(costs);
+    unit_ = std::ranges::min(costs.weights());
+    options_.costs = std::move(costs);
     changed_ = tempted_ = true;
   }
 
@@ -69,7 +69,7 @@ class Navigator::Impl {
       if (const int there = reached(robot); there >= 0 && !leads_out()) {
         way_.rejoined = 0;
         tell({{.begin = robot, .length = 0, .gear = 1}}, there);
-      } else if (!tempted_ || !cheaper(robot, rest, stop)) {
+      } else if (!tempted_ || !shorter(robot, rest, stop)) {
         tell(rest, goal);
       }
       return way_;
@@ -94,12 +94,21 @@ class Navigator::Impl {
   }
   std::span<const Pose> goals() const noexcept { return goals_; }
   void forget() noexcept { kept_.drop(); }
+  double cost(std::span<const Segment> segments) const { return planner_.cost(segments); }
   const Grid& map() const noexcept { return map_; }
 
  private:
   static constexpr double kOnWay = 1e-6;  // cells
 
   const Vehicle& vehicle() const noexcept { return planner_.space().vehicle(); }
+
+  /// Of the map as it is known; null without. Holds until the next call.
+  const CostField* costs_now() {
+    if (!options_.costs && !options_.inflation) return nullptr;
+    costs_ = options_.costs ? options_.costs : CostField(map_.width(), map_.height());
+    if (options_.inflation) costs_->add(map_, *options_.inflation);
+    return &*costs_;
+  }
 
   void set(Cell cell, bool blocked) {
     if (!map_.contains(cell) || map_.blocked(cell) == blocked) return;
@@ -117,7 +126,9 @@ class Navigator::Impl {
     std::erase_if(walls, [&](Cell c) { return map_.free(c); });
     if (meets(vehicle(), rest, walls)) rest.clear();
     if (!rest.empty() && off > kOnWay) {
-      rest = rejoined(vehicle(), map_, robot, off, rest, way_.rejoined);
+      rest = vehicle().curvature_rate > 0
+                 ? std::vector<Segment>()
+                 : rejoined(vehicle(), map_, robot, off, rest, way_.rejoined);
       if (!rest.empty()) kept_.keep(rest);
       led_out_ = false;
     }
@@ -126,16 +137,17 @@ class Navigator::Impl {
   }
 
   /// Whether a way over a cell that has become free might be cheaper than what is left: a price is
-  /// never below the length, and the footprint comes to the cell.
+  /// never below the length at the least weight, and the footprint comes to the cell. With an
+  /// inflation cells that became blocked count, too, and as far as it reaches.
   bool shortens(const Pose& robot, double left) const {
     constexpr double kSlack = 2;
     return std::ranges::any_of(news_, [&](Cell c) {
-      if (map_.blocked(c)) return false;
+      if (map_.blocked(c) && follow_ == 0) return false;
       const Point middle = centre(c);
       double on = std::numeric_limits<double>::infinity();
       for (const Pose& goal : goals_) on = std::min(on, apart(middle.x, middle.y, goal));
       return apart(middle.x, middle.y, robot) + on - options_.goal_tolerance <
-             left + 2 * around_ + kSlack;
+             left / unit_ + 2 * (around_ + follow_) + kSlack;
     });
   }
   /// The goal that it is at within the tolerances; or -1.
@@ -147,13 +159,13 @@ class Navigator::Impl {
     return at == goals_.end() ? -1 : static_cast<int>(at - goals_.begin());
   }
   /// Plans anew; true where that is cheaper than what is left, which else stays.
-  bool cheaper(const Pose& robot, std::span<const Segment> left, const StopCondition& stop) {
+  bool shorter(const Pose& robot, std::span<const Segment> rest, const StopCondition& stop) {
     Way before = std::exchange(way_, {});
     KeptWay kept = kept_;
     const bool led_out = led_out_;
     plan(robot, stop);
     tempted_ = stop.poll() != StopCondition::Cause::none;
-    if (!way_.segments.empty() && way_.cost < planner_.cost(left) - kOnWay) return true;
+    if (!way_.segments.empty() && way_.cost < planner_.cost(rest) - kOnWay) return true;
     way_ = std::move(before);
     kept_ = std::move(kept);
     led_out_ = led_out;
@@ -177,7 +189,7 @@ class Navigator::Impl {
     way_.replanned = true;
     kept_.drop();
     if (changed_) {
-      std::optional<Planner> planner = planner_.on(map_, stop, costs_ ? &*costs_ : nullptr);
+      std::optional<Planner> planner = planner_.on(map_, stop, costs_now());
       if (!planner) return tell_stopped(stop.poll());
       planner_ = std::move(*planner);
       changed_ = false;
@@ -221,15 +233,19 @@ class Navigator::Impl {
   void measure() {
     way_.length = driven_length(way_.segments);
     way_.cost = planner_.cost(way_.segments);
+    way_.over_costs = costs_.has_value();
     way_.cusps = cusps(way_.segments);
+    if (vehicle().curvature_rate > 0) way_.corners = corners(way_.segments);
   }
 
   Grid map_;
   NavigatorOptions options_;
   Doubts doubts_;
-  Planner planner_;  ///< on the map as it was when last planned on
-  std::optional<CostField> costs_;
-  bool changed_ = false;  ///< map or costs, since then
+  std::optional<CostField> costs_;  ///< as of the planner
+  double unit_ = 1;                 ///< no cell's length costs less
+  double follow_ = 0;               ///< cells from what is blocked that its inflation reaches
+  Planner planner_;                 ///< on the map as it was when last planned on
+  bool changed_ = false;            ///< since then
   KeptWay kept_;
   bool led_out_ = false;  ///< by its first segment
   double around_;
@@ -254,6 +270,7 @@ void Navigator::set_costs(CostField costs) { impl_->set_costs(std::move(costs));
 const Way& Navigator::step(const Pose& robot, const StopCondition& stop) {
   return impl_->step(robot, stop);
 }
+double Navigator::cost(std::span<const Segment> segments) const { return impl_->cost(segments); }
 std::span<const Pose> Navigator::goals() const noexcept { return impl_->goals(); }
 void Navigator::set_goals(std::vector<Pose> goals) { impl_->set_goals(std::move(goals)); }
 void Navigator::forget() { impl_->forget(); }

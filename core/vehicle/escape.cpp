@@ -1,6 +1,8 @@
 #include "core/vehicle/escape.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
 
 #include "core/vehicle/angle.h"
@@ -13,16 +15,22 @@ namespace {
 constexpr double kRoom = 0.5;
 constexpr double kMostRoom = 6;
 constexpr int kExpanded = 64;
-constexpr int kPlaces = 6;  ///< from which connectors are looked for
+constexpr int kCrept = 20'000;        ///< the same of small motions
+constexpr double kBox = 0.25;         ///< cells
+constexpr double kTurned = kPi / 60;  ///< of a box
+constexpr int kPlaces = 6;            ///< from which connectors are looked for
 
 /// Best first by room. Motions turn as far as there is room for: beside a wall a vehicle gets away
-/// from it a little, which gives room to turn more.
+/// from it a little, which gives room to turn more. Where it `creeps` motions are small, one place
+/// is kept in each box of poses, and those with the most room are taken: where that does not lead
+/// out of a pocket hardly anything does.
 class Escape {
  public:
-  Escape(const Space::Impl& space, bool towards, std::int64_t& checked)
+  Escape(const Space::Impl& space, bool towards, bool creeps, std::int64_t& checked)
       : space_(space),
         vehicle_(space.vehicle()),
         towards_(towards),
+        creeps_(creeps),
         enough_(std::clamp(space.outline().around() - space.outline().inside(), kRoom, kMostRoom)),
         checked_(checked) {}
 
@@ -41,7 +49,8 @@ class Escape {
     std::vector<int> found;
     put(pose, -1, {});
     int wide = 0;
-    for (int expanded = 0; expanded < kExpanded && !open_.empty() && wide < kPlaces; ++expanded) {
+    const int most = creeps_ ? kCrept : kExpanded;
+    for (int expanded = 0; expanded < most && !open_.empty() && wide < kPlaces; ++expanded) {
       if (poller.stop_after(1024)) return {};
       std::pop_heap(open_.begin(), open_.end(), [&](int a, int b) { return better(b, a); });
       const int at = open_.back();
@@ -49,10 +58,15 @@ class Escape {
       if (places_[at].room >= kRoom) found.push_back(at);
       if (places_[at].room >= enough_)
         ++wide;
+      else if (creeps_)
+        creep(at);
       else
         expand(at);
     }
-    std::ranges::sort(found, [&](int a, int b) { return better(a, b); });
+    std::ranges::sort(found, [&](int a, int b) {
+      const double more = places_[a].room - places_[b].room;
+      return creeps_ && more != 0 ? more > 0 : better(a, b);
+    });
     found.resize(std::min<std::size_t>(found.size(), kPlaces));
     return found;
   }
@@ -78,6 +92,11 @@ class Escape {
   }
 
   void put(const Pose& pose, int before, std::vector<Segment> motions) {
+    const auto box = [](double value, double size) { return floor_of(value / size); };
+    if (creeps_ &&
+        !seen_.insert({box(pose.x, kBox), box(pose.y, kBox), box(turned(pose.yaw), kTurned)})
+             .second)
+      return;
     Place place{pose, room(pose), 0, 0, before, std::move(motions)};
     if (before >= 0) place.cost = places_[before].cost + cost(vehicle_, place.motions);
     place.rank = place.room * kernels::power(2, -place.cost / (1.5 * space_.outline().around()));
@@ -126,6 +145,21 @@ class Escape {
     }
   }
 
+  /// To the boxes about that of a place.
+  void creep(int at) {
+    for (const double angle : {1.01 * kTurned, -1.01 * kTurned})
+      if (vehicle_.rotate_in_place) go(at, {Segment{.begin = {}, .gear = 0, .angle = angle}});
+    for (const int gear : {1, -1}) {
+      if (gear < 0 && !vehicle_.reverse) continue;
+      for (const double side : {0.0, 1.0, -1.0}) {
+        if (side != 0 && vehicle_.turning_radius == 0) continue;
+        const double bent = side != 0 ? side / vehicle_.turning_radius : 0;
+        for (const double length : {1.01 * kBox, 2 * kBox})
+          go(at, {Segment{.begin = {}, .curvature = bent, .length = length, .gear = gear}});
+      }
+    }
+  }
+
   /// A turn, a line and the same turn back; and what of it is left without the last.
   void aside(int at, const Segment& turn, const Segment& line) {
     Segment back = turn;
@@ -158,20 +192,22 @@ class Escape {
   const Space::Impl& space_;
   const Vehicle& vehicle_;
   bool towards_;
+  bool creeps_;
   double enough_;  ///< room to turn where it stands
   std::int64_t& checked_;
   std::vector<Place> places_;
-  std::vector<int> open_;  ///< heap
+  std::set<std::array<int, 3>> seen_;  ///< boxes
+  std::vector<int> open_;              ///< heap
 };
 
 }  // namespace
 
 std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice, const Pose& pose,
-                               bool towards, const ConnectorReach& reach, std::int64_t& checked,
-                               Poller& poller) {
+                               bool towards, bool creeps, const ConnectorReach& reach,
+                               std::int64_t& checked, Poller& poller) {
   std::vector<Connector> made;
-  if (space.free_at(pose, kRoom)) return made;
-  Escape escape(space, towards, checked);
+  if (!creeps && space.free_at(pose, kRoom)) return made;
+  Escape escape(space, towards, creeps, checked);
   for (const int at : escape.run(pose, poller)) {
     const std::vector<Segment> way = escape.motions(at);
     for (Connector& c :

@@ -11,7 +11,7 @@ namespace lasius::vehicle {
 /// lead to where its footprint has room for the lattice; none where it has that already, or where
 /// none is found. An end nearer than 0.001 cells to what is blocked has none.
 std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice, const Pose& pose,
-                               bool towards, const ConnectorReach& reach, std::int64_t& checked,
-                               Poller& poller);
+                               bool towards, bool creeps, const ConnectorReach& reach,
+                               std::int64_t& checked, Poller& poller);
 
 }  // namespace lasius::vehicle

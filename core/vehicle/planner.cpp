@@ -266,19 +266,24 @@ Result Planner::plan(const Request& asked) const {
   const Prices& prices = impl_->prices;
   const Prepared prepared{space.impl(),  *impl_->lattice, impl_->free,
                           impl_->planes, prices,          impl_->edges ? &*impl_->edges : nullptr};
-  SearchOptions options{request.weight,
-                        request.goal_tolerance,
-                        request.heading_tolerance,
-                        request.goals,
-                        false,
-                        request.max_states,
-                        request.stop};
+  SearchOptions options{.weight = request.weight,
+                        .lattice_tolerance = request.goal_tolerance,
+                        .heading_tolerance = request.heading_tolerance,
+                        .wanted = request.goals,
+                        .max_states = request.max_states,
+                        .stop = request.stop};
   std::unique_ptr<SearchMemory> memory = impl_->take();
-  Found found = search(prepared, request.start, goals, options, *memory, result, poller);
-  if (found.goal < 0 && !poller.stopped() && !found.full) {
-    options.wide = true;
-    found = search(prepared, request.start, goals, options, *memory, result, poller);
-  }
+  const auto look = [&] {
+    return search(prepared, request.start, goals, options, *memory, result, poller);
+  };
+  Found found = look();
+  const auto lost = [&] { return found.goal < 0 && !poller.stopped() && !found.full; };
+  options.wide = true;
+  if (lost()) found = look();
+  // What only drives forwards hardly gets out of a pocket, and omni has no need to.
+  const Vehicle& vehicle = impl_->asked;
+  options.creeps = !vehicle.sideways && (vehicle.reverse || vehicle.rotate_in_place);
+  if (options.creeps && lost()) found = look();
   impl_->give_back(std::move(memory));
   if (found.goal >= 0) {
     result.segments = joined(found.segments);

@@ -45,6 +45,7 @@ struct SearchOptions {
   double heading_tolerance = 0;
   std::span<const Pose> wanted = {};  ///< goals as they were asked for
   bool wide = false;                  ///< longer connectors and more shots
+  bool creeps = false;                ///< and, out of pockets, small motions
   std::int64_t max_states = 0;
   StopCondition stop = {};
 };

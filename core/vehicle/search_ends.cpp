@@ -20,7 +20,7 @@ SearchEnds ends_of_search(const Prepared& prepared, const Pose& start, std::span
                                              options.wide ? wide : brief, counts.checked, poller);
     if (!options.wide) return made;
     std::vector<Connector> more =
-        escapes(space, lattice, pose, towards, brief, counts.checked, poller);
+        escapes(space, lattice, pose, towards, options.creeps, brief, counts.checked, poller);
     std::ranges::move(more, std::back_inserter(made));
     return made;
   };

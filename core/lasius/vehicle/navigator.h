@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct NavigatorOptions {
   double weight = 1.5;           ///< of the estimate of what is left
   bool smooth = true;            ///< shorten what the search finds
   std::int64_t max_states = 20'000'000;
+  /// Of the map's cells: then ways are the cheapest that are found, as those of a Planner over
+  /// costs.
+  std::optional<CostField> costs = {};
+  /// Costs around what is blocked, on top of `costs`; they follow what is observed.
+  std::optional<Inflation> inflation = {};
   /// After so many steps without a way walls count as free that were learned, and not observed
   /// again in these steps: what stood there may have gone. 0: never.
   int doubt_after = 16;
@@ -45,15 +51,17 @@ struct Way : Result {
 /// A planner that belongs to a vehicle, with one map. Its program tells the Navigator what it sees
 /// (scans and points in metres: seen_cells()), and asks for the way again and again. The way is
 /// kept as long as no wall that was learned is met by what its sweep has left, and no wall that has
-/// gone could make it shorter: a step then costs what has changed. A vehicle beside its way, by
-/// what its localisation makes of it, is led back to it by a certified motion.
+/// gone could make it cheaper: a step then costs what has changed. With an inflation any change
+/// near it has what is left compared with a new plan. A vehicle beside its way, by what its
+/// localisation makes of it, is led back to it by a certified motion; one with a curvature_rate,
+/// for which there is hardly such a motion, by a new plan.
 ///
 /// Not thread-safe. Deterministic in the sequence of calls.
 class LASIUS_EXPORT Navigator {
  public:
   /// Goals as in Request. They and the vehicle may touch what is blocked: the answer tells.
-  /// @throws Error(invalid_parameter) as validate(Vehicle), for one with a curvature_rate, and
-  /// where there is no goal
+  /// @throws Error(invalid_parameter) as validate(Vehicle) and CostField::add, for costs of a map
+  /// of another size, and where there is no goal
   Navigator(Grid map, const Vehicle& vehicle, std::vector<Pose> goals,
             const NavigatorOptions& options = {});
   ~Navigator();
@@ -64,8 +72,9 @@ class LASIUS_EXPORT Navigator {
   void observe(std::span<const Cell> cells, bool blocked);
   /// Likewise all cells of a rectangle.
   void observe(const Rectangle& part, bool blocked);
-  /// From the next step on the cheapest way over these is looked for, and Way::cost is by them. The
-  /// way that is kept stays where none is found that is cheaper.
+  /// In place of NavigatorOptions::costs: from the next step on the cheapest way over these is
+  /// looked for, and Way::cost is by them. The way that is kept stays where none is found that is
+  /// cheaper.
   /// @throws Error(invalid_parameter) for costs of a map of another size
   void set_costs(CostField costs);
 
@@ -75,6 +84,8 @@ class LASIUS_EXPORT Navigator {
   /// @throws Error(invalid_parameter) for numbers that Request refuses
   const Way& step(const Pose& robot, const StopCondition& stop = {});
 
+  /// What motions cost as the last plan was made: see Planner::cost.
+  double cost(std::span<const Segment> segments) const;
   std::span<const Pose> goals() const noexcept;  ///< where it leads
   void set_goals(std::vector<Pose> goals);       ///< the way is planned anew
   void forget();                                 ///< the way kept so far is planned anew

@@ -84,8 +84,8 @@ class LASIUS_EXPORT Planner {
   [[nodiscard]] static std::optional<Planner> make(const Grid& grid, const Vehicle& vehicle,
                                                    const StopCondition& stop,
                                                    const CostField* costs = nullptr);
-  /// Of the same vehicle on another map, over these costs or none: what depends on the vehicle
-  /// alone is shared. Empty if stopped. @throws Error(invalid_parameter) as above
+  /// Of the same vehicle on another map: what depends on the vehicle alone is shared. Empty if
+  /// stopped. @param costs  null: none
   [[nodiscard]] std::optional<Planner> on(const Grid& grid, const StopCondition& stop = {},
                                           const CostField* costs = nullptr) const;
   Planner(const Planner&) noexcept;

@@ -35,8 +35,9 @@ struct TourResult : lasius::TourResult {
 /// shorter. Stops are left out where the vehicle does not fit, the disc inside its footprint cannot
 /// get there from the others (proven), or plans find no way there or away, at any heading; a group
 /// where that holds of all its stops, and the bound is over all but those that cannot be (proven).
-/// A deadline ends no search that has no tour yet; a token ends it with the best tour so far, which
-/// may be none. An observer is told tours whose legs are planned.
+/// A deadline ends the search for orders, but legs are planned, and orders looked for that have no
+/// dead ones, till there is a tour; a token ends it with the best tour so far, which may be none.
+/// An observer is told tours whose legs are planned.
 /// @throws Error(invalid_parameter) as plan_tour of a map, for an order given in part or ants, for
 /// more than 2000 poses at all stops, for an end without a yaw, and for a closed tour with a goal
 LASIUS_EXPORT TourResult plan_tour(const Planner& planner, const TourRequest& request,

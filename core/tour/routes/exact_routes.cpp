@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace lasius::tour {
@@ -16,15 +17,23 @@ class SubsetWays {
  public:
   SubsetWays(const RouteProblem& problem, int stops, const std::vector<double>& lengths)
       : tasks_(problem.size()), stops_(stops), lengths_(lengths) {
-    for (int task = 0; task < tasks_; ++task)
+    for (int task = 0; task < tasks_; ++task) {
+      first_.push_back(members_.size());
       for (const int stop : problem.tasks[task]) members_.push_back({stop, task});
+    }
+    first_.push_back(members_.size());
+    between_.reserve(members_.size() * members_.size());
+    for (const Member& v : members_)
+      for (const Member& w : members_) between_.push_back(leg(v.stop, w.stop));
   }
 
   unsigned subsets() const { return 1u << tasks_; }
 
   /// To each subset of tasks the least length of a way over them. `only`: the first stop, -1: any.
+  /// Of a ring that is as long as `most` none needs to be told, by what `home` has of the way back.
   /// False once stopped.
-  bool run(const Ends& ends, int only, Poller& poller) {
+  bool run(const Ends& ends, int only, Poller& poller, double most = kNone,
+           const SubsetWays* home = nullptr) {
     ends_ = ends;
     only_ = only;
     const std::size_t n = members_.size();
@@ -33,14 +42,14 @@ class SubsetWays {
       if (only < 0 || members_[v].stop == only)
         at(1u << members_[v].task, v) = ends.start < 0 ? 0 : leg(ends.start, members_[v].stop);
     for (unsigned subset = 1; subset < subsets(); ++subset) {
-      for (std::size_t w = 0; w < n; ++w) {
-        const unsigned bit = 1u << members_[w].task;
-        if (subset & bit) continue;
-        double& there = at(subset | bit, w);
-        for (std::size_t v = 0; v < n; ++v)
-          there = std::min(there, at(subset, v) + leg(members_[v].stop, members_[w].stop));
+      std::int64_t steps = tasks_;
+      for (int task = 0; task < tasks_; ++task) {
+        if ((subset >> task & 1) == 0) continue;
+        const double left = home != nullptr ? home->back_from(subset, task) : 0;
+        for (std::size_t v = first_[task]; v < first_[task + 1]; ++v)
+          if (at(subset, v) + left < most) steps += go_on(subset, v);
       }
-      if (poller.stop_after(static_cast<std::int64_t>(n * n))) return false;
+      if (poller.stop_after(steps)) return false;
     }
     return true;
   }
@@ -72,6 +81,29 @@ class SubsetWays {
   struct Member {
     int stop, task;
   };
+  // From a member over each task that is left; how many legs that are.
+  std::int64_t go_on(unsigned subset, std::size_t v) {
+    const std::size_t n = members_.size();
+    const double length = at(subset, v);
+    const double* const legs = between_.data() + v * n;
+    std::int64_t steps = 0;
+    for (int task = 0; task < tasks_; ++task) {
+      if ((subset >> task & 1) != 0) continue;
+      double* const there = least_.data() + (subset | 1u << task) * n;
+      const std::size_t end = first_[task + 1];
+      for (std::size_t w = first_[task]; w < end; ++w)
+        there[w] = std::min(there[w], length + legs[w]);
+      steps += static_cast<std::int64_t>(end - first_[task]);
+    }
+    return steps;
+  }
+  // Of one member a task and all legs turned round: from a task, over all that are not in a subset,
+  // to the first.
+  double back_from(unsigned subset, int task) const {
+    const unsigned first = 1u << only_;
+    if (subset == first) return 0;
+    return at(((subsets() - 1) ^ subset) | first | 1u << task, static_cast<std::size_t>(task));
+  }
   double& at(unsigned subset, std::size_t v) { return least_[subset * members_.size() + v]; }
   double at(unsigned subset, std::size_t v) const { return least_[subset * members_.size() + v]; }
   double leg(int a, int b) const { return lengths_[static_cast<std::size_t>(a) * stops_ + b]; }
@@ -89,7 +121,9 @@ class SubsetWays {
 
   int tasks_, stops_;
   const std::vector<double>& lengths_;
-  std::vector<Member> members_;
+  std::vector<Member> members_;     // task by task
+  std::vector<std::size_t> first_;  // member of each task, and the end
+  std::vector<double> between_;     // members, row by row
   Ends ends_;
   int only_ = -1;
   std::vector<double> least_;  // of all ways over the subset that end at a member
@@ -113,17 +147,47 @@ bool too_many(const RouteProblem& problem) {
   return members * members * static_cast<double>(1u << problem.size()) * runs > kMostSteps;
 }
 
-// A closed way without a start: from each stop of the task that has fewest.
-std::optional<std::vector<int>> exact_ring(const RouteProblem& problem, SubsetWays& ways,
-                                           Poller& poller) {
+// From each task back to each other by the least leg between any of their stops.
+std::vector<double> least_legs_back(const RouteProblem& problem, int stops,
+                                    const std::vector<double>& lengths) {
+  std::vector<double> least;
+  for (const std::vector<int>& to : problem.tasks)
+    for (const std::vector<int>& from : problem.tasks) {
+      least.push_back(kNone);
+      for (const int a : from)
+        for (const int b : to)
+          least.back() = std::min(least.back(), lengths[static_cast<std::size_t>(a) * stops + b]);
+    }
+  return least;
+}
+
+// A closed way without a start: from each stop of the task that has fewest. Ways that are longer
+// than a guess are left out, as the least legs between tasks have it (a relaxation of the state
+// space: Christofides, Mingozzi & Toth 1981); where it was too small a greater one is made.
+std::optional<std::vector<int>> exact_ring(const RouteProblem& problem, int stops,
+                                           const std::vector<double>& lengths, Poller& poller) {
+  const Ends& ends = problem.routes.front();
+  const std::vector<int>& firsts = fewest(problem);
+  const std::vector<double> least_back = least_legs_back(problem, stops, lengths);
+  RouteProblem tasks{{}, problem.routes, 0};
+  for (int task = 0; task < problem.size(); ++task) tasks.tasks.push_back({task});
+  SubsetWays home(tasks, problem.size(), least_back);
+  const auto at = std::find(problem.tasks.begin(), problem.tasks.end(), firsts);
+  if (!home.run(ends, static_cast<int>(at - problem.tasks.begin()), poller)) return std::nullopt;
+
+  SubsetWays ways(problem, stops, lengths);
+  const unsigned all = ways.subsets() - 1;
+  const double least = home.least(all);
   std::vector<int> best;
-  double length = kNone;
-  for (const int first : fewest(problem)) {
-    if (!ways.run(problem.routes.front(), first, poller)) return std::nullopt;
-    const unsigned all = ways.subsets() - 1;
-    if (ways.least(all) >= length) continue;
-    length = ways.least(all);
-    best = ways.way(all);
+  for (double beyond = least / 256 + 1; best.empty(); beyond *= 4) {
+    double most = beyond < least ? least + beyond : kNone;
+    for (const int first : firsts) {
+      if (!ways.run(ends, first, poller, most, &home)) return std::nullopt;
+      if (ways.least(all) >= most) continue;
+      most = ways.least(all);
+      best = ways.way(all);
+    }
+    if (most == kNone) break;
   }
   return best;
 }
@@ -135,12 +199,12 @@ std::optional<std::vector<std::vector<int>>> exact_routes(const RouteProblem& pr
                                                           Poller& poller) {
   const std::size_t count = problem.routes.size();
   if (too_many(problem)) return std::nullopt;
-  SubsetWays ways(problem, stops, lengths);
   if (is_ring(problem)) {
-    const auto order = exact_ring(problem, ways, poller);
+    const auto order = exact_ring(problem, stops, lengths, poller);
     if (!order) return std::nullopt;
     return std::vector<std::vector<int>>{*order};
   }
+  SubsetWays ways(problem, stops, lengths);
   const unsigned subsets = ways.subsets();
   // shares[r * subsets + s]: what route r takes on of s, if those up to r do all of s.
   std::vector<double> least(subsets, kNone), before, own(subsets);

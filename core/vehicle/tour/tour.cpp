@@ -104,14 +104,15 @@ class TourSearch {
   }
 
   void run() {
+    const StopCondition patient = without_deadline(request_.stop);
+    bool at_hand = true;  // what order there is when time is up will do
     for (int idle = 0; idle < kIdle;) {
-      const StopCondition stop =
-          best_.empty() ? without_deadline(request_.stop) : request_.stop;  // a tour, however late
+      const StopCondition& stop = best_.empty() ? patient : request_.stop;  // a tour, however late
       const RoutesFound found =
           find_routes(problem_, legs_.costs(),
                       {.seed = request_.seed,
                        .generations = (request_.generations + kEffort - 1) / kEffort,
-                       .stop = stop});
+                       .stop = at_hand ? request_.stop : stop});
       const std::vector<PosePair> order = legs_of(found.orders);
       if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
       std::vector<PosePair> missing;
@@ -126,6 +127,10 @@ class TourSearch {
       if (cause_ == StopCondition::Cause::token) break;
       if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
       const bool in_vain = missing.empty() && best_.empty();
+      if (in_vain && at_hand && cause_ != StopCondition::Cause::none) {
+        at_hand = false;
+        continue;
+      }
       const Unjoined lost = unjoined(in_vain ? order : std::vector<PosePair>{});
       if (lost.place < 0 && missing.empty()) break;
       if (!lost.untried.empty())

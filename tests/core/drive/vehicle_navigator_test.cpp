@@ -80,7 +80,9 @@ TEST(VehicleNavigator, KeepsTheRestOfItsWay) {
   const Grid grid = two_rooms();
   Vehicle priced = car(kBox, 5);
   priced.cusp_cost = 3;
-  for (const Vehicle& vehicle : {car(kBox, 5), priced, differential(kBox), omni(kBox)}) {
+  Vehicle steady = car(kBox, 5);
+  steady.curvature_rate = 0.05;
+  for (const Vehicle& vehicle : {car(kBox, 5), priced, steady, differential(kBox), omni(kBox)}) {
     Navigator navigator(grid, vehicle, {{90, 50, 2}});
     Way way = navigator.step({10, 50, 0});
     ASSERT_EQ(way.status, Status::solved) << way.error;
@@ -100,6 +102,76 @@ TEST(VehicleNavigator, KeepsTheRestOfItsWay) {
     }
     EXPECT_EQ(way.length, 0);
   }
+}
+
+// What is left of a clothoid goes on with the curvature that it has there.
+TEST(VehicleNavigator, OfSteadyCurvaturePlansAnewBesideItsWay) {
+  Vehicle steady = car(kBox, 5);
+  steady.curvature_rate = 0.05;
+  Navigator navigator(two_rooms(), steady, {{90, 50, 2}});
+  const std::vector<Segment> plan = navigator.step({10, 50, 0}).segments;
+  const auto bent = std::ranges::find_if(plan, [](const auto& s) { return s.curvature_rate != 0; });
+  ASSERT_NE(bent, plan.end());
+  const Segment rest = rest_of(*bent, bent->length / 3);
+  for (const double share : {0.0, 0.3, 1.0}) {
+    const Pose a = bent->pose(bent->length / 3 + share * rest.length),
+               b = rest.pose(share * rest.length);
+    EXPECT_NEAR(std::hypot(a.x - b.x, a.y - b.y) + std::fabs(a.yaw - b.yaw), 0, 1e-9);
+  }
+  const Pose on = rest.begin;
+  EXPECT_FALSE(navigator.step(on).replanned);
+  const Way beside = navigator.step({on.x, on.y + 0.1, on.yaw});
+  EXPECT_TRUE(beside.replanned);
+  EXPECT_EQ(beside.rejoined, 0);
+  expect_from({on.x, on.y + 0.1, on.yaw}, beside);
+}
+
+TEST(VehicleNavigator, OverCostsTakesTheCheapest) {
+  const Grid grid(120, 60);
+  const Vehicle vehicle = car(kBox, 5);
+  CostField costs(120, 60);
+  std::vector<double> mud(std::size_t{120} * 60, 0);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 40; x < 80; ++x) mud[static_cast<std::size_t>(y) * 120 + x] = 4;
+  costs.add(mud);
+  const Pose start{10, 20, 0}, goal{110, 20, 0};
+  Navigator navigator(grid, vehicle, {goal}, {.costs = costs});
+  const Planner planner(grid, vehicle, costs);
+  const Way way = navigator.step(start);
+  EXPECT_TRUE(way.over_costs);
+  EXPECT_EQ(way.cost, planner.plan({.start = start, .goals = {goal}}).cost);
+  EXPECT_LT(way.cost, 0.8 * navigator.cost(std::vector<Segment>{{.begin = start, .length = 100}}));
+  const Pose on = way.segments[0].pose(way.segments[0].extent() / 2);
+  const Way left = navigator.step(on);
+  EXPECT_FALSE(left.replanned);
+  EXPECT_TRUE(left.over_costs);
+  EXPECT_LT(left.cost, way.cost);
+  EXPECT_NEAR(left.cost, planner.cost(left.segments), 1e-9);
+  EXPECT_THROW(Navigator(grid, vehicle, {goal}, {.costs = CostField(60, 120)}), Error);
+}
+
+// The inflation of a wall that the way does not meet makes another one cheaper; without the wall
+// the first is again.
+TEST(VehicleNavigator, InflationFollowsWhatIsSeen) {
+  const Vehicle vehicle = car(kBox, 5);
+  const Inflation inflation{.radius = 12, .scaling = 0.1, .weight = 5, .inscribed = 2};
+  const Pose start{10, 30, 0}, goal{110, 30, 0};
+  Grid grid(120, 60);
+  Navigator navigator(grid, vehicle, {goal}, {.inflation = inflation});
+  const Way first = navigator.step(start);
+  EXPECT_NEAR(first.cost, 100, 1e-6);
+  const Rectangle post{55, 24, 6, 3};
+  navigator.observe(post, true);
+  grid.fill(post, true);
+  const Way aside = navigator.step(start);
+  EXPECT_TRUE(aside.replanned);
+  expect_clear(grid, vehicle, aside);
+  EXPECT_LT(aside.cost, 0.9 * navigator.cost(first.segments));
+  CostField costs(120, 60);
+  costs.add(grid, inflation);
+  EXPECT_NEAR(aside.cost, Planner(grid, vehicle, costs).cost(aside.segments), 1e-9);
+  navigator.observe(post, false);
+  EXPECT_NEAR(navigator.step(start).cost, 100, 1e-6);
 }
 
 TEST(VehicleNavigator, PlansAnewWhereAWallIsMetAndOnlyThere) {

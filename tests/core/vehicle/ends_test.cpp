@@ -32,6 +32,13 @@ std::vector<Beside> vehicles() {
           {"differential", differential(rectangle(5, 5, 3)), 3}};
 }
 
+std::vector<oracle::Motion> path_of(const Result& result) {
+  std::vector<oracle::Motion> path;
+  for (const Segment& s : result.segments)
+    path.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
+  return path;
+}
+
 // In an empty map a vehicle gets away from the border along which it stands, and to it.
 TEST(VehicleEnds, BesideTheBorder) {
   const Grid grid(160, 120);
@@ -45,15 +52,44 @@ TEST(VehicleEnds, BesideTheBorder) {
       for (const auto& [start, goal] : {std::pair(beside, inside), std::pair(before, parked)}) {
         const Result result = planner.plan({.start = start, .goals = {goal}});
         EXPECT_EQ(result.status, Status::solved) << kind.name << " " << room << " " << result.error;
-        std::vector<oracle::Motion> path;
-        for (const Segment& s : result.segments)
-          path.push_back(
-              {s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
-        EXPECT_FALSE(oracle::FootprintJudge(grid, kind.vehicle.footprint).first_touch(path));
+        EXPECT_FALSE(
+            oracle::FootprintJudge(grid, kind.vehicle.footprint).first_touch(path_of(result)));
       }
       const Result along = planner.plan({.start = beside, .goals = {{100.1, beside.y, 0}}});
       EXPECT_EQ(along.status, Status::solved) << kind.name << " " << room;
       EXPECT_NEAR(along.length, 100.1 - 60.3, 1e-6) << kind.name << " " << room;
+    }
+  }
+}
+
+/// A room, and a corridor into it along an arc about (60, 35), whose headings and cells hardly any
+/// motion of the lattice has.
+Grid bent_pocket() {
+  Grid grid(120, 90);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const double dx = x + 0.5 - 60, dy = y + 0.5 - 35;
+      const bool in_room = x >= 60 && x < 118 && y >= 2 && y < 88;
+      const bool in_corridor = dx <= 0.6 && std::fabs(std::hypot(dx, dy) - 40) <= 5;
+      grid.set_blocked({x, y}, !in_room && !in_corridor);
+    }
+  return grid;
+}
+
+TEST(VehicleEnds, OutOfABentPocket) {
+  const Grid grid = bent_pocket();
+  Vehicle turning = car(rectangle(6, 6, 4), 8);
+  turning.reverse = false;
+  turning.rotate_in_place = true;
+  const Pose deep{60 - 40 * std::sin(kPi / 3), 35 + 40 * std::cos(kPi / 3), kPi / 3};
+  const Pose in_room{95.5, 40.5, 1};
+  for (const Vehicle& vehicle : {car(rectangle(6, 6, 4), 8), turning}) {
+    const Planner planner(grid, vehicle);
+    const Pose inwards{deep.x, deep.y, deep.yaw - kPi};
+    for (const auto& [start, goal] : {std::pair(deep, in_room), std::pair(in_room, inwards)}) {
+      const Result result = planner.plan({.start = start, .goals = {goal}});
+      ASSERT_EQ(result.status, Status::solved) << result.error;
+      EXPECT_FALSE(oracle::FootprintJudge(grid, vehicle.footprint).first_touch(path_of(result)));
     }
   }
 }

@@ -154,6 +154,27 @@ TEST(Routes, BySubsetsAreThoseOfBruteForce) {
   EXPECT_GT(exact, 100);
 }
 
+// Costs of legs each way of their own, by both closed and open routes: some as a map's are, some of
+// which nothing can be told before.
+TEST(Routes, BySubsetsOfOneWayCostsAreThoseOfBruteForce) {
+  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+    kernels::RandomStream random(seed, 1, 0, 0);
+    const int stops = 10;
+    std::vector<Cost> matrix;
+    for (int i = 0; i < stops * stops; ++i)
+      matrix.push_back(seed % 2 == 0 ? 1000 + random.below(60) : random.below(1000));
+    const Costs costs(stops, matrix.data());
+    for (const auto& routes : {kRoutes[0], kRoutes[1], kRoutes[2]}) {
+      const RouteProblem problem = problem_of(stops, routes, seed, true);
+      const RoutesFound found = find_routes(problem, costs, {});
+      EXPECT_TRUE(found.optimal);
+      EXPECT_EQ(found.cost, BruteForce(problem, costs).least()) << "seed " << seed;
+      EXPECT_EQ(found.cost, cost_of(costs, found.orders, routes[0].open));
+      expect_whole(problem, found.orders);
+    }
+  }
+}
+
 // The program over subsets is not asked for 13 tasks: the search and the bound against each other,
 // and of 12 tasks, with one more that costs nothing, against the program.
 TEST(Routes, AreFoundBySearch) {

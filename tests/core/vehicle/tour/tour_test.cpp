@@ -11,6 +11,7 @@
 #include <random>
 
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/tour/least_tour.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
@@ -213,6 +214,26 @@ TEST(VehicleTour, NamesWhatItLeavesOut) {
   EXPECT_EQ(none.status, Status::no_path);
   EXPECT_EQ(none.error, why(2));
   EXPECT_TRUE(none.order.empty());
+}
+
+// Without obstacles legs are as long as their bounds: the first order that is looked for to the end
+// is the last. When time is up at once another one has to do.
+TEST(VehicleTour, TimeEndsTheFirstOrderToo) {
+  const Grid grid(200, 160);
+  const Planner planner(grid, truck());
+  std::mt19937 random(3);
+  for (const int stops : {11, 16}) {
+    TourRequest request = poses_on(grid, planner, stops, random);
+    const TourResult whole = plan_tour(planner, request);
+    ASSERT_EQ(whole.status, Status::solved);
+    const CountingTime time(0);
+    request.stop = time.is_up();
+    const TourResult late = plan_tour(planner, request);
+    EXPECT_EQ(late.status, Status::limit);
+    EXPECT_EQ(late.order.size(), request.points.size());
+    EXPECT_GT(late.length, whole.length + 1);
+    judge(grid, truck(), request, late);
+  }
 }
 
 TEST(VehicleTour, RefusesAndStops) {
