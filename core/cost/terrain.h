@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/distance.h"
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
 #include "lasius/cost_field.h"
@@ -15,11 +16,6 @@
 #include "lasius/grid.h"
 
 namespace lasius::cost {
-
-inline double distance(Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 /// The middle of a cell, seen from its upper left corner.
 inline constexpr Point kMiddle{0.5, 0.5};

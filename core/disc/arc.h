@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "core/base/distance.h"
 #include "kernels/base/arctangent.h"
 #include "lasius/geometry.h"
 
@@ -22,11 +23,6 @@ constexpr double kMadeSlack = 0.7e-9;
 /// at once then passes between them with room to compute in: without, the line that touches both
 /// circles where they meet has no length and, by rounding, no direction.
 constexpr double kRadiusMargin = 1e-10;
-
-inline double distance(Point a, Point b) noexcept {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
 
 /// A unit vector in the quadrant of both signs: the sizes of its components.
 struct Normal {

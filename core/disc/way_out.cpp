@@ -23,7 +23,7 @@ struct DiscSpace::Nearest {
            (!other || space.components_->connected(space.blocked_, c, *other));
   }
   void offer(Point p) {
-    const double far = disc::distance(from, p);
+    const double far = distance(from, p);
     if (!(far < distance) || !space.clear(p)) return;
     if (taken && !taken(p)) {
       refused = true;
@@ -80,7 +80,7 @@ void DiscSpace::nearest_in(Cell cell, Nearest& nearest) const {
       nearest.offer(point_on(arc, {x / size, y / size}, radius_));
     }
     for (const double end : {arc.low, arc.high}) {
-      if (disc::distance(from, point_on(arc, normal_at(end), radius_)) < nearest.distance)
+      if (distance(from, point_on(arc, normal_at(end), radius_)) < nearest.distance)
         nearest.offer(end_of(arc, end));
     }
   }

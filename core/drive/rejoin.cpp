@@ -40,7 +40,7 @@ bool rejoin(const disc::DiscSpace& space, Point robot, std::vector<Point>& path)
   Point foot = path[0];
   for (std::size_t i = 0; i < last; ++i) {
     const Point at = between(path[i], path[i + 1], nearest_share(path[i], path[i + 1], robot));
-    if (disc::distance(at, robot) > disc::distance(foot, robot)) continue;
+    if (distance(at, robot) > distance(foot, robot)) continue;
     foot = at;
     before = i;
   }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/base/distance.h"
 #include "core/base/special_values.h"
 #include "lasius/path.h"
 
@@ -13,10 +14,6 @@ namespace lasius::exact {
 namespace {
 
 using kernels::FinePoint;
-
-double apart(Point a, Point b) noexcept {
-  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-}
 
 FinePoint lattice(const TautRow::Corner& c) noexcept { return kernels::fine({2 * c.x, 2 * c.y}); }
 
@@ -231,12 +228,12 @@ class Search {
     std::size_t i = from;
     while (step < 0 ? i > 0 : i + 1 < path.size()) {
       const Point a = path[i], b = path[i + step];
-      const double next = apart(a, b);
+      const double next = distance(a, b);
       if (gone + next >= far) {
         const double share = (far - gone) / next;
         const Point at{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
         const bool free = kernels::sees_fine(map_, fine(at), fine(at));
-        return free ? std::pair(at, gone + apart(a, at)) : std::pair(a, gone);
+        return free ? std::pair(at, gone + distance(a, at)) : std::pair(a, gone);
       }
       gone += next;
       i += step;
@@ -273,7 +270,7 @@ Beside::Span Beside::within(const Piece& segment, const Piece& piece) const {
     if (root >= 0) add((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
   }
   // In the frame of the piece.
-  const double length = apart(piece.from, piece.to);
+  const double length = distance(piece.from, piece.to);
   const double ex = (piece.to.x - piece.from.x) / length, ey = (piece.to.y - piece.from.y) / length;
   const double x = segment.from.x - piece.from.x, y = segment.from.y - piece.from.y;
   double first = 0, last = 1;
@@ -306,7 +303,7 @@ double Beside::shared(std::span<const Point> way) const {
       if (span.last > end) share += span.last - std::max(span.first, end);
       end = std::max(end, span.last);
     }
-    sum += share * apart(segment.from, segment.to);
+    sum += share * distance(segment.from, segment.to);
   }
   return sum;
 }
@@ -316,7 +313,7 @@ bool Beside::holds(Point p) const {
     const double x = piece.to.x - piece.from.x, y = piece.to.y - piece.from.y;
     const double along = ((p.x - piece.from.x) * x + (p.y - piece.from.y) * y) / (x * x + y * y);
     const double t = std::clamp(along, 0.0, 1.0);
-    return apart(p, {piece.from.x + t * x, piece.from.y + t * y}) <= within_;
+    return distance(p, {piece.from.x + t * x, piece.from.y + t * y}) <= within_;
   });
 }
 

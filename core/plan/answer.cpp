@@ -99,7 +99,7 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
 
 /// Puts the leg from the start to the way out before a plan; the ants' tours begin there.
 void lead_out(Result& result, Point start, Point way_out, bool curved) {
-  const double leg = disc::distance(start, way_out);
+  const double leg = distance(start, way_out);
   result.way_out = way_out;
   result.lower_bound.reset();
   result.optimal = false;

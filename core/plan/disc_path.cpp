@@ -15,8 +15,6 @@
 namespace lasius {
 namespace {
 
-using disc::distance;
-
 std::string text(Point p) { return pair_text(p.x, p.y); }
 
 /// Names a piece of which a point lies nearer than it may.

@@ -77,7 +77,7 @@ std::optional<Result> refused(const Ends& ends, const Request& request, const As
   const double tolerance = request.goal_tolerance;
   if (tolerance > 0) {
     const auto nearest = ends.nearest_point(goal, request.stop.token, places.from);
-    if (nearest && disc::distance(*nearest, places.to) <= tolerance) {
+    if (nearest && distance(*nearest, places.to) <= tolerance) {
       places.to = *nearest;
       return std::nullopt;
     }
@@ -86,7 +86,7 @@ std::optional<Result> refused(const Ends& ends, const Request& request, const As
                                : invalid(ends, false, goal, request.stop.token, places.from);
   if (const auto& nearest = refusal.nearest_reachable; nearest && tolerance > 0)
     refusal.error += "; the nearest cell that can be reached, " + cell_name(*nearest) + ", is " +
-                     rounded_text(disc::distance(centre(*nearest), goal.at)) +
+                     rounded_text(distance(centre(*nearest), goal.at)) +
                      " cells from the goal, its tolerance " + rounded_text(tolerance);
   return refusal;
 }

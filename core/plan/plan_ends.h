@@ -150,9 +150,9 @@ class Ends {
     double nearest = kInfinity;
     for_rings(map, start.cell, nearest, poller, [&](Cell c) {
       const Point to = centre(c);
-      if (map_.grid.blocked(c) || !(disc::distance(from, to) < nearest) || !leads_there(to)) return;
+      if (map_.grid.blocked(c) || !(distance(from, to) < nearest) || !leads_there(to)) return;
       if (goal && joined(to, *goal) != true) return;
-      nearest = disc::distance(from, to);
+      nearest = distance(from, to);
       best = to;
     });
     return best;
@@ -179,10 +179,10 @@ class Ends {
     for (int y = at.y - kNearBy; y <= at.y + kNearBy; ++y)
       for (int x = at.x - kNearBy; x <= at.x + kNearBy; ++x) {
         const Point to = centre(Cell{x, y});
-        if (!(disc::distance(p, to) < least) || map_.grid.blocked({x, y}) ||
+        if (!(distance(p, to) < least) || map_.grid.blocked({x, y}) ||
             !disc::sweeps_clear(map_alone(), p, to, room))
           continue;
-        least = disc::distance(p, to);
+        least = distance(p, to);
         found = FewCells({x, y});
       }
     return found;

@@ -51,7 +51,7 @@ void cut(const disc::DiscSpace& space, Poller& poller, std::vector<Point>& path)
   std::vector<Point> cut(1, path.front());
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     const Point a = path[i - 1], b = path[i], c = path[i + 1];
-    const double before = disc::distance(a, b), after = disc::distance(b, c);
+    const double before = distance(a, b), after = distance(b, c);
     const double along = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
     const double deepest = std::min(before, after) / 2;
     const auto from = [&](double share) { return between(b, a, share * deepest / before); };

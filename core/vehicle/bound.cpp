@@ -65,7 +65,7 @@ double Bound::over_weights(Point start, Point goal, bool joined, const StopCondi
     }
     const Point at{std::clamp(p.x - cell.x, kOff, 1 - kOff),
                    std::clamp(p.y - cell.y, kOff, 1 - kOff)};
-    moved += terrain->weight(cell.x, cell.y) * cost::distance(at, {p.x - cell.x, p.y - cell.y});
+    moved += terrain->weight(cell.x, cell.y) * distance(at, {p.x - cell.x, p.y - cell.y});
     return at;
   };
   Cell from, to;

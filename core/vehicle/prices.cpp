@@ -65,7 +65,7 @@ EdgePrices::EdgePrices(const Prices& prices, const Vehicle& vehicle, const Latti
       const std::size_t begin = parts_.size();
       const auto weight = [](int, int) { return 1.0; };
       const auto take = [&](Cell cell, Point to) {
-        parts_.push_back({cell.x, cell.y, cost::distance(from, to)});
+        parts_.push_back({cell.x, cell.y, distance(from, to)});
         from = to;
       };
       cost::PathCost sum(weight, take);

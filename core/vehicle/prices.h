@@ -28,7 +28,7 @@ double walk_cells(const Segment& s, double at, cost::PathCost<Weight, OnPiece>& 
   for (int i = 1; i <= pieces; ++i) {
     const Pose to = s.pose(at * i / pieces);
     sum.add({from.x, from.y}, {to.x, to.y});
-    chords += cost::distance({from.x, from.y}, {to.x, to.y});
+    chords += distance({from.x, from.y}, {to.x, to.y});
     from = to;
   }
   return s.sharpest() == 0 || chords == 0 ? 1 : at / chords;

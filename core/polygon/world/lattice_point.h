@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/distance.h"
 #include "lasius/geometry.h"
 
 namespace lasius::polygon {
@@ -98,10 +99,5 @@ struct Lattice {
             origin_y + static_cast<double>(p.y) * spacing};
   }
 };
-
-inline double distance(Point a, Point b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 }  // namespace lasius::polygon

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/distance.h"
 #include "core/base/parallel.h"
 #include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/sweep_cells.h"
@@ -19,11 +20,6 @@ constexpr double kRounding = 1e-6;     // of a count of swaths
 constexpr double kDearness = 3;        // of what is left, against a swath
 constexpr double kNearEnds = 2;        // widths between ends that a straight way is looked for
 constexpr double kShareOfPlans = 0.7;  // of the time to a deadline; the rest is for what is joined
-
-double distance(Point a, Point b) noexcept {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 std::vector<Point> ends_of(const std::vector<Swath>& swaths) {
   std::vector<Point> ends;

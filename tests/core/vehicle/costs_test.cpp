@@ -117,7 +117,7 @@ TEST(VehicleCosts, OfTheLatticeAreSummedInOrder) {
         Point from{s.begin.x, s.begin.y};
         const auto even = [](int, int) { return 1.0; };
         const auto take = [&](Cell cell, Point to) {
-          parts.push_back({{cell.y, cell.x}, cost::distance(from, to)});
+          parts.push_back({{cell.y, cell.x}, distance(from, to)});
           from = to;
         };
         cost::PathCost sum(even, take);
