@@ -107,12 +107,12 @@ TourResult plan_tour(const Planner& unprepared, const TourRequest& request,
   const std::vector<Point>& places = stops.places;
   const int n = stops.size();
   if (n == 0) return tour;
-
-  const Planner planner = tour::prepared_for(unprepared, n, request.threads, request.stop);
   if (request.stop.token.stop_requested()) {
-    tour.status = Status::interrupted;  // before there was an order
+    tour.status = Status::interrupted;
     return tour;
   }
+
+  const Planner planner = tour::prepared_for(unprepared, n, request.threads, request.stop);
 
   tour::MapPricer pricer(planner, places, request.stop);
   Priced priced;

@@ -9,91 +9,86 @@
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/reasons.h"
-#include "tools/console/elapsed.h"
-#include "tools/console/exit_code.h"
-#include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
 #include "tools/tour/cover_picture.h"
-#include "tools/tour/tour_answer.h"
-#include "tools/tour/tour_files.h"
-#include "tools/tour/tsplib_problem.h"
+#include "tools/tour/tour_problem.h"
 
 namespace lasius::tool {
 namespace {
 
-class CoverProblem : public Problem {
+/// The stops of its answer are the ends of swaths, and the start.
+class CoverProblem : public TourProblem {
  public:
-  explicit CoverProblem(TourCommand command) : command_(std::move(command)) {}
+  explicit CoverProblem(TourCommand command) : TourProblem(std::move(command)) {}
 
-  std::optional<std::int64_t> read(const std::stop_token& token) override {
-    RunOptions& run = command_.run;
-    answer_.map = load_map(run.map, run.frame, run.params.corners, run.threads, token);
-    run.inputs.push_back(answer_.map.image);
-    check_radius(answer_.map, run);
-    width_ = answer_.map.cells_of(run.map.radius_metres, *command_.cover);
-    check_width();
-    if (command_.start) start_ = end_place(answer_.map, *command_.start, run.frame);
-    note_map(answer_.map, run);
-    return std::nullopt;
+  Forms show(const Record& run) const override {
+    Forms forms = TourProblem::show(run);
+    forms.picture = [&](auto& file) {
+      write_cover_picture(file, command_.run, answer_, cover_, width_);
+    };
+    return forms;
   }
-  void plan(const StopCondition& stop, const Watch& watch) override {
+
+ protected:
+  void read_world(const std::stop_token& token) override {
+    TourProblem::read_world(token);
+    width_ = answer_.map.cells_of(command_.run.map.radius_metres, *command_.cover);
+    check_width();
+  }
+  TourResult tour_of(const TourRequest& asked, const Watch& watch) override {
     const RunOptions& run = command_.run;
-    answer_.tour.status = Status::interrupted;
-    if (!answer_.map.planner) return;
-    const TourRequest asked = request_of(command_, stop);
+    cover_.tour.status = Status::interrupted;
+    if (!answer_.map.planner) return cover_.tour;
     CoverRequest request{.width = width_,
                          .open = asked.open,
                          .seed = asked.seed,
                          .generations = asked.generations,
                          .threads = asked.threads,
                          .stop = asked.stop};
-    if (start_) request.start = start_->at();
+    std::optional<Place> start;
+    if (answer_.start) start = place_at(*answer_.start), request.start = start->at();
     const TourObserver observer = told_to(watch, answer_.map.length_in(run.frame, 1), unit());
-    in_metres_asked(answer_.map, run, [&] {
-      const auto begin = Clock::now();
-      cover_ = plan_cover(*answer_.map.planner, request, observer);
-      answer_.elapsed_ms = ms_since(begin);
-    });
-    answer_.tour = cover_.tour;
-    for (const Point p : cover_.stops) answer_.stops.push_back(place_at(p));
-    if (start_ && !answer_.stops.empty()) {
+    in_metres_asked(answer_.map, run,
+                    [&] { cover_ = plan_cover(*answer_.map.planner, request, observer); });
+    if (cover_.stops.empty()) return cover_.tour;
+    answer_.stops.clear();
+    for (const Point p : cover_.stops) answer_.stops.push_back(place_of(p));
+    if (start) {
       answer_.start = static_cast<int>(answer_.stops.size()) - 1;
-      answer_.stops.back() = *start_;
+      answer_.stops.back() = *start;
     }
-    if (start_ && answer_.tour.status == Status::invalid) look_at_start();
+    return cover_.tour;
   }
-  Record record() const override {
-    const TourResult& tour = answer_.tour;
-    const Place nowhere;
-    const Place& start = start_ ? *start_ : nowhere;
-    const MapEnds ends(answer_.map, command_.run, start, start, answer_.ends);
-    Record record =
-        map_record(ends, search_result(tour), tour::find_algorithm(command_.ants.algorithm()));
-    record.format = kTourFormat;
-    if (answer_.ends.fault == Fault::none) record.error = tour.error;
-    record.inputs = {{"map", map_json(answer_.map)}};
-    if (!start_) record.start = Json();
-    record.goal = Json();
-    add_parameters(record.parameters, command_);
-    record.elapsed_ms = answer_.elapsed_ms;
-    for (const auto& path : tour_paths(answer_, in_metres())) record.path = coordinates(path);
-    if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
-    if (wants_json(command_.run)) record.answer = answer_of(ends, record);
-    return record;
+  // A path may lead out from a start that a tool which keeps its radius has no place at.
+  void look_at_ends() override {
+    TourProblem::look_at_ends();
+    if (!answer_.start || answer_.ends.fault != Fault::none) return;
+    const Place& start = place_at(*answer_.start);
+    const Frame frame = command_.run.frame;
+    const bool curved = route_of(answer_.map, command_.run).curved;
+    answer_.tour.error =
+        "start " + place_text(start, frame) +
+        obstruction_text(answer_.map, frame, obstruction_of(answer_.map, start, curved));
   }
-  Forms show(const Record& run) const override {
-    return {
-        .picture =
-            [&](auto& file) { write_cover_picture(file, command_.run, answer_, cover_, width_); },
-        .yaml = [&](std::ostream& out) { write_tour_poses(out, answer_, command_.run); },
-        .page = [&](std::ostream& out) { write_tour_page(out, run, answer_, command_.run); }};
+  std::string summary(const Record& record) const override {
+    std::string text =
+        counted(cover_.swaths(), "swath") + printed(", %.2f%%", 100 * cover_.covered) +
+        " covered of what the tool can come to, " +
+        printed("%.2f%% of the free area is out of its reach", 100 * cover_.unreachable);
+    if (!cover_.tour.lower_bound) return text;
+    text += "; no order of these swaths is below " +
+            decimal_text(record.scale * *cover_.tour.lower_bound, 3);
+    if (in_metres()) text += " m";
+    return text;
   }
-  SearchOptions& options() override { return command_.run; }
+  void add_answer(Json& json) const override {
+    json["stops"] = points(cover_.stops);
+    if (in_metres() && cover_.stops.empty()) json["stops_world"] = Json::array();
+    json["cover"] = cover_json(!cover_.stops.empty());
+  }
 
  private:
-  bool in_metres() const { return command_.run.frame == Frame::world; }
-  std::string unit() const { return in_metres() ? "m" : ""; }
   double told_length(double cells) const {
     return answer_.map.length_in(command_.run.frame, cells);
   }
@@ -109,7 +104,7 @@ class CoverProblem : public Problem {
       throw UsageError(given + " is no width: give more than 0 and at most the map's " +
                        to_text(most) + in);
   }
-  Place place_at(Point p) const {
+  Place place_of(Point p) const {
     const auto whole = [](double v, int side) {
       return std::min(static_cast<int>(std::floor(v)), side - 1);
     };
@@ -119,32 +114,6 @@ class CoverProblem : public Problem {
             .number = {1.0 * cell.x, 1.0 * cell.y},
             .asked = in_metres() ? answer_.map.to_world(p) : p,
             .point = p};
-  }
-  /// Asks for what `plan` says of an invalid start.
-  void look_at_start() {
-    const Request ends = lasius::tool::request_of(answer_.map, command_.run, *start_, *start_);
-    Result said = answer_.map.planner->plan(ends, command_.run.params);
-    if (said.fault == Fault::start_outside || said.fault == Fault::start_blocked) {
-      answer_.ends = of_tour(std::move(said), true);
-      return;
-    }
-    // A path may lead out from there, a tool that keeps its radius may not.
-    const Frame frame = command_.run.frame;
-    const bool curved = route_of(answer_.map, command_.run).curved;
-    answer_.tour.error =
-        "start " + place_text(*start_, frame) +
-        obstruction_text(answer_.map, frame, obstruction_of(answer_.map, *start_, curved));
-  }
-  std::string summary(const Record& record) const {
-    std::string text =
-        counted(cover_.swaths(), "swath") + printed(", %.2f%%", 100 * cover_.covered) +
-        " covered of what the tool can come to, " +
-        printed("%.2f%% of the free area is out of its reach", 100 * cover_.unreachable);
-    if (!cover_.tour.lower_bound) return text;
-    text += "; no order of these swaths is below " +
-            decimal_text(record.scale * *cover_.tour.lower_bound, 3);
-    if (in_metres()) text += " m";
-    return text;
   }
   Json cover_json(bool found) const {
     Json json = {{"width", number(width_)}};
@@ -164,31 +133,8 @@ class CoverProblem : public Problem {
     }
     return json;
   }
-  Json answer_of(const MapEnds& ends, const Record& record) const {
-    const bool found = record.has_path();
-    Json json = {{"stops", points(cover_.stops)}};
-    if (in_metres()) {
-      Json world = Json::array();
-      for (const Place& stop : answer_.stops) world.push_back(point(stop.asked));
-      json["stops_world"] = std::move(world);
-      json["start_world"] = start_ ? point(start_->asked) : Json();
-    }
-    json.update(order_json(answer_.tour));
-    json["legs"] = found ? legs_json(answer_, in_metres()) : Json();
-    json["length"] = number(record.result.length);
-    if (in_metres()) json["length_m"] = number(record.scale * record.result.length);
-    add_proof(json, record.result);
-    json["cover"] = cover_json(found);
-    json["left_out"] = Json::array();
-    json["priced"] = answer_.tour.priced;
-    if (answer_.ends.fault != Fault::none) json.update(end_findings(ends));
-    return json;
-  }
 
-  TourCommand command_;
   double width_ = 0;  // cells
-  std::optional<Place> start_;
-  TourAnswer answer_{};  // its stops are the ends of swaths, and the start
   CoverResult cover_;
 };
 

@@ -250,7 +250,7 @@ std::string TourProblem::summary(const Record& record) const {
 Json TourProblem::answer_of(const Record& record, const Json& findings) const {
   const TourResult& tour = answer_.tour;
   const bool found = record.has_path();
-  Json json = Json::object(), world;
+  Json json = {{"stops", Json::array()}}, world = Json::array();
   for (const Place& stop : answer_.stops) {
     json["stops"].push_back(cell_json(stop, in_metres()));
     world.push_back(point(stop.asked));

@@ -27,7 +27,7 @@ class TourProblem : public Problem {
   virtual void read_world(const std::stop_token& token);
   virtual Place to_place(const End& end) const;
   virtual TourResult tour_of(const TourRequest& request, const Watch& watch);
-  /// Of another world, what else is told: in `json`, the answer.
+  /// What else is told: in `json`, the answer.
   virtual void add_answer(Json&) const {}
   /// Why a stop is left out that is called so.
   virtual std::string why_not(const Place& place, const std::string& name) const;
@@ -36,16 +36,19 @@ class TourProblem : public Problem {
   /// The record's beginning; what else is to be told of the answer goes to `findings`.
   virtual Record head(Json& findings) const;
 
+  /// A sentence on the answer.
+  virtual std::string summary(const Record& record) const;
+
   bool in_metres() const { return command_.run.frame == Frame::world; }
+  std::string unit() const { return in_metres() ? "m" : ""; }
   const Place& place_at(int stop) const { return answer_.stops[static_cast<std::size_t>(stop)]; }
 
   TourCommand command_;
   TourAnswer answer_{};
 
  private:
-  std::string unit() const { return in_metres() ? "m" : ""; }
-  const Place& end_place(const std::optional<int>& end) const {
-    return end ? place_at(*end) : answer_.stops.front();
+  Place end_place(const std::optional<int>& end) const {
+    return end ? place_at(*end) : answer_.stops.empty() ? Place{} : answer_.stops.front();
   }
   bool is_end(int stop) const;
   std::optional<int> index_of(const std::optional<PoseEnd>& end);
@@ -56,7 +59,6 @@ class TourProblem : public Problem {
   }
   std::string why_left_out(const LeftOut& out) const;
   void look_at_end(int stop, bool start);
-  std::string summary(const Record& record) const;
   Json answer_of(const Record& record, const Json& findings) const;
 
   std::optional<int> bad_start_;  ///< of the answer's ends

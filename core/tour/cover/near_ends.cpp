@@ -170,6 +170,7 @@ std::vector<EndLink> near_ends(const Grid& clear, const ToolLines& lines,
 
 SwathChain chained(int swaths, std::span<const Point> stops, std::span<const EndLink> links) {
   constexpr int kMostRounds = 32;  // each leaves less than half of the paths, but for odd maps
+  if (stops.empty()) return {};
   Fragments parts(static_cast<int>(stops.size()));
   for (int end = 0; end < 2 * swaths; end += 2) parts.join(end, end + 1);
   const Chains chains(swaths, stops, links);

@@ -17,7 +17,7 @@ namespace lasius::tour {
 namespace {
 
 constexpr double kRounding = 1e-6;     // of a count of swaths
-constexpr double kDearness = 3;        // of what is left, against a swath
+constexpr double kDearness = 6;        // of what is left, against a swath: to go there and back
 constexpr double kNearEnds = 2;        // widths between ends that a straight way is looked for
 constexpr double kShareOfPlans = 0.7;  // of the time to a deadline; the rest is for what is joined
 

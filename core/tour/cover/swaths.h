@@ -30,7 +30,7 @@ struct SwathPlan {
   std::vector<Swath> swaths;
   bool cut = false;  ///< not all was looked at in time
   /// Of the tour: the swaths, from each end the way to the nearest of another, and the area that is
-  /// left, as if it took three swaths to cover it. Cells.
+  /// left, as if it took six swaths to cover it. Cells.
   double estimate = 0;
 };
 

@@ -14,7 +14,7 @@ namespace lasius::tour {
 
 namespace {
 
-constexpr int kBoundCandidates = 10;
+constexpr int kBoundCandidates = 6;
 constexpr int kMostTurns = 300;
 // Trees without gain before steps are halved: so many stops in all, within limits, or a share.
 constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
@@ -24,7 +24,7 @@ struct Pace {
 };
 // In corridors a bound is lost where steps become short too soon: where the quick pace leaves a
 // wide gap the slow one follows. With blossoms small steps do.
-constexpr Pace kQuick{4, 2, 1e-3}, kSlow{1, 2, 1e-3}, kSmall{8, 0.3, 0.02};
+constexpr Pace kQuick{8, 2, 0.02}, kSlow{1, 2, 1e-3}, kSmall{4, 0.5, 0.02};
 constexpr Sum kWide = 60;  // of the tour
 constexpr Sum kLeastGain =
     50;  // a round with small steps that closes less of the gap is a poor one

@@ -12,7 +12,7 @@
 namespace lasius::tour {
 
 /// A whole number that no tour with these ends is cheaper than; `upper` is the cost of one. The
-/// ascent is over 10 candidates a stop, each tree that is asserted over all legs, at their lower
+/// ascent is over 6 candidates a stop, each tree that is asserted over all legs, at their lower
 /// bounds where they are not priced: legs that such a tree takes are let in (and priced), blossoms
 /// that the mean of the last trees exceeds get prices as stops have (Lagrange's), and the ascent
 /// goes on, at most `rounds` times, until stopped, or until the bound meets `upper` or gains

@@ -26,10 +26,12 @@ class Pricer {
 class Costs {
  public:
   Costs(int size, const Cost* matrix) noexcept : size_(size), matrix_(matrix) {}
-  Costs(int size, Pricer& pricer) noexcept : size_(size), pricer_(&pricer) {}
+  /// `late`: a price may take long, so as few as can be are asked for.
+  Costs(int size, Pricer& pricer, bool late = true) noexcept
+      : size_(size), late_(late), pricer_(&pricer) {}
 
   int size() const noexcept { return size_; }
-  bool priced_late() const noexcept { return matrix_ == nullptr; }
+  bool priced_late() const noexcept { return late_; }
   Cost operator()(int a, int b) const {
     return matrix_ != nullptr ? matrix_[static_cast<std::size_t>(a) * size_ + b]
                               : pricer_->price(a, b);
@@ -48,6 +50,7 @@ class Costs {
 
  private:
   int size_;
+  bool late_ = false;
   const Cost* matrix_ = nullptr;
   Pricer* pricer_ = nullptr;
 };

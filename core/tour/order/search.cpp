@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
@@ -22,6 +25,7 @@ constexpr int kCandidates = 8;
 constexpr int kFirstAnts = 10, kMostAnts = 40;
 constexpr double kKicksOfAnt = 0.3;  // a stop
 constexpr int kPatience = 3;         // generations without change
+constexpr int kSoon = 1000;          // stops: by bounds alone in some hundredths of a second
 
 // The search over closed tours of more than kMostBySubsets stops.
 class Colony {
@@ -36,15 +40,13 @@ class Colony {
         recombiner_(costs, candidates),
         poller_(options.stop, 1 << 12) {}
 
-  /// From the tour `first`, which was told, or by savings.
+  /// From the tour `first`, which was told, or by savings where that is cheaper.
   void run(std::optional<ArrayTour> first) {
     const int n = costs_.size();
     const std::int64_t kicks = options_.kicks < 0 ? n : options_.kicks;
-    best_ = std::move(first);
-    if (best_)
-      told_ = best_->cost();
-    else
-      best_.emplace(costs_, savings_order(costs_, candidates_));
+    best_.emplace(costs_, savings_order(costs_, candidates_));
+    if (first) told_ = first->cost();
+    if (first && told_ <= best_->cost()) best_ = std::move(first);
     kernels::RandomStream random(options_.seed, 0, 0, kUse);
     const bool done = local_.improve(*best_, poller_);
     if (!offer(*best_) || !done) return;
@@ -127,6 +129,30 @@ class Colony {
   int generations_ = 0;
 };
 
+struct Bounds final : Pricer {
+  explicit Bounds(const Costs& of) : costs(of) {}
+  Cost price(int a, int b) override { return costs.lower(a, b); }
+  Cost lower(int a, int b) const override { return costs.lower(a, b); }
+  Cost largest() const override { return costs.largest(); }
+  Costs costs;
+};
+
+// A round tour that is short by the bounds of costs: no leg is priced. Of few stops soon there, and
+// the same whatever the time.
+std::vector<int> round_by_bounds(const Costs& costs, std::span<const Point> places,
+                                 std::span<const std::pair<int, int>> more,
+                                 const StopCondition& stop) {
+  Bounds bounds(costs);
+  const Costs known(costs.size(), bounds, false);
+  Candidates candidates(known, places, kCandidates, stop);
+  if (!more.empty()) candidates.add(known, more);
+  ArrayTour tour(known, savings_order(known, candidates));
+  const StopCondition never;
+  Poller poller(costs.size() <= kSoon ? never : stop, 1 << 12);
+  LocalSearch(known, candidates).improve(tour, poller);
+  return tour.order();
+}
+
 }  // namespace
 
 void check_ends(int size, const Ends& ends) {
@@ -169,18 +195,24 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
     result.cost = tour.cost() - (more ? more->surplus() : 0);
     return tell();
   };
-  std::optional<ArrayTour> first;
-  if (!options.first.empty()) {
-    std::vector<int> round = options.first;
-    if (more) round.push_back(costs.size());
-    first.emplace(closed, std::move(round));
-    result.cause = options.stop.poll();  // legs that were not priced tell nothing of other tours
-    if (!found(*first) || result.cause != StopCondition::Cause::none) return result;
-  }
-  Candidates candidates(closed, places, kCandidates, options.stop);
-  if (more) candidates.add(closed, more->all_legs());
   OrderOptions inner = options;
   if (more) inner.target += more->surplus();
+  std::vector<std::pair<int, int>> legs_of_more;
+  if (more) legs_of_more = more->all_legs();
+  std::vector<int> round = options.first;
+  if (more && !round.empty()) round.push_back(costs.size());
+  if (round.empty() && closed.priced_late())
+    round = round_by_bounds(closed, places, legs_of_more, options.stop);
+  std::optional<ArrayTour> first;
+  if (!round.empty()) {
+    first.emplace(closed, std::move(round));
+    result.cause = options.stop.poll();  // legs that were not priced tell nothing of other tours
+    if (!found(*first) || result.cause != StopCondition::Cause::none ||
+        first->cost() <= inner.target)
+      return result;
+  }
+  Candidates candidates(closed, places, kCandidates, options.stop);
+  if (more) candidates.add(closed, legs_of_more);
   Colony colony(closed, candidates, inner, found);
   colony.run(std::move(first));
   result.cause = colony.cause();

@@ -19,7 +19,8 @@ struct OrderOptions {
   std::int64_t kicks = -1;  ///< of the first tour; -1: one a stop
   int generations = -1;     ///< of the colony that recombines, in all; -1: until stopped
   std::int64_t target = 0;  ///< a cost that ends the search
-  /// All stops, from the start, told before any search, which then begins there; empty: by savings.
+  /// All stops, from the start: told before any search. Empty: of costs that are priced late one
+  /// that is short by their bounds, else none.
   std::vector<int> first = {};
   /// What is given of the order; null: nothing. Costs may then differ with their direction.
   const PartialOrder* given = nullptr;

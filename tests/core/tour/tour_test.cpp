@@ -324,11 +324,12 @@ TEST(Tours, OfADiscGoWhereItFits) {
 }
 
 TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
-  const Planner planner = Planner(rooms()).prepared({});
+  const Planner plain(rooms()), ready = plain.prepared({});
   int cut = 0;
   for (const int count : {40, 120})
     for (const bool given : {false, true})
       for (const int look : {1, 2, 3, 5, 20, 100}) {
+        const Planner& planner = look % 2 == 0 ? ready : plain;  // which a tour prepares
         TourRequest request = ask(some_stops(planner.grid(), count));
         request.generations = 2;
         if (given) {
@@ -352,10 +353,37 @@ TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
         }
       }
   EXPECT_GT(cut, 24);
-  TourRequest request = ask(some_stops(planner.grid(), 40));
+  TourRequest request = ask(some_stops(plain.grid(), 40));
   request.stop = fired();  // before there is any order
-  EXPECT_EQ(plan_tour(planner, request).status, Status::interrupted);
-  EXPECT_TRUE(plan_tour(planner, request).order.empty());
+  EXPECT_EQ(plan_tour(plain, request).status, Status::interrupted);
+  EXPECT_TRUE(plan_tour(plain, request).order.empty());
+}
+
+// Of legs that are priced when they are asked for; by more looks at the clock, not by its time.
+TEST(Tours, AreNotLongerTheLaterTheyAreCut) {
+  const Planner planner(rooms(), Disc{0.5});
+  TourRequest request = ask(some_stops(planner.grid(), 130));
+  request.generations = 1;
+  request.threads = 1;
+  double before = 0, first = 0;
+  int cut = 0;
+  for (int looks = 0; looks < 1 << 20; looks += 1 + looks) {
+    const CountingTime time(looks);
+    request.stop = time.is_up();
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_EQ(tour.order.size(), tour.legs.size());
+    ASSERT_GT(tour.order.size(), 100u);
+    if (before > 0) {
+      EXPECT_LE(tour.length, before + 1e-3 * static_cast<double>(tour.order.size())) << looks;
+    } else {
+      first = tour.length;
+    }
+    before = tour.length;
+    if (tour.status == Status::solved) break;
+    ++cut;
+  }
+  EXPECT_GT(cut, 8);
+  EXPECT_LT(before, first);
 }
 
 }  // namespace

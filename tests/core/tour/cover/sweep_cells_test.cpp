@@ -111,6 +111,7 @@ TEST(NearEnds, ChainToAndFro) {
   const SwathChain chain = chained(6, stops, links);
   EXPECT_DOUBLE_EQ(chain.length, 5 * 2 + 10);
   EXPECT_DOUBLE_EQ(chained(6, stops, {}).length, 5 * 2 + 10);  // by straight ways alone
+  EXPECT_EQ(chained(0, {}, {}).length, 0);
 }
 
 TEST(SwathOrder, KeepsTheEndsOfASwathTogether) {
