@@ -1,6 +1,7 @@
 // lasius_bench exact: preparation, anytime figures, memory and threads of the exact planner.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/clocks.h"
@@ -8,6 +9,7 @@
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "core/base/special_values.h"
 #include "core/exact/exact.h"
 #include "lasius/batch.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 struct ExactOptions : QueryOptions {
   ExactOptions() : QueryOptions{.count = 30, .rounds = 3} {}
+  std::size_t batch = 0;
 };
 
 constexpr double kGaps[] = {0.1, 0.03, 0.01, 0};
@@ -33,6 +36,25 @@ double mean_time(const QuerySet& set, double gap, int rounds, double& peak) {
     peak = std::max(peak, static_cast<double>(search.bytes()));
   }
   return sum / static_cast<double>(set.queries.size());
+}
+
+// Corners that the searches from each end expand: from the goal over from the start, and of each
+// query the fewer, which is what a choice of the end could gain at most, over from the start.
+std::pair<double, double> compare_ends(const QuerySet& set) {
+  double there = 0, back = 0, fewer = 0;
+  ExactSearch search;
+  ExactAnswer answer;
+  const auto expanded = [&](Cell from, Cell to) {
+    search.search(set.grid, from, to, {}, {}, answer);
+    return static_cast<double>(search.counters().expansions);
+  };
+  for (const Query& query : set.queries) {
+    const double one = expanded(query.start, query.goal), other = expanded(query.goal, query.start);
+    there += one;
+    back += other;
+    fewer += std::min(one, other);
+  }
+  return {back / there, fewer / there};
 }
 
 // What a second thread does to a batch: wall clock with one over that with two, and processor time
@@ -67,6 +89,25 @@ Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds)
   return {median(gains), median(costs)};
 }
 
+// Seconds of processor time of a batch of so many queries, those of the set again and again, by a
+// planner that may make a graph for itself and by one that may not.
+std::pair<double, double> time_batch(const QuerySet& set, std::size_t count) {
+  std::vector<lasius::Request> queries;
+  queries.reserve(count);
+  while (queries.size() < count) {
+    const Query& query = set.queries[queries.size() % set.queries.size()];
+    queries.push_back({query.start, query.goal});
+  }
+  const auto spent = [&](bool may) {
+    Planner planner(set.grid);
+    if (!may) planner.limit_own_graph(0);
+    const ProcessorStopwatch watch;
+    plan_batch(planner, queries, {}, {.threads = 1}, [](const BatchAnswer&) {});
+    return watch.seconds();
+  };
+  return {spent(true), spent(false)};
+}
+
 void measure_map(const QuerySet& set, const ExactOptions& options, Table& table) {
   const Stopwatch watch;
   const Planner planner(set.grid);
@@ -78,7 +119,11 @@ void measure_map(const QuerySet& set, const ExactOptions& options, Table& table)
   double peak = 0;
   for (const double gap : kGaps) figures.push_back(mean_time(set, gap, options.rounds, peak));
   const Threads threads = compare_threads(planner, set, options.rounds);
-  figures.insert(figures.end(), {peak / 1e6, threads.gain, threads.cost});
+  const auto [back, fewer] = compare_ends(set);
+  figures.insert(figures.end(), {peak / 1e6, threads.gain, threads.cost, back, fewer});
+  const auto [own, none] =
+      options.batch > 0 ? time_batch(set, options.batch) : std::pair(kNaN, kNaN);
+  figures.insert(figures.end(), {own, none});
   table.row(set.name, figures);
 }
 
@@ -89,7 +134,8 @@ void run_exact(const ExactOptions& options) {
           " rounds. Preparation without the copy of the map; microseconds of processor "
           "time a query, mean, to a certified gap.",
       {"map", "prepared, ms a million cells", "bits a cell", "gap 10%", "gap 3%", "gap 1%",
-       "proven", "MB a query, most", "batch, time with 1 / 2 threads", "processor time, 2 / 1"});
+       "proven", "MB a query, most", "batch, time with 1 / 2 threads", "processor time, 2 / 1",
+       "corners, goal / start", "fewer / start", "batch, s", "without a graph of its own, s"});
   for (const QuerySource& source : sources_of(options.maps))
     measure_map(load(source, options.count), options, table);
 }
@@ -100,6 +146,8 @@ void add_exact_command(CLI::App& app) {
   const auto [command, options] = add_command(
       app, "exact", "Preparation, anytime figures, memory and threads of `exact`", run_exact);
   add_query_options(command, options);
+  add_number(command, "--batch", options.batch,
+             "Queries of a batch with and without a graph of its own");
 }
 
 }  // namespace lasius::bench

@@ -1,8 +1,9 @@
 // lasius_bench labels: answers read off hub labels, against searches on the same queries.
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
@@ -13,6 +14,7 @@
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "lasius/path.h"
+#include "lasius/planner.h"
 
 namespace lasius::bench {
 namespace {
@@ -25,7 +27,8 @@ struct LabelOptions : QueryOptions {
 
 // Microseconds a query of each, the least of some rounds in turn; lengths that differ.
 struct LabelTimes {
-  double labels = kInfinity, checked = kInfinity, graph = kInfinity, plain = kInfinity;
+  double labels = kInfinity, checked = kInfinity, plan = kInfinity, graph = kInfinity,
+         plain = kInfinity;
   int wrong = 0;
 };
 
@@ -35,6 +38,8 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
   exact::PreparedSearch by_graph;
   ExactSearch plain;
   ExactAnswer answer, expected;
+  const Planner planner(set.grid, PrepareOptions{.threads = 1, .labels = true});
+  Workspace workspace;
   LabelTimes times;
   const auto ask = [&](const Query& query) {
     return by_labels.search(set.grid, graph, labels, centre(query.start), centre(query.goal), {},
@@ -59,6 +64,9 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
     least(times.checked, [&](const Query& query) {
       if (ask(query) && path_fault(set.grid, answer.path)) ++times.wrong;
     });
+    least(times.plan, [&](const Query& query) {
+      planner.plan({query.start, query.goal}, {}, &workspace);
+    });
     least(times.graph, [&](const Query& query) {
       by_graph.search(set.grid, graph, query.start, query.goal, {}, {}, expected);
     });
@@ -69,41 +77,83 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
   return times;
 }
 
+// Graph and labels of a map, and the seconds that they took.
+struct MadeLabels {
+  std::shared_ptr<const exact::CornerGraph> graph;
+  std::shared_ptr<const exact::CornerLabels> labels;
+  double graph_seconds = 0, label_seconds = 0;  // of processor time
+  double wall = 0;
+
+  double processor() const { return graph_seconds + label_seconds; }
+};
+
+MadeLabels make_labels(const Grid& grid, int threads) {
+  const PrepareOptions how{.threads = threads, .labels = true};
+  Preparation report;
+  MadeLabels made;
+  const Stopwatch wall;
+  ProcessorStopwatch watch;
+  made.graph = exact::CornerGraph::make(grid, how, report);
+  made.graph_seconds = watch.seconds();
+  if (made.graph == nullptr) return made;
+  watch = {};
+  made.labels = exact::CornerLabels::make(grid, *made.graph, how, report.labels);
+  made.label_seconds = watch.seconds();
+  made.wall = wall.seconds();
+  return made;
+}
+
+// What more threads do to preparation: wall clock with one over that with all, and processor time
+// with all over that with one, each the least of some rounds in turn.
+std::pair<double, double> compare_preparation(const Grid& grid, int threads, int rounds) {
+  struct LeastTimes {
+    double wall = kInfinity, processor = kInfinity;
+    void add(const MadeLabels& made) {
+      wall = std::min(wall, made.wall);
+      processor = std::min(processor, made.processor());
+    }
+  } one, all;
+  for (int round = 0; round < rounds; ++round) {
+    one.add(make_labels(grid, 1));
+    all.add(make_labels(grid, threads));
+  }
+  return {one.wall / all.wall, all.processor / one.processor};
+}
+
 void run_labels(const LabelOptions& options) {
   Table table("Hub labels on " + std::to_string(options.count) +
                   " queries a map at most: processor time of one thread, the least of " +
                   std::to_string(options.rounds) + " rounds in turn; preparation by " +
                   std::to_string(options.threads) + " threads, processor time.",
-              {"map", "labels, us", "path checked, us", "graph / labels", "exact / labels",
-               "lengths that differ", "entries a corner", "labels, MB", "graph, MB", "graph, s",
-               "labels, s"},
+              {"map", "labels, us", "path checked, us", "whole plan, us", "graph / labels",
+               "exact / labels", "lengths that differ", "entries a corner", "labels, MB",
+               "graph, MB", "graph, s", "labels, s", "preparation, time with 1 / all threads",
+               "processor time, all / 1"},
               options.markdown);
-  double labelled = 0, checked = 0, graphs = 0, plain = 0, worst = 0;
+  double labelled = 0, checked = 0, plans = 0, graphs = 0, plain = 0, worst = 0;
   int maps = 0;
   for (const QuerySource& source : sources_of(options.maps, {options.markdown})) {
     const QuerySet set = load(source, options.count);
-    PrepareOptions how{.threads = options.threads, .labels = true};
-    Preparation report;
-    ProcessorStopwatch watch;
-    const auto graph = exact::CornerGraph::make(set.grid, how, report);
-    const double graph_seconds = watch.seconds();
-    if (graph == nullptr) continue;
-    watch = {};
-    const auto labels = exact::CornerLabels::make(set.grid, *graph, how, report.labels);
-    const double seconds = watch.seconds();
-    if (labels == nullptr) {
-      table.row(set.name, {kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN,
-                           1e-6 * static_cast<double>(graph->bytes()), graph_seconds, seconds});
+    const MadeLabels made = make_labels(set.grid, options.threads);
+    if (made.graph == nullptr) continue;
+    const double graph_megabytes = 1e-6 * static_cast<double>(made.graph->bytes());
+    if (made.labels == nullptr) {
+      table.row(set.name, {kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, graph_megabytes,
+                           made.graph_seconds, made.label_seconds, kNaN, kNaN});
       continue;
     }
-    const LabelTimes times = measure_answers(set, *graph, *labels, options.rounds);
-    table.row(set.name,
-              {times.labels, times.checked, times.graph / times.labels, times.plain / times.labels,
-               1.0 * times.wrong, static_cast<double>(labels->entry_count()) / graph->size(),
-               1e-6 * static_cast<double>(labels->bytes()),
-               1e-6 * static_cast<double>(graph->bytes()), graph_seconds, seconds});
+    const LabelTimes times = measure_answers(set, *made.graph, *made.labels, options.rounds);
+    const auto [gain, cost] = options.threads > 1
+                                  ? compare_preparation(set.grid, options.threads, options.rounds)
+                                  : std::pair(kNaN, kNaN);
+    table.row(set.name, {times.labels, times.checked, times.plan, times.graph / times.labels,
+                         times.plain / times.labels, 1.0 * times.wrong,
+                         static_cast<double>(made.labels->entry_count()) / made.graph->size(),
+                         1e-6 * static_cast<double>(made.labels->bytes()), graph_megabytes,
+                         made.graph_seconds, made.label_seconds, gain, cost});
     labelled += std::log(times.labels);
     checked += std::log(times.checked);
+    plans += std::log(times.plan);
     graphs += std::log(times.graph);
     plain += std::log(times.plain);
     worst = std::max(worst, times.checked);
@@ -112,8 +162,8 @@ void run_labels(const LabelOptions& options) {
   const auto mean = [&](double logarithms) { return short_number(std::exp(logarithms / maps)); };
   table.close(std::to_string(maps) + " maps with labels, geometric means: " + mean(labelled) +
               " us, path checked " + mean(checked) + " us (worst " + short_number(worst) +
-              "); graph / labels " + mean(graphs - labelled) + ", exact / labels " +
-              mean(plain - labelled) + ".\n");
+              "), whole plan " + mean(plans) + " us; graph / labels " + mean(graphs - labelled) +
+              ", exact / labels " + mean(plain - labelled) + ".\n");
 }
 
 }  // namespace

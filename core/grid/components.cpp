@@ -110,6 +110,7 @@ void Components::relabel(const Grid& grid, Work& work) {
     const auto inside = static_cast<std::uint32_t>(work.labels.inside_components());
     count_ += std::int64_t{inside} - tile.inside;
     tile.inside = inside;
+    tile.main = work.labels.main();
     const auto marks = work.labels.marks();
     if (work.all || sides != 0 || !std::ranges::equal(tile.marks, marks)) {
       tile.marks.assign(marks.begin(), marks.end());
@@ -187,35 +188,23 @@ const Components::Block& Components::block(std::size_t level, Cell tile) const n
   return blocks_[level][(tile.y >> (level + 1)) * columns(level) + (tile.x >> (level + 1))];
 }
 
-// The piece of the smallest block in which all pieces of a tile are one; none if they are many.
-std::optional<Components::Membership> Components::only_piece(Cell tile) const noexcept {
-  std::array<Piece, 16> pieces;
-  const std::vector<Piece>& up = tiles_[part(0, tile)].up;
-  if (up.empty() || up.size() > pieces.size()) return std::nullopt;
-  auto end = std::copy(up.begin(), up.end(), pieces.begin());
-  for (std::size_t level = 0; level < blocks_.size(); ++level) {
-    std::sort(pieces.begin(), end);
-    end = std::unique(pieces.begin(), end);
-    if (end - pieces.begin() == 1) return Membership{Membership::Met::piece, level, pieces[0]};
-    const Block& around = block(level, tile);
-    if (end[-1] >= around.outline.open) return std::nullopt;
-    std::transform(pieces.begin(), end, pieces.begin(), [&](Piece p) { return around.up[p]; });
-  }
-  return std::nullopt;
-}
-
 Components::Membership Components::membership(const Grid& grid, Cell c, Cell other) const noexcept {
   using Met = Membership::Met;
   const Cell at{c.x / kTile, c.y / kTile};
   const Tile& tile = tiles_[part(0, at)];
-  const auto only = only_piece(at);
-  if (only && tile.inside == 0) return *only;
+  const auto is_main = [&](Cell cell) {
+    return cell.x / kTile == at.x && cell.y / kTile == at.y &&
+           tile.main.is_alone(cell.x % kTile, cell.y % kTile);
+  };
+  if (is_main(c)) {
+    if (tile.main.piece != Side::kNone) return {Met::piece, 0, tile.up[tile.main.piece]};
+    if (is_main(other)) return {Met::other, 0, 0};
+  }
   const TileBox box = TileBox::at(grid, at.x, at.y);
   const FloodEnd end = flood(grid, box, connectivity_ == Connectivity::eight, c, other);
   if (end.met != FloodEnd::Met::border) {
     return {end.met == FloodEnd::Met::other ? Met::other : Met::nothing, 0, 0};
   }
-  if (only) return *only;
   int found = 0;
   for_each_run(border_of(grid, box), tile.marks.data(), [&](int, int last, int piece) {
     found = piece;

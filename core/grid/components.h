@@ -20,9 +20,10 @@ namespace lasius {
 ///
 /// The grid is cut into tiles of 256 x 256 cells, and four tiles are a block, four blocks a larger
 /// one, up to the map. Of each only the components that reach beyond are stored: where they meet
-/// its neighbours, and to which component of the next larger block they belong. A query floods at
-/// most the two tiles of its cells, no farther than to their borders, and climbs from there. An
-/// edit floods its tiles, then climbs as far as a block's outline changes.
+/// its neighbours, and to which component of the next larger block they belong. Most cells of a
+/// tile are of one component, and a bit for each 16 x 16 cells tells where others lie. A query of
+/// cells there floods at most their two tiles, no farther than to their borders, and climbs from
+/// there. An edit floods its tiles, then climbs as far as a block's outline changes.
 class LASIUS_EXPORT Components {
  public:
   enum class Connectivity { four, eight };
@@ -62,6 +63,7 @@ class LASIUS_EXPORT Components {
     std::vector<std::uint64_t> marks;  // see kFirstRun
     std::vector<Piece> up;             // pieces of the block above, per piece
     std::uint32_t inside = 0;          // components that do not touch the border
+    MainComponent main;
     friend bool operator==(const Tile&, const Tile&) = default;
   };
   struct Block {
@@ -79,7 +81,6 @@ class LASIUS_EXPORT Components {
   void rejoin(const Grid& grid, std::size_t level, Work& work);
   std::ptrdiff_t part(std::size_t level, Cell at) const noexcept;
   const Block& block(std::size_t level, Cell tile) const noexcept;  // the one around a tile
-  std::optional<Membership> only_piece(Cell tile) const noexcept;
   Membership membership(const Grid& grid, Cell c, Cell other) const noexcept;
 
   Connectivity connectivity_ = Connectivity::four;

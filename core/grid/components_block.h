@@ -56,6 +56,23 @@ class Side {
   std::vector<std::uint16_t> codes_;  // pieces; with the highest bit, numbers of contacts
 };
 
+/// Of a tile, the component that seems largest: most cells are of it.
+struct MainComponent {
+  Piece piece = Side::kNone;              ///< none if it does not touch the border
+  std::array<std::uint64_t, 4> beside{};  ///< a bit for 16 x 16 cells where others have some, too
+  friend bool operator==(const MainComponent&, const MainComponent&) = default;
+
+  /// Do all free cells around (x, y) of the tile belong to it?
+  bool is_alone(int x, int y) const noexcept { return (beside[y >> 6] >> bit(x, y) & 1) == 0; }
+  /// A run of a row is of another one.
+  void add_other(int first, int last, int y) noexcept {
+    beside[y >> 6] |= (std::uint64_t{2} << bit(last, y)) - (std::uint64_t{1} << bit(first, y));
+  }
+
+ private:
+  static int bit(int x, int y) noexcept { return (y >> 4 & 3) * 16 + (x >> 4); }
+};
+
 /// What the rest of the map sees of a tile or block.
 struct Outline {
   enum Direction { north, east, south, west };

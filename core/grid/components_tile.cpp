@@ -229,6 +229,7 @@ void outline_tile(const Grid& grid, const TileBox& box, std::span<const std::uin
 TileLabels::TileLabels()
     : runs_(std::make_unique_for_overwrite<Run[]>(kMostRuns)),
       parents_(std::make_unique_for_overwrite<std::uint16_t[]>(kMostRuns)),
+      cells_(std::make_unique_for_overwrite<std::uint16_t[]>(kMostRuns)),
       marked_(std::make_unique_for_overwrite<std::uint8_t[]>(kMostRuns)) {}
 
 int TileLabels::find(int run) noexcept {
@@ -286,13 +287,37 @@ void TileLabels::label(const Grid& grid, const TileBox& box, bool eight) {
     unite_row(row, eight ? 1 : 0);
   }
   first_[box.height] = run_count_;
+  find_main(box.height);
   components_ = 0;
   // Parents come first: one look up makes every run point at its root.
-  for (int run = 0; run < run_count_; ++run) {
+  for (int run = 0, row = 0; run < run_count_; ++run) {
     components_ += parents_[run] == run;
     parents_[run] = parents_[parents_[run]];
+    if (parents_[run] == main_run_) continue;
+    while (first_[row + 1] <= run) ++row;
+    main_.add_other(runs_[run].lo, runs_[run].hi, row);
   }
   mark_border(box);
+}
+
+// That of the most cells in some rows, which is the largest as a rule.
+void TileLabels::find_main(int rows) noexcept {
+  constexpr int kBetween = 16;
+  const auto for_some = [&](const auto& visit) {
+    for (int row = 0; row < rows; row += kBetween) {
+      for (int run = first_[row]; run < first_[row + 1]; ++run) visit(run, find(run));
+    }
+  };
+  for_some([&](int, int root) { cells_[root] = 0; });
+  main_ = {};
+  main_run_ = 0;
+  int most = 0;
+  for_some([&](int run, int root) {
+    cells_[root] += static_cast<std::uint16_t>(runs_[run].hi - runs_[run].lo + 1);
+    if (cells_[root] <= most) return;
+    most = cells_[root];
+    main_run_ = root;
+  });
 }
 
 void TileLabels::mark_border(const TileBox& box) {
@@ -331,7 +356,11 @@ void TileLabels::mark_border(const TileBox& box) {
   };
   for (int i = 0; i < count; ++i) marked_[runs[i]] = 0;
   border_components_ = 0;
-  for (int i = 0; i < count; ++i) border_components_ += mark_new(i, kFirstRun);
+  for (int i = 0; i < count; ++i) {
+    if (runs[i] == main_run_ && main_.piece == Side::kNone)
+      main_.piece = static_cast<Piece>(border_components_);
+    border_components_ += mark_new(i, kFirstRun);
+  }
   for (int i = count - 1; i >= 0; --i) mark_new(i, kLastRun);
 }
 

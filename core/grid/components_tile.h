@@ -84,6 +84,7 @@ class TileLabels {
 
   int inside_components() const noexcept { return components_ - border_components_; }
   std::span<const std::uint64_t> marks() const noexcept { return marks_; }
+  const MainComponent& main() const noexcept { return main_; }
 
  private:
   struct Run {
@@ -93,13 +94,17 @@ class TileLabels {
   int find(int run) noexcept;
   void add_row(const Grid& grid, const TileBox& box, int row);
   void unite_row(int row, int reach) noexcept;
+  void find_main(int rows) noexcept;
   void mark_border(const TileBox& box);
 
   std::unique_ptr<Run[]> runs_;
   std::unique_ptr<std::uint16_t[]> parents_;            // smaller or equal, per run
+  std::unique_ptr<std::uint16_t[]> cells_;              // in some rows, by a component's first run
   std::array<std::int32_t, TileBox::kSide + 1> first_;  // run of each row
   std::unique_ptr<std::uint8_t[]> marked_;              // scratch, per run
   std::vector<std::uint64_t> marks_;
+  MainComponent main_;
+  int main_run_ = 0;  // the first of it
   int run_count_ = 0;
   int components_ = 0;
   int border_components_ = 0;

@@ -81,8 +81,9 @@ class Ends {
   /// Of two that serve; nothing if stopped.
   std::optional<bool> joined(Point a, Point b) const {
     if (space_ != nullptr) return space_->joined(a, b);
+    const FewCells goals = walked_from(b);
     for (const Cell from : walked_from(a))
-      for (const Cell to : walked_from(b)) {
+      for (const Cell to : goals) {
         const auto both = map_.connected(from, to, corners_);
         if (both != false) return both;
       }
@@ -102,10 +103,13 @@ class Ends {
     const Grid& map = map_alone();
     FewCells cells;
     if (!(p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height())) return cells;
-    const Cell last{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
+    const Cell last{static_cast<int>(p.x), static_cast<int>(p.y)};
+    if (p == centre(last)) {
+      if (map_.grid.free(last)) cells.add(last);
+      return cells;
+    }
+    if (map_.disc != nullptr) return legs_from(p, last);
     const Cell first{static_cast<int>(std::ceil(p.x)) - 1, static_cast<int>(std::ceil(p.y)) - 1};
-    const bool alone = map_.disc == nullptr;
-    if (!alone && p != centre(last)) return legs_from(p, last);
     for (int y = last.y; y >= first.y; --y)
       for (int x = last.x; x >= first.x; --x)
         if (map_.grid.free({x, y})) cells.add({x, y});

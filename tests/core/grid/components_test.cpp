@@ -93,6 +93,9 @@ TEST(Components, EqualBreadthFirstSearchOnMadeMaps) {
       // A snake through all rows, and a comb.
       grid_of(600, 600, [](int x, int y) { return y % 2 == 1 && x != (y % 4 == 1 ? 0 : 599); }),
       grid_of(600, 600, [](int x, int y) { return y % 2 == 1 && x != 0; }),
+      // A closed yard with closed rooms in it: nothing touches the border of the one tile.
+      grid_of(250, 250,
+              [&](int x, int y) { return ring(x, y, 250) == 0 || ring(x % 50, y % 50, 20) == 0; }),
       // Cells of 5 x 5 with walls between, some with a door.
       grid_of(600, 600, [&random](int x, int y) {
         return (x % 6 == 0 || y % 6 == 0) && !(random() % 9 == 0);
