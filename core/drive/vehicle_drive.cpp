@@ -97,6 +97,7 @@ class VehicleDrive final : public DriveLoop {
     static_cast<lasius::DriveResult&>(result) = DriveLoop::run();
     result.poses = std::move(poses_);
     result.moves = std::move(moves_);
+    if (result.status == Status::solved) result.goal = vehicles_pilot_.way().goal;
     return result;
   }
 

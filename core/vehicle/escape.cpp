@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoom = 0.5;
 constexpr double kMostRoom = 6;
 constexpr int kExpanded = 64;
-constexpr int kCrept = 20'000;        ///< the same of small motions
+constexpr int kCrept = 6000;          ///< the same of small motions
 constexpr double kBox = 0.25;         ///< cells
 constexpr double kTurned = kPi / 60;  ///< of a box
 constexpr int kPlaces = 6;            ///< from which connectors are looked for

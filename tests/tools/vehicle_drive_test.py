@@ -91,14 +91,28 @@ class VehicleDrives(ProgramTest):
             self.assertLess(abs(math.remainder(world(*at)[2] - there[2], 2 * math.pi)), 1e-9)
         self.quiet(self.run_program("verify", "-q", "w.json"))
 
+    def test_over_costs_and_to_one_of_several_goals(self):
+        near, far = "20,4,0", "38,25,90deg"
+        run = self.drive("car.json", "--goal", near, "--inflation", "4,1", "--sense", "8", "--json", "-o", "run.json", goal=far)
+        self.assertEqual(run.code, 0, run.err)
+        result = run.json
+        self.check(result, CAR)
+        self.assertEqual(len(result["goals"]), 2)
+        self.assertEqual(result["goal"], result["goals"][result["goal_index"]])
+        self.assertLess(math.dist(result["track"][-1], result["goal"]), 1e-6)
+        self.assertGreater(result["cost"], result["length"])
+        self.assertIn("inflation", result["parameters"])
+        self.quiet(self.run_program("verify", "-q", "run.json"))
+
     def test_what_is_refused(self):
         for options, said in ((("--radius", "2"), "--radius with --vehicle"), (("--algorithm", "mmas"), "lattice alone"),
-                              (("--inflation", "3,1"), "--inflation with --vehicle"),
                               (("--prepare",), "--prepare with --vehicle")):
             self.refused(self.drive("car.json", *options), 2, said)
         self.refused(self.drive("car.json", start="4,4"), 2, "X,Y,YAW")
         self.refused(self.run_program("drive", "yard.map", "--start", "1,1", "--goal", "3,3", "--heading-tolerance", "1"),
                      2, "--heading-tolerance is for --vehicle")
+        self.refused(self.run_program("drive", "yard.map", "--start", "1,1", "--goal", "3,3", "--goal", "2,2"),
+                     2, "several goals are for --vehicle")
         run = self.drive("car.json", start="12,4,0")
         self.ended(run, 4, "at the start the vehicle touches cell (12, ")
         run = self.drive("car.json", goal="27,9,0", map_file="yard.map")

@@ -85,7 +85,7 @@ void draw_track(Canvas& canvas, const Axes& axes, const Sheet& sheet, const Driv
     for (const vehicle::Pose& pose : driven->poses) track.push_back({pose.x, pose.y});
     canvas.clip(axes.box);
     draw_sweep(canvas, axes, driven->vehicle.vehicle, driven->poses, driven->start.pose,
-               driven->goal.pose);
+               driven->goal().pose);
     canvas.unclip();
   } else {
     for (const Cell c : result.track) track.push_back(centre(c));

@@ -59,15 +59,15 @@ class DriveProblem : public Problem {
     MapOptions alike = run.map;
     alike.radius_metres = false;  // the world's file need not tell of metres
     if (!command_.world.empty()) answer_.world = read_world(alike, command_.world, answer_.map);
+    if (command_.vehicle) answer_.vehicle = read_driven_vehicle(command_, answer_.map, recorded_);
     if (run.map.costs.asked()) read_costs();
     if (!command_.changes.empty()) {
       answer_.changes = read_changes_file(command_.changes, answer_.map.width, answer_.map.height);
       answer_.changes_hash = file_hash(command_.changes);
     }
-    if (command_.vehicle) {
-      answer_.vehicle = read_driven_vehicle(command_, answer_.map, recorded_);
+    if (answer_.vehicle) {
       answer_.start = answer_.vehicle->start.place;
-      answer_.goal = answer_.vehicle->goal.place;
+      answer_.goal = answer_.vehicle->goal().place;
     } else {
       answer_.start = to_place(answer_.map, command_.start, run.frame);
       answer_.goal = to_place(answer_.map, command_.goal, run.frame);
@@ -121,10 +121,11 @@ class DriveProblem : public Problem {
     const DriveOptions how{
         .sense = answer_.sense, .max_ticks = command_.max_ticks, .seed = command_.run.params.seed};
     const Grid& truth = answer_.truth().grid();
-    answer_.result = answer_.vehicle ? drive_vehicle(*answer_.vehicle, command_, answer_.map, truth,
+    answer_.result = answer_.vehicle ? drive_vehicle(*answer_.vehicle, answer_.map, truth,
                                                      answer_.changes, how, until, untimed)
                                      : drive(*navigator, truth, answer_.start.cell, answer_.changes,
                                              how, until, untimed);
+    if (answer_.vehicle) answer_.goal = answer_.vehicle->goal().place;
     const DriveResult& driven = answer_.result;
     answer_.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
     result_.status = driven.status;
@@ -134,8 +135,7 @@ class DriveProblem : public Problem {
     if (result_.status == Status::invalid) return;
     result_.length = driven.length;
     if (at_start && answer_.vehicle)
-      look_for_bound(*answer_.vehicle, command_, answer_.map, *at_start,
-                     again(stop, command_.run.time_limit));
+      look_for_bound(*answer_.vehicle, *at_start, again(stop, command_.run.time_limit));
     else if (at_start)
       look_for_optimum(*at_start, again(stop, command_.run.time_limit));
   }
@@ -278,14 +278,20 @@ class DriveProblem : public Problem {
     CostLayers layers = asked;
     layers.inflation.reset();
     const double unit = map.cells_of(command_.run.map.radius_metres, 1);
+    const double radius =
+        answer_.vehicle ? vehicle::inscribed_radius(answer_.vehicle->vehicle.vehicle) : map.radius;
     LoadedCosts& costs =
-        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, unit, map.radius));
+        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, unit, radius));
     if (answer_.world)
-      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, unit, map.radius);
+      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, unit, radius);
     answer_.layers = costs.field;
     costs.asked = asked;
-    costs.inflation = inflation_of(asked, unit, map.radius);
+    costs.inflation = inflation_of(asked, unit, radius);
     if (costs.inflation) costs.field.add(*map.grid_alone, *costs.inflation);
+    if (answer_.vehicle) {
+      answer_.vehicle->how.costs = answer_.layers;
+      answer_.vehicle->how.inflation = costs.inflation;
+    }
     auto& notes = command_.run.notes;
     notes.insert(notes.end(), costs.notes.begin(), costs.notes.end());
     command_.run.inputs.insert(command_.run.inputs.end(), costs.images.begin(), costs.images.end());

@@ -42,7 +42,7 @@ void finish_costs(RunOptions& run) {
 
 /// How a vehicle's drive is asked for. @throws UsageError for what is of points and discs.
 void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::string& start,
-                    const std::string& goal) {
+                    const std::vector<std::string>& goals) {
   RunOptions& run = drive.run;
   if (!run.algorithm.empty() && run.algorithm != lattice_algorithm().name)
     throw UsageError("--algorithm " + run.algorithm +
@@ -55,27 +55,30 @@ void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::st
     run.named.clear();
   }
   for (const char* option :
-       {"--radius", "--cost", "--inflation", "--set", "--ants", "--iterations", "--preset",
-        "--neighbours", "--corners", "--prepare", "--prepared", "--target-gap"})
+       {"--radius", "--set", "--ants", "--iterations", "--preset", "--neighbours", "--corners",
+        "--prepare", "--prepared", "--target-gap"})
     if (table.given(option))
       throw UsageError(std::string(option) +
                        " with --vehicle: it is of drives from cell to cell; leave it out");
   require("", "--start", start);
-  require("", "--goal", goal);
+  require("", "--goal", goals.empty() ? "" : goals.front());
   finish_run(run);
   vehicle.start = pose_value("--start", start, run.frame);
-  vehicle.goals = {pose_value("--goal", goal, run.frame)};
+  for (const std::string& goal : goals)
+    vehicle.goals.push_back(pose_value("--goal", goal, run.frame));
   run.inputs.push_back(vehicle.file);
 }
 
 struct DriveText : DriveCommand {
-  std::string start_text, goal_text, sense_text;
+  std::string start_text, sense_text;
+  std::vector<std::string> goals;
   VehicleCommand driven;
 };
 
 void add_drive_options(OptionTable& table, const std::shared_ptr<DriveText>& text) {
   table.text("--start", text->start_text, "Where the robot starts", "X,Y");
-  table.text("--goal", text->goal_text, "Where it is to go", "X,Y");
+  table.repeatable("--goal", text->goals,
+                   "Where it is to go. Of a vehicle repeatable: one of them is met", "X,Y");
   table.file("--world", text->world,
              "What is really there, as large as MAP (default as MAP has it)", map_endings(false));
   table.file("--changes", text->changes,
@@ -126,11 +129,14 @@ DriveCommand drive_asked(const OptionTable& table, const DriveText& text, const 
   const bool prepare = run.map.prepare;
   if (!text.driven.file.empty()) {
     drive.vehicle = text.driven;
-    finish_vehicle(table, drive, text.start_text, text.goal_text);
+    finish_vehicle(table, drive, text.start_text, text.goals);
   } else {
+    const std::string goal = text.goals.empty() ? "" : text.goals.back();
+    if (text.goals.size() > 1)
+      throw UsageError("--goal is given more than once; several goals are for --vehicle");
     if (table.given("--heading-tolerance"))
       throw UsageError("--heading-tolerance is for --vehicle; leave it out");
-    static_cast<PlanCommand&>(drive) = plan_command(run, text.start_text, text.goal_text);
+    static_cast<PlanCommand&>(drive) = plan_command(run, text.start_text, goal);
     for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
       if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
       end->point = false;

@@ -13,13 +13,6 @@ namespace {
 
 bool in_metres(const DriveCommand& command) { return command.run.frame == Frame::world; }
 
-vehicle::NavigatorOptions driving_options(const DriveCommand& command, const LoadedMap& map) {
-  const RunOptions& run = command.run;
-  return {.goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance),
-          .heading_tolerance = command.vehicle->heading_tolerance,
-          .smooth = command.vehicle->smooth};
-}
-
 /// At each tick.
 std::vector<vehicle::Pose> driven_poses(const DrivenVehicle& driven, const LoadedMap& map,
                                         bool metres) {
@@ -37,15 +30,26 @@ Json track_json(const std::vector<vehicle::Pose>& poses) {
 
 }  // namespace
 
+std::vector<vehicle::Pose> DrivenVehicle::goal_poses() const {
+  std::vector<vehicle::Pose> asked;
+  for (const VehicleEnd& goal : goals) asked.push_back(goal.pose);
+  return asked;
+}
+
 DrivenVehicle read_driven_vehicle(const DriveCommand& command, const LoadedMap& map,
                                   const std::optional<Json>& recorded) {
   const VehicleCommand& asked = *command.vehicle;
-  const Frame frame = command.run.frame;
-  return {.vehicle = recorded
-                         ? LoadedVehicle{.vehicle = recorded_vehicle((*recorded)["parameters"])}
-                         : read_vehicle(asked.file, map, frame),
-          .start = vehicle_end(map, asked.start, frame),
-          .goal = vehicle_end(map, asked.goals.front(), frame)};
+  const RunOptions& run = command.run;
+  DrivenVehicle driven{
+      .vehicle = recorded ? LoadedVehicle{.vehicle = recorded_vehicle((*recorded)["parameters"])}
+                          : read_vehicle(asked.file, map, run.frame),
+      .start = vehicle_end(map, asked.start, run.frame),
+      .goals = {}};
+  for (const PoseEnd& goal : asked.goals) driven.goals.push_back(vehicle_end(map, goal, run.frame));
+  driven.how = {.goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance),
+                .heading_tolerance = asked.heading_tolerance,
+                .smooth = asked.smooth};
+  return driven;
 }
 
 DriveCommand recorded_drive_of_vehicle(const Recorded& from) {
@@ -54,32 +58,31 @@ DriveCommand recorded_drive_of_vehicle(const Recorded& from) {
   const bool metres = in_metres(command);
   VehicleCommand& asked = command.vehicle.emplace();
   asked.start = recorded_pose(from.result, metres ? "start_world" : "start");
-  asked.goals = {recorded_pose(from.result, metres ? "goal_world" : "goal")};
+  asked.goals = recorded_goals(from.result, metres);
   asked.heading_tolerance = recorded_real(from.result, "parameters/heading_tolerance", 0, kNoLimit);
   asked.smooth = recorded<bool>(from.result, "parameters/smooth");
   return command;
 }
 
-DriveResult drive_vehicle(DrivenVehicle& driven, const DriveCommand& command, const LoadedMap& map,
-                          const Grid& truth, const Changes& changes, const DriveOptions& how,
+DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, const Grid& truth,
+                          const Changes& changes, const DriveOptions& how,
                           const StopCondition& stop, const DriveObserver& observer) {
-  vehicle::DriveResult result = vehicle::drive(map.grid(), truth, driven.vehicle.vehicle,
-                                               driven.start.pose, {driven.goal.pose}, changes, how,
-                                               driving_options(command, map), stop, observer);
+  vehicle::DriveResult result =
+      vehicle::drive(map.grid(), truth, driven.vehicle.vehicle, driven.start.pose,
+                     driven.goal_poses(), changes, how, driven.how, stop, observer);
+  driven.met = result.goal;
   driven.poses = std::move(result.poses);
   driven.moves = std::move(result.moves);
   return result;
 }
 
-void look_for_bound(DrivenVehicle& driven, const DriveCommand& command, const LoadedMap& map,
-                    const Grid& world, const StopCondition& stop) {
+void look_for_bound(DrivenVehicle& driven, const Grid& world, const StopCondition& stop) {
   const auto planner = vehicle::Planner::make(world, driven.vehicle.vehicle, stop);
   if (!planner) return;
-  const vehicle::NavigatorOptions how = driving_options(command, map);
   const vehicle::Result way = planner->plan({.start = driven.start.pose,
-                                             .goals = {driven.goal.pose},
-                                             .goal_tolerance = how.goal_tolerance,
-                                             .heading_tolerance = how.heading_tolerance,
+                                             .goals = driven.goal_poses(),
+                                             .goal_tolerance = driven.how.goal_tolerance,
+                                             .heading_tolerance = driven.how.heading_tolerance,
                                              .smooth = false,
                                              .stop = stop});
   driven.lower_bound = way.lower_bound;
@@ -92,7 +95,7 @@ void look_for_bound(DrivenVehicle& driven, const DriveCommand& command, const Lo
 void record_vehicle(Record& record, const DrivenVehicle& driven, const DriveCommand& command,
                     const LoadedMap& map) {
   record.start = pose_json(driven.start.pose);
-  record.goal = pose_json(driven.goal.pose);
+  record.goal = pose_json(driven.goal().pose);
   record.parameters["vehicle"] = vehicle_json(driven.vehicle.vehicle);
   record.parameters["heading_tolerance"] = number(command.vehicle->heading_tolerance);
   record.parameters["smooth"] = command.vehicle->smooth;
@@ -106,12 +109,10 @@ void add_track(Json& json, const DrivenVehicle& driven, const DriveCommand& comm
                const LoadedMap& map, bool found) {
   json["track"] = found ? track_json(driven.poses) : Json();
   json["segments"] = found ? segments_json(map, driven.moves, false) : Json();
+  add_goals(json, driven.goals, driven.met, in_metres(command));
   if (!in_metres(command)) return;
-  const auto asked = [](const PoseEnd& end) {
-    return Json{number(end.x), number(end.y), number(end.yaw)};
-  };
-  json["start_world"] = asked(driven.start.asked);
-  json["goal_world"] = asked(driven.goal.asked);
+  json["start_world"] = asked_json(driven.start);
+  json["goal_world"] = asked_json(driven.goal());
   json["track_world"] = found ? track_json(driven_poses(driven, map, true)) : Json();
   json["segments_world"] = found ? segments_json(map, driven.moves, true) : Json();
 }

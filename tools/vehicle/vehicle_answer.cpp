@@ -99,10 +99,6 @@ Json parameters_of(const VehicleMap& on, const VehicleCommand& command) {
   return json;
 }
 
-Json asked_json(const VehicleEnd& end) {
-  return {number(end.asked.x), number(end.asked.y), number(end.asked.yaw)};
-}
-
 Json path_json(const VehicleMap& on, const VehicleCommand& command, const VehicleAnswer& answer) {
   Json json = Json::object();
   const bool metres = in_metres(command), found = answer.has_path();
@@ -125,13 +121,7 @@ Json path_json(const VehicleMap& on, const VehicleCommand& command, const Vehicl
       found ? number(vehicle::Profile(segments, on.vehicle.speeds).duration()) : Json();
   if (command.run.goal_tolerance > 0 || command.heading_tolerance > 0)
     json["goal_reached"] = found ? pose_json(segments.back().end()) : Json();
-  if (answer.goals.size() > 1) {
-    for (const VehicleEnd& goal : answer.goals) {
-      json["goals"].push_back(pose_json(goal.pose));
-      if (metres) json["goals_world"].push_back(asked_json(goal));
-    }
-    json["goal_index"] = found ? Json(answer.result.goal) : Json();
-  }
+  add_goals(json, answer.goals, found ? answer.result.goal : -1, metres);
   if (!metres) return json;
   json["start_world"] = asked_json(answer.start);
   json["goal_world"] = asked_json(answer.goal());
@@ -208,6 +198,19 @@ VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame) 
   const Point at = place.at();
   const double yaw = frame == Frame::world ? yaw_across(map, asked.yaw) : asked.yaw;
   return {asked, place, {at.x, at.y, yaw}};
+}
+
+Json asked_json(const VehicleEnd& end) {
+  return {number(end.asked.x), number(end.asked.y), number(end.asked.yaw)};
+}
+
+void add_goals(Json& json, const std::vector<VehicleEnd>& goals, int met, bool metres) {
+  if (goals.size() < 2) return;
+  for (const VehicleEnd& goal : goals) {
+    json["goals"].push_back(pose_json(goal.pose));
+    if (metres) json["goals_world"].push_back(asked_json(goal));
+  }
+  json["goal_index"] = met >= 0 ? Json(met) : Json();
 }
 
 VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,

@@ -37,6 +37,10 @@ struct VehicleEnd {
   vehicle::Pose pose;  ///< in cells
 };
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
+/// As it was given.
+Json asked_json(const VehicleEnd& end);
+/// Of several "goals", "goals_world" and "goal_index", null where `met` is -1.
+void add_goals(Json& json, const std::vector<VehicleEnd>& goals, int met, bool metres);
 
 /// What plans for vehicles, as results name it.
 const Algorithm& lattice_algorithm();

@@ -37,6 +37,13 @@ PoseEnd recorded_pose(const Json& result, const std::string& key) {
   if (numbers.size() != 3) throw UsageError("\"" + key + "\" is no [x, y, yaw]");
   return {{{numbers[0], numbers[1]}, true}, numbers[2]};
 }
+std::vector<PoseEnd> recorded_goals(const Json& result, bool metres) {
+  const std::string goals = metres ? "goals_world" : "goals";
+  if (!result.contains(goals)) return {recorded_pose(result, metres ? "goal_world" : "goal")};
+  std::vector<PoseEnd> all;
+  for (const Json& goal : result[goals]) all.push_back(recorded_pose(Json{{goals, goal}}, goals));
+  return all;
+}
 
 Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& segments,
                    bool metres) {

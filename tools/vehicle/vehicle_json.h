@@ -27,6 +27,8 @@ vehicle::Pose to_world(const LoadedMap& map, const vehicle::Pose& cells);
 Json pose_json(const vehicle::Pose& pose);
 /// A start or goal of a result, by its key. @throws UsageError
 PoseEnd recorded_pose(const Json& result, const std::string& key);
+/// Its goals, in their order, of whichever frame was asked in. @throws UsageError
+std::vector<PoseEnd> recorded_goals(const Json& result, bool metres);
 /// A list of segments from which every pose follows; `metres`: in the map's frame.
 Json segments_json(const LoadedMap& map, const std::vector<vehicle::Segment>& segments,
                    bool metres);

@@ -82,12 +82,7 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
                         .speeds = recorded_speeds(parameters)};
   vehicle.speeds.steady_curvature = vehicle.vehicle.curvature_rate > 0;
   command.start = recorded_pose(result, metres ? "start_world" : "start");
-  const std::string goals = metres ? "goals_world" : "goals";
-  if (!result.contains(goals))
-    command.goals = {recorded_pose(result, metres ? "goal_world" : "goal")};
-  else
-    for (const Json& goal : result[goals])
-      command.goals.push_back(recorded_pose(Json{{goals, goal}}, goals));
+  command.goals = recorded_goals(result, metres);
   command.heading_tolerance = recorded_real(parameters, "heading_tolerance", 0, kNoLimit);
   command.smooth = recorded<bool>(parameters, "smooth");
   if (parameters.contains("spacing"))

@@ -10,11 +10,12 @@
 namespace lasius::vehicle {
 
 /// How a drive went. `track` has the cells of the reference point; `length` and `cost` are of the
-/// moves, by the vehicle's prices, cusps left out. Status::no_path where the lattice has no way on
-/// what is known, nor on what is there: not proven.
+/// moves, as Navigator::cost has them, cusps left out. Status::no_path where the lattice has no way
+/// on what is known, nor on what is there: not proven.
 struct DriveResult : lasius::DriveResult {
   std::vector<Pose> poses;     ///< at each tick, the start first
   std::vector<Segment> moves;  ///< of each tick in which it moved
+  int goal = -1;               ///< index of that at which it has arrived, else -1
 };
 
 /// Drives as lasius::drive() drives a robot, but from pose to pose: in each tick one motion of one
