@@ -62,6 +62,10 @@ void bind_vehicle_navigator(py::module_& module) {
            [](SharedVehicle& shared, int x, int y, int width, int height, bool blocked) {
              alone(shared, [&](auto& n) { n.observe({x, y, width, height}, blocked); });
            })
+      .def("set_costs",
+           [](SharedVehicle& shared, const CostField& costs) {
+             alone(shared, [&](auto& n) { n.set_costs(costs); });
+           })
       .def("step", &step)
       .def("set_goals",
            [](SharedVehicle& shared, const Rows& goals) {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,9 @@ from .navigator import Changes, drive_result
 from .parameters import whole
 from .results import DriveResult
 from .vehicle import Pose, Vehicle, VehicleResult, vehicle_values
+
+if TYPE_CHECKING:
+    from .costs import CostField
 
 
 @dataclass(eq=False, repr=False)
@@ -83,6 +86,10 @@ class VehicleNavigator:
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None:
         """All cells from (x, y) to (x + width - 1, y + height - 1) are blocked or free."""
         self._raw.observe_rectangle(x, y, width, height, flag_of(blocked, "blocked"))
+
+    def set_costs(self, costs: CostField) -> None:
+        """From the next step on the cheapest way over these is looked for; the one that is kept stays where none is."""
+        self._raw.set_costs(costs._raw)
 
     def step(self, robot: Pose, *, time_limit: Optional[float] = None) -> VehicleWay:
         """The way from where the vehicle is. Ctrl-C as of VehiclePlanner.plan.

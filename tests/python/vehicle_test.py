@@ -179,6 +179,22 @@ def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
         navigator.step((np.nan, 0, 0))
 
 
+def test_a_navigator_goes_over_costs(yard):
+    start, goal = (10, 10, 0), (70, 10, 0)
+    navigator = lasius.VehicleNavigator(yard, CAR, goal)
+    brief = navigator.step(start)
+    costs = lasius.CostField(yard)
+    hill = np.zeros((60, 80))
+    hill[:40, 36:46] = 1
+    costs.add(hill, 5)
+    navigator.set_costs(costs)
+    over = navigator.step(start)
+    assert over.replanned and over.length > brief.length
+    assert over.cost == plan_vehicle(yard, CAR, start, goal, costs=costs).cost
+    with pytest.raises(lasius.InvalidParameter):
+        navigator.set_costs(lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0)))
+
+
 def test_a_drive(yard):
     truth = yard.to_array(free=True)
     truth[20:60, 40:42] = False
