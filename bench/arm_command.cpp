@@ -20,6 +20,7 @@ struct ArmOptions {
   int rounds = 5;
   int scenes = 60;
   int seeds = 60;
+  int goals = 60;
   std::string markdown;
 };
 
@@ -125,13 +126,38 @@ arm::GenerateOptions random_scene(std::uint64_t seed) {
   return {.seed = seed, .obstacles = 15, .wall = seed % 2 == 0 ? 0.8 : 0};
 }
 
+const std::array<arm::Robot, 3>& shipped_robots() {
+  static const std::array kRobots{shipped("planar3"), shipped("industrial6"),
+                                  shipped("redundant7")};
+  return kRobots;
+}
+
+/// Empty scenes, goals where the tip is at drawn joint values: so each can be reached.
+std::vector<Figure> measure_reach(int goals) {
+  int solved = 0, given_up = 0;
+  for (const arm::Robot& robot : shipped_robots()) {
+    for (int i = 0; i < goals; ++i) {
+      const arm::Query query =
+          arm::generate_query(robot, {.seed = 1 + static_cast<std::uint64_t>(i), .obstacles = 0});
+      const arm::SceneSensor sensor(robot, query.scene);
+      const Status status =
+          arm::plan(robot, sensor, {.start = query.start, .goals = {query.goal}, .motion = false})
+              .status;
+      solved += status == Status::solved;
+      given_up += status == Status::invalid || status == Status::unreachable;
+    }
+  }
+  const std::string all = std::to_string(goals * std::ssize(shipped_robots()));
+  return {{"empty scenes, postures: goals reached", std::to_string(solved) + " of " + all, all},
+          {"the same: called out of reach or blocked", std::to_string(given_up), "0"}};
+}
+
 /// Trajectories on random scenes, each checked at 1000 times by KDL and FCL.
 std::vector<Figure> measure_validity(int scenes) {
   int moved = 0, contacts = 0, limits = 0, stops = 0;
   double nearest = 1e300;
-  const std::array robots{shipped("planar3"), shipped("industrial6"), shipped("redundant7")};
   for (std::uint64_t seed = 1; moved < scenes; ++seed) {
-    const arm::Robot& robot = robots[seed % robots.size()];
+    const arm::Robot& robot = shipped_robots()[seed % shipped_robots().size()];
     const ArmCase c = make_case(robot, random_scene(seed), 12);
     const arm::SceneSensor sensor(c.robot, c.scene);
     const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
@@ -191,6 +217,7 @@ void run_arm(const ArmOptions& options) {
                                   options.markdown);
   table.add(measure_speed(options.rounds));
   table.add(measure_validity(options.scenes));
+  table.add(measure_reach(options.goals));
   for (const double elite : {16.0, 0.0}) table.add(measure_optimum(options.seeds, 12, elite));
   for (const int side : {20, 30})
     table.add(measure_optimum(std::max(options.seeds / 4, 1), side, 16));
@@ -203,6 +230,8 @@ void add_arm_command(CLI::App& app) {
       add_command(app, "arm", "Speed, validity and optima of goritov2020", run_arm);
   add_number(command, "--rounds", options.rounds, "Questions timed", 1, 1000);
   add_number(command, "--scenes", options.scenes, "Trajectories checked by FCL", 1, 100000);
+  add_number(command, "--goals", options.goals, "Goals in empty scenes, of each of three arms", 1,
+             100000);
   add_number(command, "--seeds", options.seeds, "Runs compared with the optimum", 1, 100000);
   add_output(command, options.markdown);
 }

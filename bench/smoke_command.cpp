@@ -30,7 +30,7 @@ constexpr const char* kLines[] = {
     "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
 #endif
 #ifdef LASIUS_HAVE_ARM
-    "arm --rounds 1 --scenes 2 --seeds 2",
+    "arm --rounds 1 --scenes 2 --seeds 2 --goals 2",
 #endif
 #if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
     "arm-peers --queries 1 --obstacles 2 --cap 0.05",

@@ -9,42 +9,6 @@
 namespace lasius::arm {
 namespace {
 
-/// Travel of the tip and of the joints along a motion, or without one along the waypoints.
-void measure(const Robot& robot, Timing timing, Result& result) {
-  const Kinematics arm(robot);
-  Kinematics::Poses poses;
-  JointVector before;
-  Vec3 tip_before;
-  const auto go_on = [&](const JointVector& q) {
-    arm.place(as_span(q), poses);
-    const Vec3 tip = arm.tip(poses);
-    if (before.size() > 0) {
-      result.joint_travel += joint_travel(before, q);
-      result.tip_travel += distance(tip, tip_before);
-    }
-    before = q;
-    tip_before = tip;
-  };
-  result.duration = result.trajectory.duration();
-  if (result.trajectory.empty()) {
-    for (const auto q : result.joints.colwise()) go_on(q);
-    return;
-  }
-  constexpr int kPieces = 16, kInAll = 128;  // between two knots of a spline; of other motions
-  const auto& knots = result.trajectory.knots();
-  go_on(knots.front().q);
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double h = knots[i + 1].time - knots[i].time;
-    if (timing == Timing::optimal && !(h > 0)) continue;
-    const int pieces =
-        timing == Timing::splines ? kPieces : 1 + static_cast<int>(kInAll * h / result.duration);
-    for (int p = 1; p <= pieces; ++p) {
-      const double share = static_cast<double>(p) / pieces;
-      go_on(result.trajectory.at((1 - share) * knots[i].time + share * knots[i + 1].time).q);
-    }
-  }
-}
-
 /// The answer of a search that knows the way, without joints.
 Result answer_of(const KnownWay& way, const Lattice& lattice) {
   Result result;
@@ -83,6 +47,49 @@ Goal Goal::joints(const JointRef& q) {
   return goal;
 }
 
+void take_motion(const Robot& robot, Timing timing, TrajectoryResult made, Result& result) {
+  if (result.status == Status::solved) {
+    result.status = made.status;
+    result.limit = made.limit;
+  }
+  result.trajectory = std::move(made.trajectory);
+  result.waypoints = made.waypoints;
+  result.stops = made.stops;
+  result.questions.trajectory = made.questions;
+  const Kinematics arm(robot);
+  Kinematics::Poses poses;
+  JointVector before;
+  Vec3 tip_before;
+  const auto go_on = [&](const JointVector& q) {
+    arm.place(as_span(q), poses);
+    const Vec3 tip = arm.tip(poses);
+    if (before.size() > 0) {
+      result.joint_travel += joint_travel(before, q);
+      result.tip_travel += distance(tip, tip_before);
+    }
+    before = q;
+    tip_before = tip;
+  };
+  result.duration = result.trajectory.duration();
+  if (result.trajectory.empty()) {
+    for (const auto q : result.joints.colwise()) go_on(q);
+    return;
+  }
+  constexpr int kPieces = 16, kInAll = 128;  // between two knots of a spline; of other motions
+  const auto& knots = result.trajectory.knots();
+  go_on(knots.front().q);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double h = knots[i + 1].time - knots[i].time;
+    if (timing == Timing::optimal && !(h > 0)) continue;
+    const int pieces =
+        timing == Timing::splines ? kPieces : 1 + static_cast<int>(kInAll * h / result.duration);
+    for (int p = 1; p <= pieces; ++p) {
+      const double share = static_cast<double>(p) / pieces;
+      go_on(result.trajectory.at((1 - share) * knots[i].time + share * knots[i + 1].time).q);
+    }
+  }
+}
+
 Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
             const Params& parameters, const Observer& observer) {
   if (request.motion) {
@@ -94,6 +101,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     return run_arm_colony(lattice, solver.request(), p, observer);
   });
   if (result.joints.cols() == 0) return result;
+  TrajectoryResult made;
   if (request.motion) {
     StopCondition stop = request.stop;
     if (result.status == Status::interrupted) {  // perhaps by the observer, whom no token knows
@@ -111,17 +119,9 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     const Questions& asked = result.questions;
     if (parameters.max_questions > 0)
       options.max_questions = parameters.max_questions - asked.positions - asked.motions;
-    TrajectoryResult made = make_trajectory(robot, sensor, result.joints, options);
-    if (result.status == Status::solved) {
-      result.status = made.status;
-      result.limit = made.limit;
-    }
-    result.trajectory = std::move(made.trajectory);
-    result.waypoints = made.waypoints;
-    result.stops = made.stops;
-    result.questions.trajectory = made.questions;
+    made = make_trajectory(robot, sensor, result.joints, options);
   }
-  measure(robot, parameters.timing, result);
+  take_motion(robot, parameters.timing, std::move(made), result);
   return result;
 }
 

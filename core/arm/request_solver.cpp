@@ -82,9 +82,7 @@ Result RequestSolver::solve(const Search& search) {
   if (!fault.empty()) return invalid(Fault::start_outside, fault);
   arm_.emplace(robot_);
   if (parameters_.pitch == 0) parameters_.pitch = arm_->reach() / 20;
-  Kinematics::Poses poses;
-  arm_->place(as_span(request_.start), poses);
-  from_ = arm_->tip(poses);
+  from_ = tip_of(request_.start);
   Result result = reach_goals(search);
   if (result.points[0] == 0 && !goals_.empty()) fill_lattice_fields(result);
   result.notes = notes_;
@@ -193,6 +191,12 @@ bool RequestSolver::every_posture_blocked() {
   return std::ranges::none_of(ends, free) && !ended();
 }
 
+Vec3 RequestSolver::tip_of(const JointVector& q) const {
+  Kinematics::Poses poses;
+  arm_->place(as_span(q), poses);
+  return arm_->tip(poses);
+}
+
 double RequestSolver::line_length(const JointVector& a, const JointVector& b) const {
   if (parameters_.objective == Objective::joint) return joint_travel(a, b);
   if (parameters_.objective == Objective::duration) {
@@ -201,7 +205,7 @@ double RequestSolver::line_length(const JointVector& a, const JointVector& b) co
       longest = std::max(longest, std::abs(b[j] - a[j]) / robot_.joints[j].velocity);
     return longest;
   }
-  const auto at = point_near(tip_position(robot_, a), tip_position(robot_, b), parameters_.pitch);
+  const auto at = point_near(tip_of(a), tip_of(b), parameters_.pitch);
   const int moves = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]);
   return parameters_.pitch * std::max({1.0, static_cast<double>(moves),
                                        std::ceil(largest_change(a, b) / parameters_.joint_step)});
@@ -245,7 +249,7 @@ Result RequestSolver::grow_trees() {
   result.length = 0;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     result.joints.col(i) = way.waypoints[i];
-    result.tips.col(i) = tip_position(robot_, way.waypoints[i]);
+    result.tips.col(i) = Eigen::Vector3d(tip_of(way.waypoints[i]));
     if (i > 0) result.length += line_length(way.waypoints[i - 1], way.waypoints[i]);
   }
   return result;

@@ -44,6 +44,7 @@ class RequestSolver {
   /// False where some posture at the goals is free, or there was no time to look for one.
   bool every_posture_blocked();
   Result grow_trees();
+  Vec3 tip_of(const JointVector& q) const;
   /// The length of a straight line in the unit of the objective; of `length` pitch times the
   /// lattice moves between the tips, or times the joint steps where those are more.
   double line_length(const JointVector& a, const JointVector& b) const;

@@ -37,16 +37,13 @@ Trajectory rounded_motion(const Robot& robot, Waypoints way, CountedSensor& coun
   const auto smaller = [&](std::size_t i) {
     sizes[i] = counted.stopped() || sizes[i] <= least(i) ? 0 : 0.5 * sizes[i];
   };
-  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-    while (sizes[i] > 0) {
-      const PathPiece piece = blend_at(way, i, sizes[i]);
-      // Over all of its length as one: per radian a short one's bend is beyond all bounds.
-      const JointVector bend = piece.length * piece.length * piece.bend;
-      const Trajectory evenly({{0, piece.start, bend}, {1, piece.at(piece.length), bend}});
-      if (counted.curve_free(evenly, 0, 1)) break;
-      smaller(i);
-    }
-  }
+  // Over all of its length as one: per radian a short one's bend is beyond all bounds.
+  const auto parabola_free = [&](std::size_t i) {
+    const PathPiece piece = blend_at(way, i, sizes[i]);
+    const JointVector bend = piece.length * piece.length * piece.bend;
+    return counted.curve_free(
+        Trajectory({{0, piece.start, bend}, {1, piece.at(piece.length), bend}}), 0, 1);
+  };
   const bool jerk =
       std::ranges::any_of(robot.joints, [](const Joint& joint) { return joint.jerk > 0; });
   std::vector<Trajectory> motions;
@@ -64,7 +61,8 @@ Trajectory rounded_motion(const Robot& robot, Waypoints way, CountedSensor& coun
         do ++corner;
         while (sizes[corner] == 0);
         if (counted.curve_free(timed.motion, from, to)) continue;
-        smaller(corner);
+        do smaller(corner);
+        while (sizes[corner] > 0 && !parabola_free(corner));
         changed = true;
       }
       motions.push_back(std::move(timed.motion));

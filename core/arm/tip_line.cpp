@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/arm/contact/motion_bound.h"
 #include "core/arm/ends.h"
@@ -144,7 +145,8 @@ std::string name_of(const Robot& robot, int link) {
 }  // namespace
 
 std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal,
-                                            const JointVector& near, int most, std::uint64_t seed) {
+                                            const JointVector& near, int most, std::uint64_t seed,
+                                            const StopCondition& stop) {
   constexpr int kAttempts = 64;
   validate_but_corners(robot);
   require_parameter(most >= 1, "most", most, "it must be 1 or more");
@@ -152,7 +154,7 @@ std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal
   const Kinematics arm(robot);
   if (fault.empty()) fault = goal_fault(robot, arm, as_span(near), goal);
   if (!fault.empty()) throw invalid_parameter(fault, "give values and a goal within its reach");
-  const Request request{.start = near, .goals = {goal}};
+  const Request request{.start = near, .goals = {goal}, .stop = stop};
   const std::array<int, 1> only{0};
   std::vector<JointVector> found;
   for (End& end : find_ends(robot, arm, request, only, seed, 0, kAttempts, kAttempts)) {
@@ -180,7 +182,14 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
   const bool any_turn = options.angle_tolerance >= std::numbers::pi;
   const Goal target = Goal::pose(goal);
   const std::string no_goal = goal_fault(robot, arm, as_span(start), target);
-  TipLine line{.joints = start};
+  TipLine line;
+  const auto add = [&](const JointVector& q) {
+    line.joints.conservativeResize(q.size(), line.joints.cols() + 1);
+    line.joints.rightCols<1>() = q;
+    line.tips.conservativeResize(Eigen::NoChange, line.joints.cols());
+    line.tips.rightCols<1>() = tip_position(robot, q);
+  };
+  add(start);
   if (!no_goal.empty()) {
     line.status = Status::invalid;
     line.error = no_goal;
@@ -233,22 +242,19 @@ TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& st
           "after " + number_text(std::round(1e4 * line.reached) / 1e4) + " of the line " + why;
       return line;
     }
-    line.joints.conservativeResize(Eigen::NoChange, line.joints.cols() + 1);
-    line.joints.rightCols<1>() = next;
+    add(next);
     line.reached = s;
     here = next;
     step *= 2;
   }
   line.status = Status::solved;
-  if (options.motion) {
-    const TrajectoryResult made =
-        make_trajectory(robot, LineSensor(robot, arm, sensor, way, options), line.joints,
-                        {.shortcut = false, .stop = options.stop, .duration = options.duration});
-    line.trajectory = made.trajectory;
-    line.stops = made.stops;
-    line.status = made.status;
-    line.limit = made.limit;
-  }
+  line.goal = 0;
+  line.length = distance(way.at(0).position, way.at(1).position);
+  TrajectoryResult made;
+  if (options.motion)
+    made = make_trajectory(robot, LineSensor(robot, arm, sensor, way, options), line.joints,
+                           {.shortcut = false, .stop = options.stop, .duration = options.duration});
+  take_motion(robot, Timing::optimal, std::move(made), line);
   return line;
 }
 

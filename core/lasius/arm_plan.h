@@ -245,12 +245,14 @@ LASIUS_ARM_EXPORT Result straight_lattice_way(const Robot& robot, const Sensor& 
 
 /// Joint values within the limits that reach the goal, those nearest to `near` first, no two alike:
 /// at most `most`, of what inverse kinematics makes of `near` and of 64 values drawn at random.
-/// None where none was found, which is no proof; what is in the way is not looked at.
+/// None where none was found, which is no proof; what is in the way is not looked at. Told to stop
+/// it returns those found so far.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, values that are not within
 ///         its limits, and a goal that is proven out of its reach or has no such values.
 LASIUS_ARM_EXPORT std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal,
                                                               const JointVector& near, int most = 8,
-                                                              std::uint64_t seed = 1);
+                                                              std::uint64_t seed = 1,
+                                                              const StopCondition& stop = {});
 
 /// The robot holding something: a link more, that moves with the last joint. The solids are placed
 /// in the tip's frame. It may touch the links named, and those that move with the last joint.
@@ -270,15 +272,11 @@ struct TipLineOptions {
   double duration = 0;  ///< of it: TrajectoryOptions::duration
 };
 
-/// A motion of the tip along a line, as far as it goes.
-struct TipLine {
-  Eigen::MatrixXd joints;           ///< a column each waypoint, the start first
-  double reached = 0;               ///< share of the line, 0 .. 1
-  Status status = Status::no_path;  ///< solved: all of it; limit, interrupted: told to stop
-  Limit limit = Limit::none;        ///< which one ended it
-  std::string error = {};           ///< why it ends before its end, for people
-  Trajectory trajectory = {};       ///< where one was asked for and the line is solved
-  bool stops = false;               ///< it rests at each waypoint
+/// A motion of the tip along a line, as far as it goes: `joints` are waypoints, the start first,
+/// and the status says `solved` where they go all along, else why they end before. Then `length` is
+/// that of the line, `goal` 0, and the trajectory is there where a motion was asked for.
+struct TipLine : Result {
+  double reached = 0;  ///< share of the line, 0 .. 1
 };
 
 /// Straight with the tip from where it is to `goal`, turning evenly about one axis. Between two

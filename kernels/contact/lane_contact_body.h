@@ -118,6 +118,7 @@ constexpr float kUp = 1.00001F;
 
 LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, std::span<const LaneObstacle> obstacles,
                                  const LaneMotion& motion) {
+  constexpr std::size_t kKept = 32;
   std::array<LanePose, kMostLaneJoints> poses;
   place(robot, motion, poses.data());
   for (int k = static_cast<int>(robot.bodies.size()) - 1; k >= 0; --k) {
@@ -126,19 +127,26 @@ LASIUS_LANES_TARGET bool touches(const LaneRobot& robot, std::span<const LaneObs
     const LanePose& pose = poses[k];
     const LaneBall& whole = body.outer[0];
     const Lanes3 middle = pose.origin + turned(pose, whole.centre);
+    std::array<Lanes3, kKept> centres;
+    std::size_t known = 0;  // of centres
     for (const LaneObstacle& o : obstacles) {
       if (!o.solid) continue;
+      const Lanes3 apart = middle - all(o.position);
+      const Lanes far = dot(apart, apart);
+      const float reach = kUp * whole.radius + o.margin, both = reach + kUp * o.radius;
+      if (less(far, all(both * both)) == 0) continue;
       const Lanes3 off = away(o, middle);
       if (less(dot(off, off), all((whole.radius + o.round) * (whole.radius + o.round))) == 0)
         continue;
       // What is smaller than the body may be all inside of a mesh, which is free.
-      const Lanes3 apart = middle - all(o.position);
-      const float reach = kUp * whole.radius + o.margin;
-      const unsigned out = less(all(reach * reach), dot(apart, apart) + all(o.radius * o.radius));
-      for (const LaneBall& ball : body.inner) {
+      const unsigned out = less(all(reach * reach), far + all(o.radius * o.radius));
+      for (std::size_t b = 0; b < body.inner.size(); ++b) {
+        const LaneBall& ball = body.inner[b];
         const float radius = ball.radius - o.margin;
         if (!(radius > 0)) break;  // the largest are first
-        const Lanes3 near = away(o, pose.origin + turned(pose, ball.centre));
+        if (b == known && b < kKept) centres[known++] = pose.origin + turned(pose, ball.centre);
+        const Lanes3 near =
+            away(o, b < known ? centres[b] : pose.origin + turned(pose, ball.centre));
         unsigned hit = less(dot(near, near), all((radius + o.round) * (radius + o.round)));
         if (ball.hollow) hit &= out;
         if (hit != 0) return true;

@@ -136,17 +136,20 @@ Eigen::MatrixXd inverse(const arm::Robot& robot, const arm::Goal& goal, const Jo
 /// In the order of the fields of lasius.arm.TipLine.
 py::tuple tip_line(const arm::Robot& robot, const arm::SceneSensor& sensor,
                    const JointVector& start, const Eigen::Matrix4d& goal, double tolerance,
-                   double angle_tolerance, double joint_step, std::optional<double> time_limit) {
+                   double angle_tolerance, double joint_step, bool motion, double duration,
+                   std::optional<double> time_limit) {
   Call call(time_limit);
   const arm::TipLineOptions options{.tolerance = tolerance,
                                     .angle_tolerance = angle_tolerance,
                                     .joint_step = joint_step,
-                                    .stop = call.condition()};
+                                    .stop = call.condition(),
+                                    .motion = motion,
+                                    .duration = duration};
   const arm::TipLine line =
       call.run([&] { return arm::tip_line(robot, sensor, start, pose_from(goal), options); });
   return py::make_tuple(call.error(),
                         py::make_tuple(std::string(to_string(line.status)), rows_of(line.joints),
-                                       line.reached, line.error));
+                                       line.reached, line.error, line.trajectory, line.stops));
 }
 
 /// Limits of all joints, in order.

@@ -468,6 +468,8 @@ class TipLine(Record):
     joints: FloatArray  #: (n, joints), the waypoints, the start first
     reached: float  #: share of the line
     error: str  #: why it ends before its end
+    trajectory: Trajectory  #: the motion in time; empty where none was asked for, or the line is not solved
+    stops: bool  #: it rests at each waypoint
 
 
 @explained
@@ -480,6 +482,8 @@ def tip_line(
     tolerance: float = 1e-3,
     angle_tolerance: float = 0.01,
     joint_step: float = 0.3,
+    motion: bool = False,
+    duration: float = 0.0,
     clearance: float = LEAST_CLEARANCE,
     time_limit: Optional[float] = None,
 ) -> TipLine:
@@ -490,15 +494,17 @@ def tip_line(
         tolerance: metres that the tip may be off the line, anywhere between waypoints too.
         angle_tolerance: radians that it may be turned off; pi or more: as it likes.
         joint_step: how far a joint may go between waypoints.
+        motion: makes the motion in time, too, its corners rounded, all of it within the tolerances.
+        duration: as of plan.
         clearance: as of plan.
         time_limit: seconds.
     """
     sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
     placed = numbers_of(pose, (4, 4), "pose")
-    error, fields = _raw.tip_line(
-        robot._raw, sensor, start, placed, tolerance, angle_tolerance, joint_step, time_limit
+    error, (*fields, trajectory, stops) = _raw.tip_line(
+        robot._raw, sensor, start, placed, tolerance, angle_tolerance, joint_step, motion, duration, time_limit
     )
-    return finish(error, TipLine(*fields))
+    return finish(error, TipLine(*fields, Trajectory(trajectory), stops))
 
 
 @explained

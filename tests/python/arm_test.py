@@ -192,4 +192,14 @@ def test_inverse_kinematics_and_straight_motions_of_the_tip(maps):
         assert arm.motion_free(robot, arm.Scene(), a, b)
         off = np.cross(robot.tip_position((a + b) / 2) - pose[:3, 3], [0.05, -0.2, -0.1]) / 0.229
         assert np.linalg.norm(off) <= 1e-3
+    assert not line.trajectory
     assert arm.tip_line(robot, arm.Scene(), q, moved(9, 0, 0) @ pose).status == "invalid"
+
+
+def test_a_straight_motion_in_time(maps):
+    robot, q = arm.Robot.read(maps / "arms/industrial6.json"), np.array([0.3, 0.4, 0.7, 0.2, 0.6, 0.1])
+    pose, way = robot.tip_pose(q), np.array([0.05, -0.2, -0.1])
+    line = arm.tip_line(robot, arm.Scene(), q, moved(*way) @ pose, motion=True, duration=20.0)
+    assert line.status == "solved" and not line.stops and line.trajectory.duration == 20.0
+    for joints in line.trajectory.at(np.linspace(0, 20, 101)).q:
+        assert np.linalg.norm(np.cross(robot.tip_position(joints) - pose[:3, 3], way)) <= 1e-3 * np.linalg.norm(way)

@@ -116,6 +116,41 @@ class Tip(ProgramTest):
         self.ended(self.arm("--inverse", "3", "--goal", "9,9,9"), 4)
         self.refused(self.arm("--inverse", "3", "--goal", goal, "-o", "a.svg"), 2, "--inverse")
 
+    def test_postures_that_all_touch_solve_nothing(self):
+        """A goal within a ball: values are listed, none is free."""
+        self.write("ball.json", json.dumps({**EMPTY, "obstacles": [
+            {"shape": "sphere", "name": "ball", "radius": 0.2, "position": self.ahead(0)}]}))
+        run = self.arm("--inverse", "2", "--goal", self.pose(), "--json", "-o", "touch.json", scene="ball.json")
+        result = self.ended(run, 4, "the arm touches something in each of ", "ball").json
+        self.assertEqual((result["status"], result["length"]), ("invalid", None))
+        self.assertEqual([one["free"] for one in result["inverse"]["found"]],
+                         [False] * len(result["inverse"]["found"]))
+        self.assertGreater(len(result["inverse"]["found"]), 0)
+        self.replayed("touch.json")
+        self.ended(self.arm("--inverse", "2", "--goal", self.pose(), "--time-limit", "0"), 6)
+        # One goal that is out of reach takes nothing from another.
+        self.ended(self.arm("--inverse", "2", "--goal", self.pose(), "--goal", "9,9,9"), 0)
+
+    def test_options_without_effect_are_told(self):
+        plan = ("--algorithm", "goritov2020", "--set", "joint_step=0.4", "--ants", "3", "--iterations", "3",
+                "--max-questions", "9", "--pitch", "0.2", "--side", "20", "--target-gap", "3", "--no-shortcut")
+        motion = ("--duration", "9", "--rate", "9")
+        goal = self.pose()
+        for asked, why, idle in (
+                (("--straight", "--goal-pose", self.pose(0.05, -0.2, -0.1) + ",0.2,0.3,0.4", "--straight-angle", "4"), "with --straight",
+                 (*plan, "--seed", "3", "--position-tolerance", "0.1", "--angle-tolerance", "0.1")),
+                (("--inverse", "1", "--goal", goal), "with --inverse", (*plan, *motion, "--recheck", "3")),
+                (("--nearest",), "without a goal", (*plan, *motion, "--seed", "3"))):
+            run = self.ended(self.arm(*asked, *idle), 0)
+            for option in idle:
+                if option.startswith("--"):
+                    self.assertIn(f"{option} has no effect {why}\n", run.err)
+            plain = self.ended(self.arm(*asked), 0)
+            self.assertNotIn("no effect", plain.err)
+            self.assertEqual(run.out, plain.out)
+        run = self.ended(self.arm("--goal", goal, "--nearest", "--seed", "3", "--rate", "9"), 0)
+        self.assertNotIn("no effect", run.err)
+
     def test_nearest_without_a_goal(self):
         run = self.ended(self.arm("--nearest", "--json", "-o", "near.json"), 0)
         near = run.json["nearest"]

@@ -148,7 +148,7 @@ class ArmProblem : public Problem {
                                .duration = command_.duration};
     arm::Result& plan = found_.plan;
     if (command_.inverse > 0)
-      find_inverse(command_, sensor, found_);
+      find_inverse(command_, sensor, stop, found_);
     else if (command_.straight)
       plan_straight(command_, sensor, stop, found_);
     else

@@ -1,5 +1,6 @@
 // lasius arm.
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 
 #include "tools/arm/arm_command.h"
@@ -110,6 +111,25 @@ void add_tip_options(OptionTable& table, ArmCommand& to) {
              "the start");
 }
 
+/// Notes options that say nothing to what is asked in place of a plan.
+void note_idle(const OptionTable& table, ArmCommand& to) {
+  const std::string asked = to.straight        ? "with --straight"
+                            : to.inverse > 0   ? "with --inverse"
+                            : to.goals.empty() ? "without a goal"
+                                               : "";
+  const auto idle = [&](std::initializer_list<const char*> options) {
+    for (const char* const option : options)
+      if (table.given(option)) to.notes.push_back(option + (" has no effect " + asked));
+  };
+  if (asked.empty()) return;
+  idle({"--algorithm", "--set", "--ants", "--iterations", "--objective", "--max-questions",
+        "--pitch", "--side", "--target-gap", "--no-shortcut"});
+  if (to.straight) idle({"--position-tolerance", "--angle-tolerance"});
+  if (to.inverse == 0) idle({"--seed"});
+  if (!to.straight) idle({"--duration", "--rate"});
+  if (to.inverse > 0) idle({"--recheck"});
+}
+
 void finish_tip_options(const OptionTable& table, ArmCommand& to) {
   if (to.straight && to.inverse > 0)
     throw UsageError("--inverse makes no motion; leave it or --straight out");
@@ -128,6 +148,7 @@ void finish_tip_options(const OptionTable& table, ArmCommand& to) {
   idle("--straight-tolerance", "--straight", to.straight);
   idle("--straight-angle", "--straight", to.straight);
   idle("--held-touches", "--held", !to.held.empty());
+  note_idle(table, to);
 }
 
 void finish_goals(const OptionTable& table, ArmCommand& to) {

@@ -13,26 +13,6 @@
 namespace lasius::tool {
 namespace {
 
-/// The line as an answer; it has a motion.
-arm::Result result_of(const arm::Robot& robot, const arm::TipLine& line, int goal) {
-  arm::Result plan;
-  plan.joints = line.joints;
-  plan.tips.resize(3, line.joints.cols());
-  for (Eigen::Index i = 0; i < line.joints.cols(); ++i) {
-    plan.tips.col(i) = arm::tip_position(robot, line.joints.col(i));
-    if (i == 0) continue;
-    plan.joint_travel += (line.joints.col(i) - line.joints.col(i - 1)).norm();
-    plan.tip_travel += (plan.tips.col(i) - plan.tips.col(i - 1)).norm();
-  }
-  plan.length = (plan.tips.rightCols<1>() - plan.tips.leftCols<1>()).norm();
-  plan.goal = goal;
-  plan.trajectory = line.trajectory;
-  plan.duration = line.trajectory.duration();
-  plan.waypoints = static_cast<int>(line.joints.cols());
-  plan.stops = line.stops;
-  return plan;
-}
-
 Json nearest_json(const arm::SceneSensor::Nearest& nearest) {
   return {{"distance", std::isfinite(nearest.distance) ? number(nearest.distance) : Json(nullptr)},
           {"link", text_or_null(nearest.link)},
@@ -41,13 +21,15 @@ Json nearest_json(const arm::SceneSensor::Nearest& nearest) {
 
 /// What a call returns; its refusal of the question is the plan's error.
 template <class Call>
-void answered(arm::Result& plan, const Call& call) {
+bool answered(arm::Result& plan, const Call& call) {
   try {
     call();
+    return true;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_parameter) throw;
     plan.status = Status::invalid;
     plan.error = error.what();
+    return false;
   }
 }
 
@@ -72,7 +54,11 @@ void plan_straight(const ArmCommand& command, const arm::SceneSensor& sensor,
       if (!told && !further) continue;
       answer.straight_reached = line.reached;
       const bool moves = !line.trajectory.empty();
-      answer.plan = moves ? result_of(answer.robot, line, static_cast<int>(i)) : arm::Result();
+      answer.plan = {};
+      if (moves) {
+        answer.plan = line;
+        answer.plan.goal = static_cast<int>(i);
+      }
       answer.plan.status = line.status;
       answer.plan.limit = line.limit;
       answer.plan.error = line.error;
@@ -82,24 +68,42 @@ void plan_straight(const ArmCommand& command, const arm::SceneSensor& sensor,
   answer.straight_reached = std::max(0.0, answer.straight_reached);
 }
 
-void find_inverse(const ArmCommand& command, const arm::SceneSensor& sensor, ArmAnswer& answer) {
-  answer.plan.status = Status::no_path;
-  answer.plan.error = "no joint values were found that reach the goal, which is no proof";
+void find_inverse(const ArmCommand& command, const arm::SceneSensor& sensor,
+                  const StopCondition& stop, ArmAnswer& answer) {
+  arm::Result& plan = answer.plan;
+  std::size_t asked = 0;
   for (std::size_t i = 0; i < answer.goals.size(); ++i)
-    answered(answer.plan, [&] {
+    asked += answered(plan, [&] {
       for (const arm::JointVector& q : arm::inverse_kinematics(
-               answer.robot, answer.goals[i], answer.start, command.inverse, command.seed))
+               answer.robot, answer.goals[i], answer.start, command.inverse, command.seed, stop))
         answer.inverse.push_back({i, q, sensor.nearest(q), sensor.position_free(q)});
     });
-  if (answer.inverse.empty()) return;
+  if (asked == 0) return;
   const auto far = [&](const Reaching& reaching) { return (reaching.q - answer.start).norm(); };
   std::ranges::stable_sort(answer.inverse, {}, far);
   const auto most = static_cast<std::size_t>(command.inverse);
   if (answer.inverse.size() > most)
     answer.inverse.erase(answer.inverse.begin() + command.inverse, answer.inverse.end());
-  answer.plan.status = Status::solved;
-  answer.plan.error.clear();
-  answer.plan.length = far(answer.inverse.front());
+  plan.error.clear();
+  const auto cause = stop.poll();
+  if (cause == StopCondition::Cause::token) {
+    plan.status = Status::interrupted;
+  } else if (cause == StopCondition::Cause::deadline) {
+    plan.status = Status::limit;
+    plan.limit = Limit::time;
+  } else if (answer.inverse.empty()) {
+    plan.status = Status::no_path;
+    plan.error = "no joint values were found that reach the goal, which is no proof";
+  } else if (std::ranges::none_of(answer.inverse, &Reaching::free)) {
+    plan.status = Status::invalid;
+    plan.fault = Fault::goal_blocked;
+    plan.error = "the arm touches something in each of " +
+                 counted(std::ssize(answer.inverse), "posture") +
+                 " found: " + sensor.contact(answer.inverse.front().q);
+  } else {
+    plan.status = Status::solved;
+    plan.length = far(answer.inverse.front());
+  }
 }
 
 std::string nearest_text(const arm::SceneSensor::Nearest& nearest) {

@@ -65,11 +65,12 @@ bool Contact::posture_free(std::span<const double> q) const {
       const auto& [a, b, relation] = pair;
       const auto& [body, from] = relations_[relation];
       const PlacedShape other(*b, bodies[from]);
-      if (ball_gap(*a, bodies[body], *b, other).gap >= least) continue;
+      const BallGap ball = ball_gap(*a, bodies[body], *b, other);
+      if (ball.gap >= least) continue;
       const PlacedShape at(*a, bodies[body]);
       if (a->hull_or_exact() && b->hull_or_exact()) {
-        const Vec3 guess = off(*a, bodies[body], *b, bodies[from]);
-        if (shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, least) >= least) continue;
+        if (shapes_apart<GjkAsked::decision>(*a, at, ball.guess, *b, other, least) >= least)
+          continue;
         if (a->exact && b->exact) return false;
       }
       const auto parts = opened(pair);
@@ -98,9 +99,9 @@ NearPair Contact::nearest(std::span<const double> q) const {
       const auto& [body, from] = relations_[relation];
       if (gap(pair) >= found.distance) continue;
       if (a->hull_or_exact() && b->hull_or_exact()) {
-        const double apart = shapes_apart<GjkAsked::distance>(
-            *a, PlacedShape(*a, bodies[body]), off(*a, bodies[body], *b, bodies[from]), *b,
-            PlacedShape(*b, bodies[from]), found.distance);
+        const PlacedShape at(*a, bodies[body]), other(*b, bodies[from]);
+        const double apart = shapes_apart<GjkAsked::distance>(*a, at, at.centre() - other.centre(),
+                                                              *b, other, found.distance);
         if (apart >= found.distance) continue;
         if (a->exact && b->exact) {
           found = told(pair, apart);

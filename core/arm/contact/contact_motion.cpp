@@ -120,7 +120,7 @@ class Contact::Search {
 
   /// Makes intervals of what a glance leaves open.
   void begin() {
-    constexpr double kPiece = 0.8;
+    constexpr double kPiece = 3.2;
     const int pieces = parts_of(curve_.way(), kPiece), lanes = lanes_of(curve_.way());
     const bool glance = straight_ != nullptr && straight_->lanes_hold;
     std::vector<kernels::LaneMiss> misses;
@@ -232,15 +232,15 @@ class Contact::Search {
     const bool hulls = a->hull_or_exact() && b->hull_or_exact();
     if (!hulls) return ball.gap >= 2 * clearance_ ? Verdict::apart : Verdict::opened;
     const PlacedShape at(*a, here);
-    const Vec3 guess = off(*a, here, *b, there);
     if (curved + clearance_ < std::max(ball.gap, 0.0) + 0.5 * a->radius) {
       const SweptShape swept(at, h * motion.turn, h * motion.shift);
       const double round = a->round * (1 + h * motion.turning) + b->round;
       const double need = clearance_ + curved + round;
-      if (gjk_apart<GjkAsked::decision>(swept, other, guess, need) >= need) return Verdict::free;
+      if (gjk_apart<GjkAsked::decision>(swept, other, ball.guess, need) >= need)
+        return Verdict::free;
     }
     if (ball.gap >= 2 * clearance_) return Verdict::apart;
-    if (shapes_apart<GjkAsked::decision>(*a, at, guess, *b, other, 2 * clearance_) >=
+    if (shapes_apart<GjkAsked::decision>(*a, at, ball.guess, *b, other, 2 * clearance_) >=
         2 * clearance_)
       return Verdict::apart;
     return a->exact && b->exact ? Verdict::touched : Verdict::opened;

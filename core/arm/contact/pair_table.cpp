@@ -139,8 +139,7 @@ PairTable::State PairTable::look(int level, int x, int y, Poller& poller) const 
       const SweptShape two(at, motions[1].turn, motions[1].shift);
       const double round = a->round * (1 + motions[0].turning) + b->round;
       const double need = clearance_ + curved + round;
-      if (gjk_apart<GjkAsked::decision>(SweptTwice{one, two}, other, off(*a, here, *b, there),
-                                        need) >= need)
+      if (gjk_apart<GjkAsked::decision>(SweptTwice{one, two}, other, ball.guess, need) >= need)
         continue;
       if (a->exact && b->exact) return open;
     }

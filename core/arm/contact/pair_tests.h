@@ -24,12 +24,14 @@ inline void place_bodies(const Kinematics& arm, std::span<const double> q, Kinem
 struct BallGap {
   double gap;
   Vec3 centre, normal;  // of the first one's ball; away from the second
+  Vec3 guess;           // of how the shapes lie to each other: for gjk_apart
 };
 inline BallGap ball_gap(const Shape& a, const Placement& at, const Shape& b,
                         const PlacedShape& placed) noexcept {
   const Vec3 centre = at * a.centre, off = centre - placed.nearest(centre);
   const double away = length(off);
-  return {away - a.radius - b.round, centre, away > 0 ? (1 / away) * off : Vec3{}};
+  if (away > 0) return {away - a.radius - b.round, centre, (1 / away) * off, off};
+  return {-a.radius - b.round, centre, {}, centre - placed.centre()};
 }
 
 /// Metres between two shapes where that is below `enough`, else something from there on; never
@@ -39,11 +41,6 @@ double shapes_apart(const Shape& a, const PlacedShape& at, Vec3 guess, const Sha
                     const PlacedShape& other, double enough) noexcept {
   const double round = a.round + b.round;
   return gjk_apart<asked>(at, other, guess, enough + round) - round;
-}
-
-inline Vec3 off(const Shape& a, const Placement& at, const Shape& b,
-                const Placement& other) noexcept {
-  return at * a.centre - other * b.centre;
 }
 
 /// Which of two shapes is looked into, where not both are exact.

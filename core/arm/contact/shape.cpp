@@ -309,9 +309,9 @@ Vec3 PlacedShape::nearest(Vec3 p) const noexcept {
     }
     default: {
       // Of the ball around it.
-      const Vec3 centre = body_ * shape_.centre;
-      const double away = distance(p, centre), radius = shape_.radius - shape_.round;
-      return away > radius ? centre + (radius / away) * (p - centre) : p;
+      const Vec3 middle = centre();
+      const double away = distance(p, middle), radius = shape_.radius - shape_.round;
+      return away > radius ? middle + (radius / away) * (p - middle) : p;
     }
   }
 }

@@ -85,6 +85,8 @@ class PlacedShape {
   }
   /// The furthest point of its set along a direction.
   Vec3 operator()(Vec3 direction) const noexcept;
+  /// Of the ball around it.
+  Vec3 centre() const noexcept { return body_ * shape_.centre; }
   /// The point of the set that is nearest to `p`, which is itself where it is inside; of a hull one
   /// that need not be so near.
   Vec3 nearest(Vec3 p) const noexcept;

@@ -51,12 +51,12 @@ inline std::array<int, 3> rounded(Vec3 a) noexcept {
           static_cast<int>(std::lround(a.z))};
 }
 
-inline Vec3 operator*(const Rotation& r, Vec3 a) noexcept {
+[[gnu::always_inline]] inline Vec3 operator*(const Rotation& r, Vec3 a) noexcept {
   return {r[0] * a.x + r[1] * a.y + r[2] * a.z, r[3] * a.x + r[4] * a.y + r[5] * a.z,
           r[6] * a.x + r[7] * a.y + r[8] * a.z};
 }
 /// The inverse rotation applied.
-inline Vec3 rotate_back(const Rotation& r, Vec3 a) noexcept {
+[[gnu::always_inline]] inline Vec3 rotate_back(const Rotation& r, Vec3 a) noexcept {
   return {r[0] * a.x + r[3] * a.y + r[6] * a.z, r[1] * a.x + r[4] * a.y + r[7] * a.z,
           r[2] * a.x + r[5] * a.y + r[8] * a.z};
 }
@@ -92,7 +92,7 @@ struct Placement {
   Rotation rotation = kNoRotation;
   Vec3 position;
 };
-inline Vec3 operator*(const Placement& placement, Vec3 a) noexcept {
+[[gnu::always_inline]] inline Vec3 operator*(const Placement& placement, Vec3 a) noexcept {
   return placement.rotation * a + placement.position;
 }
 inline Placement operator*(const Placement& a, const Placement& b) noexcept {

@@ -48,9 +48,10 @@ Robot globes(Robot robot, double radius) {
 bool near(const Shape& a, const Placement& at, const Shape& b) {
   const Placement world{};
   const PlacedShape other(b, world);
-  if (ball_gap(a, at, b, other).gap >= kClearance) return false;
+  const BallGap ball = ball_gap(a, at, b, other);
+  if (ball.gap >= kClearance) return false;
   if (a.exact && b.exact) {
-    return shapes_apart<GjkAsked::decision>(a, PlacedShape(a, at), off(a, at, b, world), b, other,
+    return shapes_apart<GjkAsked::decision>(a, PlacedShape(a, at), ball.guess, b, other,
                                             kClearance) < kClearance;
   }
   const bool first = first_is_opened(a, b);
