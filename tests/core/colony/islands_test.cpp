@@ -3,18 +3,22 @@
 
 #include <algorithm>
 #include <atomic>
+#include <climits>
 #include <cmath>
 #include <condition_variable>
 #include <functional>
+#include <list>
 #include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "core/colony/grid_colony.h"
 #include "lasius/error.h"
 #include "lasius/navigator.h"
 #include "lasius/own_rules.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {
@@ -173,6 +177,63 @@ TEST_P(Archipelago, ATourIsLearnedByInTheIterationThatIsDue) {
   EXPECT_NE(apart.steps, joined.steps);
 }
 
+TEST_P(Archipelago, EachLearnsByTheOneBeforeIt) {
+  FarApart far;
+  Params params = split(GetParam(), 3);
+  params.exchange_every = 2;
+  Params share = params;
+  share.islands = 1;
+  std::list<ColonyMemory> memory(3);
+  std::list<Params> shares;
+  std::list<GridColony> colonies;
+  const Observer none;
+  int first_ant = 0;
+  for (ColonyMemory& one : memory) {
+    share.ants = first_ant == 0 ? 3 : 2;
+    colonies.emplace_back(far.planner.grid(), shares.emplace_back(share), one, no_own_rules(),
+                          GridColony::After::nothing, nullptr, nullptr, first_ant);
+    first_ant += share.ants;
+    colonies.back().begin(far.request);
+    colonies.back().set_out(far.request, none);
+  }
+  std::vector<std::int64_t> steps;
+  for (int q = 0; q < params.iterations; ++q) {
+    if (q > 0 && q % 2 == 0) {
+      const GridColony* before = &colonies.back();
+      for (GridColony& colony : colonies) {
+        colony.welcome(before->best_tour());
+        before = &colony;
+      }
+    }
+    std::int64_t sum = 0;
+    for (GridColony& colony : colonies) {
+      ASSERT_EQ(colony.send_ants(q), StopCondition::Cause::none);
+      colony.offer();
+      colony.update_trail(q);
+      for (int a = 0; a < colony.ants(); ++a) sum += colony.walked(a)->steps;
+    }
+    steps.push_back(sum);
+  }
+  EXPECT_EQ(far.plan(params).steps, steps);
+}
+
+TEST(Islands, TheEntropyIsOfThoseWhereAnAntHasArrived) {
+  Planner planner{blobs(40, 30)};
+  Params params = split("as", 7);
+  params.dead_end = DeadEnd::kill;
+  bool one_alone = false;
+  for (params.seed = 1; params.seed <= 40; ++params.seed) {
+    const Result found = planner.plan(far_apart(planner), params);
+    int arrived = 0;
+    for (std::size_t q = 0; q < found.arrived.size(); ++q) {
+      arrived += found.arrived[q];
+      EXPECT_EQ(std::isnan(found.trail_entropy[q]), arrived == 0) << params.seed << " " << q;
+      one_alone = one_alone || arrived == 1;
+    }
+  }
+  EXPECT_TRUE(one_alone);
+}
+
 TEST(Islands, AnAntHasTheNumbersThatItHasInOneColony) {
   FarApart far;
   const Result whole = far.plan(split("fan2004", 1));
@@ -200,6 +261,23 @@ TEST(Islands, AnObserverSeesTheLeaderAndEndsAllOfThem) {
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_EQ(cut.iterations, 3);
   EXPECT_EQ(cut.length, whole.best[2]);
+}
+
+TEST(Islands, WhatACutIterationFoundIsOffered) {
+  FarApart far;
+  Params params = split("as", 2);
+  params.iterations = 1;
+  const CountingTime never(INT_MAX);
+  far.request.stop = never.is_up();
+  ASSERT_EQ(far.plan(params).iterations, 1);
+  int cut = 0;
+  for (int polls = never.polls() - 1; polls > never.polls() / 2 && cut == 0; --polls) {
+    const CountingTime time(polls);
+    far.request.stop = time.is_up();
+    const Result found = far.plan(params);
+    cut += found.status == Status::limit && found.iterations == 0 && !found.path.empty();
+  }
+  EXPECT_GT(cut, 0);
 }
 
 TEST(Islands, MoreThanThereAreAntsAreRefused) {
