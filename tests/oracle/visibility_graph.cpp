@@ -8,8 +8,6 @@
 #include <queue>
 #include <utility>
 
-#include "lasius/path.h"
-
 namespace lasius::oracle {
 namespace {
 
@@ -199,8 +197,7 @@ std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const
     path.push_back(
         {static_cast<double>(nodes[i].x) / kUnit, static_cast<double>(nodes[i].y) / kUnit});
   std::reverse(path.begin(), path.end());
-  const double length = path_length(path);
-  return Shortest{length, std::move(path)};
+  return Shortest{g[goal_node] / kUnit, std::move(path)};
 }
 
 }  // namespace lasius::oracle

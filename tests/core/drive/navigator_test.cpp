@@ -57,6 +57,18 @@ void expect_clear(const Navigator& navigator, double radius, const Way& way) {
     EXPECT_GE(judge.clearance(way.path[p - 1], way.path[p]), radius - 2e-9);
 }
 
+/// The robot goes on some steps along its walk; where it is then.
+Cell gone_on(Draw& draw, Navigator& navigator, const Way& way, Cell robot, bool replans) {
+  for (std::size_t step = 1; step < way.walk.size(); ++step) {
+    robot = way.walk[step];
+    EXPECT_TRUE(!navigator.step(robot).replanned || replans);
+    if (draw.one_in(8)) break;
+  }
+  // From here a way is asked for anew, since a kept one is as it was planned.
+  navigator.forget();
+  return robot;
+}
+
 /// Edits at random; after each the way must be as good as a fresh planner's, from where the robot
 /// was when it was planned.
 int compare_with_fresh_planners(const NavigatorOptions& options, int worlds, int edits) {
@@ -109,15 +121,7 @@ int compare_with_fresh_planners(const NavigatorOptions& options, int worlds, int
       // A kept way may be another one of the same length.
       EXPECT_NEAR(way.length, fresh.length, 1e-9 * fresh.length);
       // To stand still lets the next way be compared, too; to go on, its walk.
-      if (draw.one_in(4)) {
-        for (std::size_t step = 1; step < way.walk.size(); ++step) {
-          robot = way.walk[step];
-          EXPECT_TRUE(!navigator.step(robot).replanned || options.radius > 0);
-          if (draw.one_in(8)) break;
-        }
-        // From here a way is asked for anew, since a kept one is as it was planned.
-        navigator.forget();
-      }
+      if (draw.one_in(4)) robot = gone_on(draw, navigator, way, robot, options.radius > 0);
     }
   }
   EXPECT_LE(doors, ways / 20);
