@@ -19,26 +19,30 @@ struct CoverBenchOptions {
   int generations = 20;
 };
 
-/// Swaths line by line, cell by cell: a cell is swaths on lines one after another, each beside one
-/// alone. The nearest end of a cell that is left comes next, by straight lines; in a cell swaths go
-/// to and fro.
-std::vector<int> to_and_fro(const CoverResult& cover) {
+/// A swath on the line that is `c` beside the origin, from and to along it.
+struct SwathLine {
+  int swath;
+  double c, from, to;
+};
+
+std::vector<SwathLine> lines_of(const CoverResult& cover) {
   constexpr double kRadians = 3.14159265358979323846 / 180;
   const double x = std::cos(cover.angle * kRadians), y = std::sin(cover.angle * kRadians);
-  struct Line {
-    int swath;
-    double c, from, to;
-  };
-  std::vector<Line> lines;
+  std::vector<SwathLine> lines;
   for (int i = 0; i < cover.swaths(); ++i) {
     const Point a = cover.stops[2 * i], b = cover.stops[2 * i + 1];
     const double ta = a.x * x + a.y * y, tb = b.x * x + b.y * y;
     lines.push_back(
         {i, (a.y + b.y) / 2 * x - (a.x + b.x) / 2 * y, std::min(ta, tb), std::max(ta, tb)});
   }
-  std::sort(lines.begin(), lines.end(),
-            [](const Line& a, const Line& b) { return a.c != b.c ? a.c < b.c : a.from < b.from; });
-  // The swath behind each that is beside it alone, as it is alone beside that.
+  std::sort(lines.begin(), lines.end(), [](const SwathLine& a, const SwathLine& b) {
+    return a.c != b.c ? a.c < b.c : a.from < b.from;
+  });
+  return lines;
+}
+
+/// A cell is swaths on lines one after another, each beside one alone, which is beside it alone.
+std::vector<std::vector<int>> cells_of(const std::vector<SwathLine>& lines) {
   const int n = static_cast<int>(lines.size());
   std::vector<int> next(lines.size(), -1), beside_next(lines.size(), 0),
       beside_last(lines.size(), 0);
@@ -66,6 +70,13 @@ std::vector<int> to_and_fro(const CoverResult& cover) {
     cells[cell[i]].push_back(lines[i].swath);
     if (beside_next[i] == 1 && beside_last[next[i]] == 1) cell[next[i]] = cell[i];
   }
+  return cells;
+}
+
+/// Swaths line by line, cell by cell: the nearest end of a cell that is left comes next, by
+/// straight lines; in a cell swaths go to and fro.
+std::vector<int> to_and_fro(const CoverResult& cover) {
+  std::vector<std::vector<int>> cells = cells_of(lines_of(cover));
   std::vector<int> order;
   Point at = cover.stops.front();
   const auto away = [&](int stop) {

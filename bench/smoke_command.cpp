@@ -10,7 +10,7 @@ constexpr const char* kLines[] = {
     "queries --generated 96 --queries 4 --rounds 1",
     "anytime --generated 96 --queries 2",
     "exact --noise 96 --queries 4 --rounds 1",
-    "costs --generated 96 --queries 1 --rounds 1",
+    "costs --generated 96 --kinds blobs --queries 1 --rounds 1",
     "edits --generated 96 --kinds blobs --queries 4 --rounds 1 --edits 20",
     "edits --unprepared --generated 96 --kinds blobs --edits 20",
     "drive --generated 96 --kinds blobs,maze --queries 1 --rounds 1",

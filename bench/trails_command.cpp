@@ -179,7 +179,7 @@ std::string interval(const std::vector<double>& differences) {
          short_number(quantile(drawn, 0.975)) + "]";
 }
 
-void write_kind(const TrailKind& kind, const TrailOptions& options, Table& table) {
+std::vector<Contender> contenders_of(const TrailKind& kind) {
   using tour::Improvement;
   const bool given = !kind.problems.front().before.empty();
   std::vector<Contender> contenders;
@@ -189,6 +189,11 @@ void write_kind(const TrailKind& kind, const TrailOptions& options, Table& table
   }
   contenders.push_back({"has-sop", Improvement::pieces});
   contenders.push_back({"eacs", Improvement::pieces});
+  return contenders;
+}
+
+void write_kind(const TrailKind& kind, const TrailOptions& options, Table& table) {
+  const std::vector<Contender> contenders = contenders_of(kind);
   // By contender, with its trail and without, run by run; the last is the usual search.
   std::vector<std::array<std::vector<std::vector<double>>, 2>> above(contenders.size() + 1);
   for (const OrderProblem& problem : kind.problems) {

@@ -7,12 +7,9 @@
 #include "tests/oracle/cost_paths.h"
 
 namespace lasius::bench {
+namespace {
 
-HuntVerdict judge_costs(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
-  const Grid& grid = problem.grid;
+std::vector<double> draw_weights(HuntDraw& draw, const Grid& grid) {
   std::vector<double> weights(static_cast<std::size_t>(grid.width()) * grid.height());
   const int kind = draw.between(0, 3);
   const double uniform = draw.real(0.5, 4);
@@ -21,6 +18,17 @@ HuntVerdict judge_costs(const HuntCase& problem) {
         : kind == 1 ? draw.between(1, 3)
         : kind == 2 ? draw.real(0.1, 9)
                     : (draw.one_in(8) ? 200 : 1);
+  return weights;
+}
+
+}  // namespace
+
+HuntVerdict judge_costs(const HuntCase& problem) {
+  HuntVerdict verdict;
+  if (!well_posed(problem)) return verdict;
+  HuntDraw draw(problem.seed);
+  const Grid& grid = problem.grid;
+  const std::vector<double> weights = draw_weights(draw, grid);
   const double most = std::ranges::max(weights);
   const CostField costs(grid.width(), grid.height(), weights);
   const CostPlanner planner(Planner(Grid(grid)), costs);

@@ -160,6 +160,22 @@ std::vector<Polygon> unscaled(const FreeSpace& space, std::vector<Polygon> list)
   return list;
 }
 
+void set_corners(FreeSpace& space, std::optional<Arrangement>& walled,
+                 const std::vector<Polygon>& pieces) {
+  if (walled) {
+    std::vector<Corner> sides = walled->sides();
+    part_touching_rings(sides);
+    space.corners = walled->free_sides(sides);
+  } else {
+    for (const Polygon& piece : pieces) {
+      add_ring(space, piece.outer, true);
+      for (const Ring& hole : piece.holes) add_ring(space, hole, false);
+    }
+    part_touching_rings(space.corners);
+  }
+  drop_flat_corners(space.corners);
+}
+
 }  // namespace
 
 FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangents tangents) {
@@ -205,18 +221,7 @@ FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangent
       geos.own(GEOSDifferencePrec_r(context, boundary.get(), obstacles.get(), 1));
 
   const std::vector<Polygon> pieces = walled ? walled->pieces() : geos.polygons(free.get());
-  if (walled) {
-    std::vector<Corner> sides = walled->sides();
-    part_touching_rings(sides);
-    space.corners = walled->free_sides(sides);
-  } else {
-    for (const Polygon& piece : pieces) {
-      add_ring(space, piece.outer, true);
-      for (const Ring& hole : piece.holes) add_ring(space, hole, false);
-    }
-    part_touching_rings(space.corners);
-  }
-  drop_flat_corners(space.corners);
+  set_corners(space, walled, pieces);
   remember(space, world.boundary);
   for (const Polygon& p : world.obstacles) remember(space, p);
   for (const Ring& w : world.walls) remember(space, w);

@@ -118,11 +118,23 @@ double VisibilityGraph::octile(Cell start, Cell goal) const {
   return kInfinity;
 }
 
-std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const {
-  const auto units = [](double v) { return static_cast<std::int64_t>(std::llround(v * kUnit)); };
-  const Node from{units(start.x), units(start.y), 0, 0}, to{units(goal.x), units(goal.y), 0, 0};
-  // No path leaves the ellipse of a known one, so neither do edges worth a look: one of king's
-  // moves between cells that the ends touch, and ways to their centres.
+// The edge from `a` in direction (dx, dy) neither enters a's block nor points straight away from
+// it: only then can a taut path bend round it.
+bool VisibilityGraph::along(const Node& a, std::int64_t dx, std::int64_t dy) {
+  return dx * a.block_x * dy * a.block_y <= 0;
+}
+
+// Going on from u, reached from p, bends towards u's block or not at all.
+bool VisibilityGraph::taut(const Node& p, const Node& u, const Node& v) {
+  const std::int64_t dx = u.x - p.x;
+  const std::int64_t dy = u.y - p.y;
+  const std::int64_t turn = dx * (v.y - u.y) - dy * (v.x - u.x);
+  const std::int64_t block = dx * u.block_y - dy * u.block_x;
+  return block > 0 ? turn >= 0 : turn <= 0;
+}
+
+// Of king's moves between cells that the ends touch, and ways to their centres.
+double VisibilityGraph::known(const Node& from, const Node& to) const {
   const auto touched = [](const Node& at) {
     std::vector<Cell> cells;
     for (const std::int64_t y : {(at.y + kUnit - 1) / kUnit - 1, at.y / kUnit})
@@ -130,11 +142,18 @@ std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const
         cells.push_back({static_cast<int>(x), static_cast<int>(y)});
     return cells;
   };
-  double known = kInfinity;
+  double least = kInfinity;
   for (const Cell a : touched(from))
     for (const Cell b : touched(to))
-      known = std::min(known, a == b && !blocked(a.x, a.y) ? 0 : octile(a, b));
-  const double bound = kUnit * (known + 2) * (1 + 1e-9);
+      least = std::min(least, a == b && !blocked(a.x, a.y) ? 0 : octile(a, b));
+  return kUnit * (least + 2) * (1 + 1e-9);
+}
+
+std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const {
+  const auto units = [](double v) { return static_cast<std::int64_t>(std::llround(v * kUnit)); };
+  const Node from{units(start.x), units(start.y), 0, 0}, to{units(goal.x), units(goal.y), 0, 0};
+  // No path leaves the ellipse of a known one, so neither do edges worth a look.
+  const double bound = known(from, to);
   if (bound == kInfinity) return std::nullopt;
   const int count = static_cast<int>(corners_.size());
   const int goal_node = count + 1;
@@ -147,20 +166,6 @@ std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const
     const auto dy = static_cast<double>(nodes[a].y - nodes[b].y);
     return std::sqrt(dx * dx + dy * dy);
   };
-  // The edge from `a` in direction (dx, dy) neither enters a's block nor points straight away
-  // from it: only then can a taut path bend round it.
-  const auto along = [](const Node& a, std::int64_t dx, std::int64_t dy) {
-    return dx * a.block_x * dy * a.block_y <= 0;
-  };
-  // Going on from u, reached from p, bends towards u's block or not at all.
-  const auto taut = [&](const Node& p, const Node& u, const Node& v) {
-    const std::int64_t dx = u.x - p.x;
-    const std::int64_t dy = u.y - p.y;
-    const std::int64_t turn = dx * (v.y - u.y) - dy * (v.x - u.x);
-    const std::int64_t block = dx * u.block_y - dy * u.block_x;
-    return block > 0 ? turn >= 0 : turn <= 0;
-  };
-
   std::vector<double> g(nodes.size(), kInfinity);
   std::vector<double> h(nodes.size());
   for (int i = 0; i <= goal_node; ++i) h[i] = distance(i, goal_node);
@@ -187,18 +192,12 @@ std::optional<Shortest> VisibilityGraph::shortest(Point start, Point goal) const
     }
   }
   if (g[goal_node] == kInfinity) return std::nullopt;
-  Shortest shortest{0, {}};
-  for (int i = goal_node; i >= 0; i = parent[i]) {
-    shortest.path.push_back(
+  std::vector<Point> path;
+  for (int i = goal_node; i >= 0; i = parent[i])
+    path.push_back(
         {static_cast<double>(nodes[i].x) / kUnit, static_cast<double>(nodes[i].y) / kUnit});
-  }
-  std::reverse(shortest.path.begin(), shortest.path.end());
-  for (std::size_t i = 1; i < shortest.path.size(); ++i) {
-    const double dx = shortest.path[i].x - shortest.path[i - 1].x;
-    const double dy = shortest.path[i].y - shortest.path[i - 1].y;
-    shortest.length += std::sqrt(dx * dx + dy * dy);
-  }
-  return shortest;
+  std::reverse(path.begin(), path.end());
+  return Shortest{g[goal_node] / kUnit, std::move(path)};
 }
 
 }  // namespace lasius::oracle

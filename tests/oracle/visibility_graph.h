@@ -51,6 +51,10 @@ class VisibilityGraph {
   bool blocked(int x, int y) const { return blocked_[(y + 1) * (width_ + 2) + x + 1] != 0; }
   bool sees(const Node& a, const Node& b) const;
   bool sees_along(std::int64_t line, std::int64_t from, std::int64_t to, bool level) const;
+  static bool along(const Node& a, std::int64_t dx, std::int64_t dy);
+  static bool taut(const Node& p, const Node& u, const Node& v);
+  /// What no shortest path between two points is longer than, in 1 / kUnit; or infinity.
+  double known(const Node& from, const Node& to) const;
 
   int width_;
   int height_;

@@ -1,10 +1,12 @@
 """`lasius help`, --help and the manual pages: all of one source, and true."""
 import gzip
 import os
+import pathlib
 import re
 import shlex
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 from layers import map_text, pfm
@@ -147,25 +149,26 @@ class Help(HelpTest):
 
 
 class ManualPages(HelpTest):
-    def setUp(self):
-        super().setUp()
-        self.make_pages("man")
+    @classmethod
+    def make_pages(cls):
+        """All pages by name."""
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([os.path.join(ROOT, "tools", "manual", "make_manual"), "pages", PROGRAM, folder],
+                           check=True, timeout=600)
+            return {file.name: file.read_bytes() for file in pathlib.Path(folder).iterdir()}
 
-    def make_pages(self, folder):
-        os.mkdir(self.path(folder))
-        subprocess.run([os.path.join(ROOT, "tools", "manual", "make_manual"), "pages", PROGRAM, self.path(folder)],
-                       check=True, timeout=60)
+    @classmethod
+    def setUpClass(cls):
+        cls.made = cls.make_pages()
 
     def pages(self):
-        return sorted(os.listdir(self.path("man")))
+        return sorted(self.made)
 
     def test_a_page_for_each_command(self):
         self.assertEqual(self.pages(), sorted(["lasius.1", *(f"lasius-{name}.1" for name in self.commands()), "lasius_mpi.1"]))
 
     def test_the_same_every_time(self):
-        self.make_pages("again")
-        for name in self.pages():
-            self.assertEqual(self.read(f"man/{name}"), self.read(f"again/{name}"))
+        self.assertEqual(self.make_pages(), self.made)
 
     def test_the_build_has_them(self):
         folder = os.path.join(os.path.dirname(os.path.dirname(PROGRAM)), "man")
@@ -174,11 +177,11 @@ class ManualPages(HelpTest):
         self.assertEqual(sorted(os.listdir(folder)), [name + ".gz" for name in self.pages()])
         for name in self.pages():
             with gzip.open(os.path.join(folder, name + ".gz")) as file:
-                self.assertEqual(file.read(), self.read(f"man/{name}"), name)
+                self.assertEqual(file.read(), self.made[name], name)
 
     def test_every_option_is_on_its_page(self):
         for command in self.commands():
-            page = self.read(f"man/lasius-{command}.1").decode().replace("\\-", "-")
+            page = self.made[f"lasius-{command}.1"].decode().replace("\\-", "-")
             shown = self.text(command, "--help").partition("\nOptions:\n")[2].partition("\n\n")[0]
             options = re.findall(r"^  (?:-\w, )?(--[a-z-]+)", shown, re.MULTILINE)
             self.assertIn("--help", options)
@@ -187,7 +190,7 @@ class ManualPages(HelpTest):
 
     def test_requests_and_escapes(self):
         for name in self.pages():
-            for line in self.read(f"man/{name}").decode().splitlines():
+            for line in self.made[name].decode().splitlines():
                 self.assertNotIn("`", line)
                 if line.startswith("."):
                     self.assertRegex(line, r"^\.(TH|SH|SS|TP|PP|RS|RE|nf|fi)\b", name)
@@ -195,8 +198,10 @@ class ManualPages(HelpTest):
     def lint(self, tool, *arguments):
         if shutil.which(tool) is None:
             self.skipTest(f"SKIPPED: no {tool} on this machine")
-        for name in self.pages():
-            done = subprocess.run([tool, *arguments, self.path(f"man/{name}")], check=False,
+        for name, page in self.made.items():
+            with open(self.path(name), "wb") as file:
+                file.write(page)
+            done = subprocess.run([tool, *arguments, self.path(name)], check=False,
                                   capture_output=True, text=True, timeout=60,
                                   env={**os.environ, "LC_ALL": "C.UTF-8", "MANWIDTH": "80"})
             yield name, done

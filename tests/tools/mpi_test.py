@@ -14,7 +14,7 @@ import time
 import unittest
 
 from layers import map_text, pgm, yaml
-from program import MAPS, ProgramTest, Run, environment
+from program import MAPS, ProgramTest, Run, environment, tuning
 
 FAN = os.path.join(MAPS, "fan400x200.map")
 DRAWN = random.Random(47)
@@ -28,17 +28,7 @@ RANKS = [(mpi, ranks, threads) for mpi in PROGRAMS
 SKIPPED = 77
 
 
-TUNING = """
-algorithm: mmas
-set: {ants: 1, iterations: 1}
-parameters: {ants: [1, 10], iterations: [2, 20]}
-candidates: 4
-maps: {b: {kind: blobs, size: 40x30, density: 0.3, seeds: 1..2}}
-optimum: 8 moves
-training: [{map: b, draw: 1}]
-race: {first_test: 3, blocks: 4}
-seeds: 1..2
-"""
+TUNING = tuning(iterations=20, candidates=4, maps=2, draw=1, blocks=4, first_test=3, seeds=2)
 
 
 def timeless(lines):

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from program import MAPS, ProgramTest
+from program import MAPS, ProgramTest, tuning
 
 # 16 points of 4 factors and 2 others, on 3 questions with 2 seeds: 108 runs.
 SWEEP = """
@@ -34,17 +34,7 @@ claims:
   - {text: the trail is of use, test: less, a: as-1, b: [default, as-2]}
 """
 
-TUNING = """
-algorithm: mmas
-set: {ants: 1, iterations: 1}
-parameters: {ants: [1, 10], iterations: [2, 50]}
-candidates: 8
-maps: {b: {kind: blobs, size: 40x30, density: 0.3, seeds: 1..3}}
-optimum: 8 moves
-training: [{map: b, draw: 2}]
-race: {first_test: 4, blocks: 30}
-seeds: 1..5
-"""
+TUNING = tuning()
 
 
 class OwnStudy(ProgramTest):
@@ -66,7 +56,7 @@ class OwnStudy(ProgramTest):
         return sum(f.endswith(".json") for _, _, files in os.walk(self.path(folder)) for f in files)
 
     def test_a_sweep_killed_at_random_ends_with_the_same_table(self):
-        self.write("s.yaml", SWEEP.replace("[1..2]", "1..2"))
+        self.write("s.yaml", SWEEP.replace("[1..2]", "1..2").replace("150000", "50000"))
         whole = self.run_program("study", "s.yaml", "-o", "whole", "--threads", 2)
         self.assertEqual((whole.code, whole.out), (0, "whole/report.md\n"), whole.err)
         self.assertRegex(whole.err, r"lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
@@ -74,7 +64,7 @@ class OwnStudy(ProgramTest):
         self.assertEqual(len(expected), 108)
 
         draw = random.Random(20)
-        for kill in range(20):
+        for kill in range(8):
             begun = self.runs_done("killed/runs")
             wanted = begun + draw.randint(1, 4)  # one more at least: by then it listens to signals
             process = self.start_program("study", "s.yaml", "-o", "killed", "--threads", 1 + kill % 2)

@@ -55,6 +55,21 @@ def environment(extra):
     return {**clean, "OMP_WAIT_POLICY": "passive", **(extra or {})}
 
 
+def tuning(iterations=50, candidates=8, maps=3, draw=2, first_test=4, blocks=30, seeds=5):
+    """What `lasius tune` reads; the most ants and iterations are best."""
+    return f"""
+algorithm: mmas
+set: {{ants: 1, iterations: 1}}
+parameters: {{ants: [1, 10], iterations: [2, {iterations}]}}
+candidates: {candidates}
+maps: {{b: {{kind: blobs, size: 40x30, density: 0.3, seeds: 1..{maps}}}}}
+optimum: 8 moves
+training: [{{map: b, draw: {draw}}}]
+race: {{first_test: {first_test}, blocks: {blocks}}}
+seeds: 1..{seeds}
+"""
+
+
 class ProgramTest(unittest.TestCase):
     """Each test runs in a folder of its own that holds small.map."""
 

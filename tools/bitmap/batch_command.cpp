@@ -106,6 +106,35 @@ std::vector<std::string> end_texts(const RunOptions& run, const Answer& answer) 
   return texts;
 }
 
+/// What answers may be compared with, of each query of a part.
+struct Optima {
+  std::vector<std::optional<double>> any_angle, by_moves;
+  std::vector<CostResult> least;  // over costs
+
+  Optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> part,
+         const BatchOptions& how) {
+    if (!run.with_optimum) return;
+    if (!map.costs) {
+      any_angle = optima(map, run, part, how);
+      by_moves = own_optima(map, run, part, how.token);
+      return;
+    }
+    least.resize(part.size());
+    parallel_for(static_cast<int>(part.size()), run.threads, [&](int number, int) {
+      const auto i = static_cast<std::size_t>(number);
+      least[i] = least_cost(map, run, part[i],
+                            {.token = how.token, .deadline = deadline_after(run.time_limit)});
+    });
+  }
+
+  void set(const RunOptions& run, std::size_t query, Answer& answer) const {
+    if (!least.empty())
+      set_least_cost(answer, least[query]);
+    else if (run.with_optimum)
+      set_optima(run, any_angle[query], by_moves[query], answer);
+  }
+};
+
 }  // namespace
 
 int run_bitmap_batch(const PlanCommand& command) {
@@ -123,18 +152,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   const auto answer_part = [&](const Batch::Part& asked, const BatchOptions& how,
                                const Batch::Take& take) {
     const auto part = std::span(queries).subspan(asked.first, asked.count);
-    std::vector<std::optional<double>> any_angle, by_moves;
-    std::vector<CostResult> least(run.with_optimum && map.costs ? part.size() : 0);
-    if (!least.empty()) {
-      parallel_for(static_cast<int>(part.size()), run.threads, [&](int number, int) {
-        const auto i = static_cast<std::size_t>(number);
-        least[i] = least_cost(map, run, part[i],
-                              {.token = how.token, .deadline = deadline_after(run.time_limit)});
-      });
-    } else if (run.with_optimum) {
-      any_angle = optima(map, run, part, how);
-      by_moves = own_optima(map, run, part, how.token);
-    }
+    const Optima known(map, run, part, how);
     const auto receive = [&](const auto& found) {
       const std::size_t index = asked.first + found.index;
       const auto [start, goal] = ends_of(file, index, map, run.frame);
@@ -143,10 +161,7 @@ int run_bitmap_batch(const PlanCommand& command) {
                     .result = found.result,
                     .elapsed_ms = 1e3 * found.elapsed.count()};
       if constexpr (requires { found.result.cost; }) set_costs(answer, found.result);
-      if (!least.empty())
-        set_least_cost(answer, least[found.index]);
-      else if (run.with_optimum)
-        set_optima(run, any_angle[found.index], by_moves[found.index], answer);
+      known.set(run, found.index, answer);
       set_remedy(map, run, how.token, answer);
       Record record = record_of(map, run, answer);
       record.index = run.part.among_all(index);

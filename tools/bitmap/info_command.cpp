@@ -114,8 +114,28 @@ Json info_json(const LoadedMap& map, Corners corners) {
   return json;
 }
 
+std::string ms_text(const Json& value) { return printed("%.2f ms", value.get<double>()); }
+
+std::string preparation_text(const Json& made) {
+  const bool ready = made["state"] == to_string(Preparation::State::ready);
+  std::string text = row_text(
+      "--prepare", dumped(made["corners"]) + " vertices, " +
+                       (ready ? dumped(made["edges"]) + " edges, " + dumped(made["bytes"]) +
+                                    " bytes, " + ms_text(made["ms"])
+                              : "not made: it would take more than " +
+                                    std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
+  if (const Json& labels = made["labels"]; !labels.is_null())
+    text += row_text(
+        "labels", labels["state"] == to_string(Preparation::State::ready)
+                      ? dumped(labels["entries"]) + " entries, " + dumped(labels["bytes"]) +
+                            " bytes, " + ms_text(labels["ms"])
+                      : "not made after " + ms_text(labels["ms"]) + ": there would be more than " +
+                            std::to_string(PrepareOptions{}.max_label_entries) +
+                            " entries a vertex");
+  return text;
+}
+
 std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand& command) {
-  const auto ms = [](const Json& value) { return printed("%.2f ms", value.get<double>()); };
   const auto& memory = json["memory"];
   std::string text;
   const auto row = [&text](const char* name, const std::string& value) {
@@ -151,23 +171,9 @@ std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand&
     add(" for exact, for the others up to ", "widest_radius_grown");
     row("joined", joined);
   }
-  row("read", ms(json["read_ms"]));
-  row("made ready", ms(json["prepare_ms"]));
-  if (const Json& more = json["preparation"]; !more.is_null()) {
-    const bool ready = more["state"] == to_string(Preparation::State::ready);
-    row("--prepare", dumped(more["corners"]) + " vertices, " +
-                         (ready ? dumped(more["edges"]) + " edges, " + dumped(more["bytes"]) +
-                                      " bytes, " + ms(more["ms"])
-                                : "not made: it would take more than " +
-                                      std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
-    if (const Json& labels = more["labels"]; !labels.is_null())
-      row("labels", labels["state"] == to_string(Preparation::State::ready)
-                        ? dumped(labels["entries"]) + " entries, " + dumped(labels["bytes"]) +
-                              " bytes, " + ms(labels["ms"])
-                        : "not made after " + ms(labels["ms"]) + ": there would be more than " +
-                              std::to_string(PrepareOptions{}.max_label_entries) +
-                              " entries a vertex");
-  }
+  row("read", ms_text(json["read_ms"]));
+  row("made ready", ms_text(json["prepare_ms"]));
+  if (const Json& made = json["preparation"]; !made.is_null()) text += preparation_text(made);
   row("memory", dumped(memory["total"]) + " bytes, " +
                     printed("%.3f", memory["bits_per_cell"].get<double>()) +
                     " bits a cell (bitmap " + dumped(memory["bitmap"]) + ", components " +

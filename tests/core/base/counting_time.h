@@ -28,6 +28,25 @@ class CountingTime final : public TimeSource {
   mutable std::atomic<int> polls_ = 0;
 };
 
+/// Fires a token at the n-th look at the clock, counted from 0.
+class FiringTime final : public TimeSource {
+ public:
+  explicit FiringTime(int looks) : left_(looks) {}
+  Clock::time_point now() const noexcept override {
+    if (left_-- <= 0) source_.request_stop();
+    return {};
+  }
+  std::stop_token token() const { return source_.get_token(); }
+  StopCondition fires() const {
+    return {
+        .token = token(), .deadline = Clock::time_point{} + std::chrono::hours(1), .time = this};
+  }
+
+ private:
+  mutable std::atomic<int> left_;
+  mutable std::stop_source source_;
+};
+
 /// Holds from the beginning.
 inline StopCondition fired() {
   std::stop_source source;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "lasius/error.h"
@@ -19,6 +20,15 @@ Error error_of(const Call& call, const std::string& what = "the call") {
   }
   ADD_FAILURE() << what << " was not refused";
   return {ErrorCode::invalid_parameter, "nothing was refused", {}};
+}
+
+/// What reads a text refuses it at a line, and says why.
+template <class Read>
+void expect_refused_at(const Read& read, const std::string& text, std::int64_t line,
+                       const std::string& words) {
+  const Error error = error_of([&] { return read(text); }, text);
+  EXPECT_EQ(error.place().line, line) << error.what();
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, words, std::string(error.what()));
 }
 
 /// What a call is refused with.

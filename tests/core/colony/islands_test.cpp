@@ -19,22 +19,11 @@
 #include "lasius/navigator.h"
 #include "lasius/own_rules.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {
-
-void expect_same_islands(const Result& a, const Result& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.path, b.path);
-  EXPECT_EQ(a.best, b.best);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.arrived, b.arrived);
-  EXPECT_EQ(a.iteration_best, b.iteration_best);
-  EXPECT_TRUE(std::ranges::equal(a.trail_entropy, b.trail_entropy, [](double x, double y) {
-    return x == y || (std::isnan(x) && std::isnan(y));  // of a terminal index there is none
-  }));
-}
 
 Params split(std::string_view algorithm, int islands) {
   Params params = quick(algorithm);
@@ -57,7 +46,7 @@ TEST_P(Archipelago, ThreadsAndWhatAWorkspaceHasSeenChangeNothing) {
   Workspace workspace;
   for (const int threads : {1, 2, 5}) {
     params.threads = threads;
-    expect_same_islands(far.plan(params, &workspace), once);
+    expect_same(far.plan(params, &workspace), once);
     (void)far.plan(split(GetParam(), threads + 1), &workspace);
   }
 }

@@ -88,7 +88,7 @@ TEST(DiscSpace, ArcsOfOneBlock) {
   EXPECT_EQ(space->clearance({-1, 3}, 9), 0);
 }
 
-// Against samples each 0.05 cells. LASIUS_DISC_MAPS=25 asks of more than 2000 points.
+// Against samples each 0.1 cells. LASIUS_DISC_MAPS=25 asks of more than 2000 points.
 TEST(DiscSpace, WayOutIsTheNearestClearPoint) {
   std::mt19937 random(3);
   const StopCondition never;
@@ -105,8 +105,8 @@ TEST(DiscSpace, WayOutIsTheNearestClearPoint) {
       Poller poller(never);
       const auto out = space->way_out(p, poller), by_leg = space->way_out(p, poller, {}, leads_to);
       double nearest = 1e9, nearest_led = 1e9;
-      for (double y = 0; y <= grid.height(); y += 0.05) {
-        for (double x = 0; x <= grid.width(); x += 0.05) {
+      for (double y = 0; y <= grid.height(); y += 0.1) {
+        for (double x = 0; x <= grid.width(); x += 0.1) {
           const double distance = std::hypot(x - p.x, y - p.y);
           if (distance >= nearest_led || !paths.clear({x, y})) continue;
           nearest = std::min(nearest, distance);

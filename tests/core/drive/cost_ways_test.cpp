@@ -28,6 +28,14 @@ CostField draw_costs(Draw& draw, const Grid& map) {
   return CostField(map.width(), map.height(), weights);
 }
 
+/// The cells' weights, and the navigator's, with another one of a cell.
+CostField with_weight(const CostField& given, Cell at, double weight, Navigator& navigator) {
+  navigator.set_costs({at.x, at.y, 1, 1}, std::vector<double>{weight});
+  std::vector<double> weights(given.weights().begin(), given.weights().end());
+  weights[static_cast<std::size_t>(at.y) * given.width() + at.x] = weight;
+  return CostField(given.width(), given.height(), weights);
+}
+
 /// Edits the map and its costs at random, and the robot goes on.
 int compare_with_new_costs(double radius, int worlds) {
   int ways = 0;
@@ -81,10 +89,7 @@ int compare_with_new_costs(double radius, int worlds) {
       navigator.observe(draw_part(draw, map, 5), draw.one_in(2));
       if (draw.one_in(3)) {
         const Cell at{draw.below(map.width()), draw.below(map.height())};
-        navigator.set_costs({at.x, at.y, 1, 1}, std::vector<double>{0.25});
-        std::vector<double> weights(given.weights().begin(), given.weights().end());
-        weights[static_cast<std::size_t>(at.y) * map.width() + at.x] = 0.25;
-        given = CostField(map.width(), map.height(), weights);
+        given = with_weight(given, at, 0.25, navigator);
       }
     }
   }

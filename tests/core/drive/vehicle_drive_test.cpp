@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -11,6 +9,7 @@
 #include "kernels/base/random_stream.h"
 #include "lasius/error.h"
 #include "lasius/vehicle/drive.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
 
@@ -205,22 +204,30 @@ TEST(VehicleDrive, GoesAsideAroundWhatItLearnsOnTheWay) {
   }
 }
 
+/// Nose first into the lane's end, and out of it again, by what does not reverse: no turn fits. The
+/// map has a wall before it that is not there.
+struct NoWayBack {
+  Grid truth = room_and_lane(), map = truth;
+  Vehicle forward = car(kTruck, 4);
+  NoWayBack() {
+    map.fill({30, 0, 2, 50}, true);
+    forward.reverse = false;
+  }
+  DriveResult drive(const Grid& world, const StopCondition& stop = {}) const {
+    return vehicle::drive(map, world, forward, {10, 11, 0}, {{53, 26, -kPi / 2}}, {}, {.sense = 4},
+                          {}, stop);
+  }
+};
+
 // A wall of the map that is not there proves nothing, nor does the lattice.
 TEST(VehicleDrive, OnlyWhatIsThereProvesThatThereIsNoWay) {
-  const Grid truth = room_and_lane();
-  Grid map = truth;
-  map.fill({30, 0, 2, 50}, true);
-  Vehicle forward = car(kTruck, 4);
-  forward.reverse = false;
-  // Nose first into the lane's end, and out of it again: no turn fits.
-  const Pose out{53, 26, -kPi / 2};
-  const DriveResult run = drive(map, truth, forward, {10, 11, 0}, {out}, {}, {.sense = 4});
+  const NoWayBack asked;
+  const DriveResult run = asked.drive(asked.truth);
   EXPECT_EQ(run.status, Status::no_path);
   EXPECT_EQ(run.fault, Fault::none);
-  Grid closed = truth;
+  Grid closed = asked.truth;
   closed.fill({40, 0, 2, 50}, true);
-  EXPECT_EQ(drive(map, closed, forward, {10, 11, 0}, {out}, {}, {.sense = 4}).status,
-            Status::unreachable);
+  EXPECT_EQ(asked.drive(closed).status, Status::unreachable);
 }
 
 TEST(VehicleDrive, AsksWhatIsThereWithItsTolerances) {
@@ -237,35 +244,15 @@ TEST(VehicleDrive, AsksWhatIsThereWithItsTolerances) {
   judge_drive(vehicle, run, watched);
 }
 
-/// A clock that is `late` from one reading on.
-class Readings final : public TimeSource {
- public:
-  explicit Readings(int most) : most_(most) {}
-  Clock::time_point now() const noexcept override {
-    return Clock::time_point(std::chrono::hours(count_++ < most_ ? 1 : 3));
-  }
-  int count() const { return count_; }
-
- private:
-  int most_;
-  mutable std::atomic<int> count_ = 0;
-};
-
 // What is there is asked within the drive's time; what is stopped is no answer.
 TEST(VehicleDrive, AsksWhatIsThereWithinItsTime) {
-  const Grid truth = room_and_lane();
-  Grid map = truth;
-  map.fill({30, 0, 2, 50}, true);
-  Vehicle forward = car(kTruck, 4);
-  forward.reverse = false;
-  const auto go = [&](const Readings& clock) {
-    const StopCondition stop{.deadline = Clock::time_point(std::chrono::hours(2)), .time = &clock};
-    return drive(map, truth, forward, {10, 11, 0}, {{53, 26, -kPi / 2}}, {}, {.sense = 4}, {}, stop)
-        .status;
+  const NoWayBack asked;
+  const auto go = [&](const CountingTime& clock) {
+    return asked.drive(asked.truth, clock.is_up()).status;
   };
-  const Readings endless(1 << 30);
+  const CountingTime endless(1 << 30);
   ASSERT_EQ(go(endless), Status::no_path);
-  EXPECT_EQ(go(Readings(endless.count() - 1)), Status::limit);
+  EXPECT_EQ(go(CountingTime(endless.polls() - 1)), Status::limit);
 }
 
 TEST(VehicleDrive, RefusesEndsThatAreNoPlaces) {

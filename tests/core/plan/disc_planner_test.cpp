@@ -69,9 +69,35 @@ Result from_way_out(const Planner& planner, const oracle::DiscPaths& judge, cons
   return result;
 }
 
+struct Walks {
+  int walked = 0, closed_to_cells = 0;
+};
+
+/// What every other algorithm plans keeps the radius, and is no shorter than what `exact` found.
+void judge_colonies(const Planner& planner, const oracle::DiscPaths& judge, const Request& request,
+                    const Result& exact, double radius, Walks& walks) {
+  for (const Algorithm& algorithm : algorithms()) {
+    if (algorithm.kind == Algorithm::Kind::exact) continue;
+    const Result whole = planner.plan(request, small(algorithm.name));
+    const Result colony = from_way_out(planner, judge, request, whole, radius);
+    EXPECT_TRUE(colony.curve.empty());
+    if (!whole.best.empty() && !whole.path.empty()) {
+      EXPECT_EQ(whole.best.back(), whole.length);
+    }
+    walks.closed_to_cells += exact.status == Status::solved && colony.path.empty();
+    if (colony.path.size() < 2) continue;
+    ++walks.walked;
+    EXPECT_GE(least_clearance(judge, colony), radius - kRoom) << algorithm.name;
+    if (!exact.way_out) {
+      EXPECT_GE(whole.length, exact.length * (1 - 1e-12)) << algorithm.name;
+    }
+  }
+}
+
 TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
   std::mt19937 random(3);
-  int curved = 0, walked = 0, closed_to_cells = 0, led = 0, not_led = 0;
+  int curved = 0, led = 0, not_led = 0;
+  Walks walks;
   for (int round = 0; round < 100; ++round) {
     const double radius = disc::random_radius(round % 5 == 0 ? 6 : 2.5, random);
     const Grid grid = disc::random_map(radius, random);
@@ -113,27 +139,12 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
       } else if (exact.status == Status::unreachable) {
         EXPECT_LT(planner.widest_disc(request.start, request.goal).value_or(0), radius);
       }
-      for (const Algorithm& algorithm : algorithms()) {
-        if (algorithm.kind == Algorithm::Kind::exact) continue;
-        const Result whole = planner.plan(request, small(algorithm.name));
-        const Result colony = from_way_out(planner, judge, request, whole, radius);
-        EXPECT_TRUE(colony.curve.empty());
-        if (!whole.best.empty() && !whole.path.empty()) {
-          EXPECT_EQ(whole.best.back(), whole.length);
-        }
-        closed_to_cells += exact.status == Status::solved && colony.path.empty();
-        if (colony.path.size() < 2) continue;
-        ++walked;
-        EXPECT_GE(least_clearance(judge, colony), radius - kRoom) << algorithm.name;
-        if (!exact.way_out) {
-          EXPECT_GE(whole.length, exact.length * (1 - 1e-12)) << algorithm.name;
-        }
-      }
+      judge_colonies(planner, judge, request, exact, radius, walks);
     }
   }
   EXPECT_GT(curved, 40);
-  EXPECT_GT(walked, 100);
-  EXPECT_LT(closed_to_cells, walked / 2);
+  EXPECT_GT(walks.walked, 100);
+  EXPECT_LT(walks.closed_to_cells, walks.walked / 2);
   EXPECT_GT(led, 10);
   EXPECT_GT(not_led, 0);
 }

@@ -138,23 +138,13 @@ TEST(PolygonBatch, ATimeLimitHoldsForEachRequest) {
   }
 }
 
-/// Ends a batch when a request looks at the clock.
-class StopsBatch final : public TimeSource {
- public:
-  Clock::time_point now() const noexcept override {
-    source.request_stop();
-    return {};
-  }
-  mutable std::stop_source source;
-};
-
 TEST(PolygonBatch, WhatIsInFlightAtAStopEndsInterruptedAndIsReceived) {
   const Asked asked;
-  const StopsBatch clock;
+  const FiringTime clock(0);
   std::vector<Request> requests(3);
-  requests[1].stop = {.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &clock};
+  requests[1].stop = {.deadline = clock.fires().deadline, .time = &clock};
   const auto answers = plan_batch(asked.planner, requests, few("maklink-acs"),
-                                  {.threads = 1, .token = clock.source.get_token()});
+                                  {.threads = 1, .token = clock.token()});
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].result.status, Status::solved);
   EXPECT_EQ(answers[1].result.status, Status::interrupted);

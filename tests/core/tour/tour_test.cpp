@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -263,25 +262,6 @@ TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
   EXPECT_THROW(plan_tour(problem, request), Error);
 }
 
-// A signal that comes at the n-th look at the clock.
-class Signal final : public TimeSource {
- public:
-  explicit Signal(int looks) : left_(looks) {}
-  Clock::time_point now() const noexcept override {
-    if (--left_ == 0) source_.request_stop();
-    return {};
-  }
-  StopCondition stop() const {
-    return {.token = source_.get_token(),
-            .deadline = Clock::time_point::max() - std::chrono::hours(1),
-            .time = this};
-  }
-
- private:
-  mutable std::atomic<int> left_;
-  mutable std::stop_source source_;
-};
-
 // Legs are the disc's shortest curves, walls that it does not pass part the stops.
 TEST(Tours, OfADiscGoWhereItFits) {
   Grid grid = rooms();
@@ -336,10 +316,10 @@ TEST(Tours, StoppedHaveTheLegsOfTheirOrder) {
           request.after.resize(count);
           request.after[3] = {5, 7};
         }
-        const Signal signal(look);
+        const FiringTime signal(look - 1);
         const CountingTime time(look);
         for (const Status status : {Status::interrupted, Status::limit}) {
-          request.stop = status == Status::limit ? time.is_up() : signal.stop();
+          request.stop = status == Status::limit ? time.is_up() : signal.fires();
           const TourResult tour = plan_tour(planner, request);
           EXPECT_TRUE(tour.status == status || tour.status == Status::solved);
           cut += tour.status == status;

@@ -55,6 +55,37 @@ TEST(EdgePlanes, SayWhatMasksSay) {
   }
 }
 
+std::size_t state_of(const Grid& grid, int x, int y, int h) {
+  return (static_cast<std::size_t>(h) * grid.height() + y) * grid.width() + x;
+}
+
+/// By Dijkstra's algorithm, what it costs at least to come to each state from the starts.
+std::vector<int> least_units(const Grid& grid, const Space& space, const Lattice& lattice,
+                             const std::vector<Connector>& starts) {
+  std::vector<int> cost(state_of(grid, 0, 0, Lattice::kHeadings), LatticeFlood::kNever);
+  using Entry = std::tuple<int, int, int, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto offer = [&](int x, int y, int h, int units) {
+    if (units >= cost[state_of(grid, x, y, h)]) return;
+    cost[state_of(grid, x, y, h)] = units;
+    open.emplace(units, x, y, h);
+  };
+  for (const auto& start : starts)
+    offer(start.x, start.y, start.heading, LatticeFlood::units(start.cost));
+  while (!open.empty()) {
+    const auto [units, x, y, h] = open.top();
+    open.pop();
+    if (units != cost[state_of(grid, x, y, h)]) continue;
+    for (const int e : lattice.from(h)) {
+      const Edge& edge = lattice.edges()[e];
+      if (!grid.contains({x + edge.dx, y + edge.dy})) continue;
+      if (lattice.masks().free(edge.mask, space.impl().bits(), x, y))
+        offer(x + edge.dx, y + edge.dy, edge.to, units + LatticeFlood::units(edge));
+    }
+  }
+  return cost;
+}
+
 TEST(LatticeFlood, IsDijkstras) {
   const Grid grid = blobs(3, 40);
   for (const Vehicle& vehicle : flooded()) {
@@ -70,30 +101,6 @@ TEST(LatticeFlood, IsDijkstras) {
     LatticeFlood flood(*planes, lattice, grid.width(), grid.height(), memory);
     // Without an end all of the lattice is looked at.
     EXPECT_EQ(flood.run(starts, {}, poller), -1);
-    const auto index = [&](int x, int y, int h) {
-      return (static_cast<std::size_t>(h) * grid.height() + y) * grid.width() + x;
-    };
-    std::vector<int> cost(index(0, 0, Lattice::kHeadings), LatticeFlood::kNever);
-    using Entry = std::tuple<int, int, int, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    const auto offer = [&](int x, int y, int h, int units) {
-      if (units >= cost[index(x, y, h)]) return;
-      cost[index(x, y, h)] = units;
-      open.emplace(units, x, y, h);
-    };
-    for (const auto& start : starts)
-      offer(start.x, start.y, start.heading, LatticeFlood::units(start.cost));
-    while (!open.empty()) {
-      const auto [units, x, y, h] = open.top();
-      open.pop();
-      if (units != cost[index(x, y, h)]) continue;
-      for (const int e : lattice.from(h)) {
-        const Edge& edge = lattice.edges()[e];
-        if (!grid.contains({x + edge.dx, y + edge.dy})) continue;
-        if (lattice.masks().free(edge.mask, space.impl().bits(), x, y))
-          offer(x + edge.dx, y + edge.dy, edge.to, units + LatticeFlood::units(edge));
-      }
-    }
     // A path costs what its level says, up to the rounding, and begins at a start.
     std::vector<Segment> path;
     for (int h = 0; h < Lattice::kHeadings; ++h) {
@@ -108,11 +115,13 @@ TEST(LatticeFlood, IsDijkstras) {
       const double known = vehicle::cost(vehicle, path);
       EXPECT_NEAR(known, flood.cost(60, 60, h), 2 + 0.1 * known);
     }
+    const std::vector<int> cost = least_units(grid, space, lattice, starts);
     int reached = 0;
     for (int h = 0; h < Lattice::kHeadings; ++h)
       for (int y = 0; y < grid.height(); ++y)
         for (int x = 0; x < grid.width(); ++x) {
-          ASSERT_EQ(flood.level(x, y, h), cost[index(x, y, h)]) << x << " " << y << " " << h;
+          ASSERT_EQ(flood.level(x, y, h), cost[state_of(grid, x, y, h)])
+              << x << " " << y << " " << h;
           reached += flood.level(x, y, h) != LatticeFlood::kNever ? 1 : 0;
         }
     EXPECT_GT(reached, 100);

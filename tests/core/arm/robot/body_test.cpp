@@ -220,10 +220,7 @@ TEST_F(FilesOfRobot, Srdf) {
   EXPECT_EQ(robot.states.at("home"), joints({0.5, -0.1}));
   EXPECT_TRUE(holds(robot.notes, "state \"half\" is left out: it does not say j2"));
   const auto refused = [&](const std::string& element, std::int64_t line, const char* words) {
-    const Error error =
-        error_of([&] { return read("<robot name=\"r\">\n" + element + "</robot>"); }, element);
-    EXPECT_EQ(error.place().line, line) << error.what();
-    expect_says(error, words);
+    expect_refused_at(read, "<robot name=\"r\">\n" + element + "</robot>", line, words);
   };
   refused("<disable_collisions link1=\"a\"/>", 2, "has no link2");
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
@@ -273,9 +270,7 @@ joint_limits:
   EXPECT_TRUE(holds(robot.notes,
                     "accelerations are taken as four times the velocity, since URDF has none: j1"));
   const auto refused = [&](const std::string& text, std::int64_t line, const char* words) {
-    const Error error = error_of([&] { return read(text); }, text);
-    EXPECT_EQ(error.place().line, line) << error.what();
-    expect_says(error, words);
+    expect_refused_at(read, text, line, words);
   };
   refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n    max_velocity: 0\n", 4, "is 0");
   refused("joint_limits:\n  j1:\n    has_velocity_limits: 7\n", 3, "neither true nor false");

@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -29,25 +27,6 @@ CoverRequest ask(double width) {
   request.threads = 2;
   return request;
 }
-
-// Fires a token once the clock was read so often.
-class FiringTime final : public TimeSource {
- public:
-  explicit FiringTime(int reads) : left_(reads) {}
-  Clock::time_point now() const noexcept override {
-    if (left_-- <= 0) source_.request_stop();
-    return {};
-  }
-  StopCondition fires() const {
-    return {.token = source_.get_token(),
-            .deadline = Clock::time_point{} + std::chrono::hours(1),
-            .time = this};
-  }
-
- private:
-  mutable std::atomic<int> left_;
-  mutable std::stop_source source_;
-};
 
 double distance(Point p, Point a, Point b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;

@@ -88,12 +88,7 @@ TEST(Tsplib, NamesTheLineOfWhatIsBroken) {
       {"DIMENSION: 2\nEDGE_WEIGHT_FORMAT: HALF\nEDGE_WEIGHT_SECTION\n0 1\n", 2, "'HALF'"},
       {sop + "0 -1\n-1 0\n", 8, "circle: node 1 before node 2 before node 1"},
       {"TYPE: SOP\n" + two + "1 0 0\n2 1 1\n", 6, "no EDGE_WEIGHT_SECTION"}};
-  for (const auto& [text, line, words] : broken) {
-    const std::string& file = text;  // a lambda takes no structured binding
-    const Error error = error_of([&] { return read(file).size; }, file);
-    EXPECT_EQ(error.place().line, line) << file;
-    expect_says(error, words);
-  }
+  for (const auto& [text, line, words] : broken) expect_refused_at(read, text, line, words);
   EXPECT_EQ(read(two + "2 3 4\n1 0 0\n").places, (std::vector<Point>{{0, 0}, {3, 4}}));
 }
 

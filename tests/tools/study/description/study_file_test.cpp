@@ -186,11 +186,12 @@ TEST(StudyFile, TheDocumentsQuoteFilesThatAreRead) {
   EXPECT_EQ(study.experiments[0].contenders.size(), 8U);
 }
 
+struct Refused {
+  std::string text, fault;
+};
+
 TEST(StudyFile, RefusesMistakesWithLineAndKey) {
-  struct Case {
-    std::string text, fault;
-  };
-  const Case studies[] = {
+  const Refused studies[] = {
       {kQuestions, "1: 'contenders' is missing"},
       {kAs, "1: 'questions' is missing"},
       {"contenders: []\n" + kQuestions, "1: 'contenders' is empty"},
@@ -244,7 +245,11 @@ TEST(StudyFile, RefusesMistakesWithLineAndKey) {
       {kAs + "experiments: [{name: a, title: A}, {name: a, title: B}]\n" + kQuestions,
        "2: 'experiments' has two called \"a\""},
   };
-  const Case additions[] = {
+  for (const Refused& c : studies) expect_says(fault(c.text), c.fault);
+}
+
+TEST(StudyFile, RefusesMistakesInWhatMayBeLeftOut) {
+  const Refused additions[] = {
       {"seed: 3\n", "3: 'seed' is unknown here; did you mean \"seeds\"?"},
       {"seeds: 0\n", "3: 'seeds' is \"0\"; say N, or A..B"},
       {"seeds: 9..3\n", "3: 'seeds' is \"9..3\""},
@@ -281,8 +286,7 @@ TEST(StudyFile, RefusesMistakesWithLineAndKey) {
       {"claims:\n- {test: most, a: as, at: noon}\n", "4: 'at' is \"noon\""},
       {"claims:\n- {test: most, a: as, share: 2}\n", "4: 'share' is \"2\""},
   };
-  for (const Case& c : studies) expect_says(fault(c.text), c.fault);
-  for (const Case& c : additions) expect_says(fault(kAs + kQuestions + c.text), c.fault);
+  for (const Refused& c : additions) expect_says(fault(kAs + kQuestions + c.text), c.fault);
 }
 
 }  // namespace
