@@ -36,6 +36,8 @@ class BucketQueue {
     full_.fill(0);
   }
 
+  double width() const noexcept { return width_; }
+
   void push(std::uint32_t index, double key) {
     std::uint32_t item = spare_;
     if (item != kNone) {

@@ -1,7 +1,6 @@
 #include "core/cost/cost_search.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <ctime>
 #include <optional>
@@ -21,6 +20,11 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 /// Cells on either side of the first walk where the first path of any angle may be: a path
 /// is seldom farther from it but on another way around something.
 constexpr int kTubeReach = 8;
+
+/// Where the straight way tells most of the best path's cost already, a level with two intervals
+/// tells little more: what it lowers on open ground is more than what it would leave out
+/// (measured).
+constexpr double kNearlyStraight = 0.3;
 
 /// How a level marches.
 struct March {
@@ -101,7 +105,8 @@ class CostSearch::Run {
     search_.levels_.push_back({1, 0, 0, lower_, best_.cost(), 1, seconds()});
     if (goes_on()) bound_by_blocks();
     const int most = options_.target_gap > 0 ? CellChords::kMostIntervals : kMostIntervals;
-    for (int k = 2; k <= most && goes_on() && !reached(); k *= 2) level(k);
+    const bool straight = best_.cost() <= (1 + kNearlyStraight) * lower_;
+    for (int k = straight ? 4 : 2; k <= most && goes_on() && !reached(); k *= 2) level(k);
     // Levels that prove a target gap need not lead from end to end: what they left out may still
     // be a little cheaper.
     if (goes_on() && !traced_any_ && search_.levels_.size() > 1) {
@@ -178,7 +183,7 @@ class CostSearch::Run {
 
   /// A level with k intervals an edge, from either end in turn.
   void level(int k) {
-    const bool backward = std::countr_zero(static_cast<unsigned>(k)) % 2 == 1;
+    const bool backward = search_.levels_.size() % 2 == 1;
     const March how = march_of(k, options_.target_gap);
     chords_ = std::make_unique<const CellChords>(k);
     now_->begin(*chords_, backward ? asked_.goal : asked_.start, how.slack,

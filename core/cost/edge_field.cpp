@@ -171,6 +171,10 @@ bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
   rest_ = &rest;
   for (std::size_t i = 0; i < marched_.size(); ++i) value_[i] = marched_[i];
   marched_.clear();
+  // Values that waited may lie before all buckets: in one bucket they would have no order.
+  double least = kInfinity;
+  for (const std::uint32_t node : waiting_) least = std::min(least, value_[node]);
+  if (least < kInfinity) queue_.reset(least, queue_.width());
   std::size_t kept = 0;
   for (const std::uint32_t node : waiting_) {
     if (is_spread(node)) continue;

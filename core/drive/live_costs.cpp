@@ -145,7 +145,7 @@ std::vector<Point> LiveCosts::polished(std::span<const Cell> walk, std::size_t m
 void LiveCosts::find_path(const disc::DiscSpace* space, const StopCondition& stop, Poller& poller,
                           Result& result) {
   // What is farther on is polished when the robot has come nearer.
-  constexpr std::size_t kNear = 200;  // pieces, one in each cell
+  constexpr std::size_t kNear = 120;  // pieces, one in each cell
   const std::span<const Cell> walk(walk_);
   cost_ = walk_cost_ = 0;
   for (std::size_t i = 1; i < walk.size(); ++i)

@@ -35,7 +35,7 @@ class LiveCosts {
   void set(const Rectangle& part, std::span<const double> weights);
 
   /// Where a robot goes, as Planner::plan has it, along walk(): the path is that of any angle,
-  /// polished for the next 200 cells, if a disc can go along it. Start and goal are joined. What
+  /// polished for the next 120 cells, if a disc can go along it. Start and goal are joined. What
   /// was not looked at when it was stopped is looked at by the next call.
   Result run(const Request& request, const disc::DiscSpace* space);
   /// The cells of the last run's walk by eight moves, the start first; empty where it was stopped.

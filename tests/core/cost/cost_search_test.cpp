@@ -42,6 +42,37 @@ TEST(CostSearch, TinyMapsAgainstBruteForce) {
   EXPECT_LT(worst_gap, 0.003);
 }
 
+// A march that goes on takes up values from before the queue's buckets, on ways that are longer
+// than these: in order, or the values stay far too great.
+TEST(EdgeField, GoesOnAsIfItHadNotStopped) {
+  const Grid grid(700, 60);
+  std::vector<double> weights(700 * 60);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    weights[i] = 1 + 0.05 * static_cast<double>((i / 60 * 7 + i % 60 * 13) % 11) / 11;
+  const Terrain terrain(grid, CostField(700, 60, weights));
+  const StraightBound rest(terrain, {690.5, 30.5});
+  const CellChords chords(4);
+  const StopCondition never;
+  Poller poller(never);
+  EdgeField once(terrain), twice(terrain);
+  for (EdgeField* field : {&once, &twice}) field->begin(chords, {5, 30}, 0.01, nullptr);
+  ASSERT_TRUE(twice.march(rest, 690, poller));
+  const std::size_t before = twice.cells().size();
+  ASSERT_TRUE(once.march(rest, 740, poller) && twice.march(rest, 740, poller));
+  EXPECT_LT(before, twice.cells().size());
+  ASSERT_EQ(once.cells().size(), twice.cells().size());
+  double values[16], again[16];
+  for (const std::uint32_t at : once.cells()) {
+    once.values_of(terrain.cell(at), values);
+    twice.values_of(terrain.cell(at), again);
+    for (int i = 0; i < 16; ++i) {
+      if (values[i] < kInfinity) {
+        ASSERT_NEAR(again[i], values[i], 0.01);
+      }
+    }
+  }
+}
+
 // The values of every level, marched for itself over all cells, obey chords between random points.
 TEST(EdgeField, RandomChordsCostEnough) {
   std::mt19937 random(3);
