@@ -16,11 +16,6 @@ namespace lasius::tour {
 
 namespace {
 
-double distance(Point a, Point b) noexcept {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 bool shorter(const EndLink& one, const EndLink& other) {
   return std::tie(one.length, one.a, one.b) < std::tie(other.length, other.a, other.b);
 }
