@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/distance.h"
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
+#include "core/grid/distance.h"
 #include "lasius/cost_field.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "core/base/distance.h"
+#include "core/grid/distance.h"
 #include "kernels/base/arctangent.h"
 #include "lasius/geometry.h"
 

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <tuple>
 
-#include "core/base/distance.h"
 #include "core/base/special_values.h"
+#include "core/grid/distance.h"
 #include "lasius/path.h"
 
 namespace lasius::exact {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/distance.h"
+#include "core/grid/distance.h"
 #include "lasius/geometry.h"
 
 namespace lasius::polygon {

@@ -85,8 +85,8 @@ CoverResult without_path(CoverResult result, const TourLeg& leg) {
 }
 
 // By chains over clear cells. From the start; of an open tour without it from any swath's end.
-std::vector<int> first_order(const std::vector<tour::EndLink>& links, const CoverResult& result,
-                             const std::optional<Point>& start) {
+std::vector<int> order_by_chains(const std::vector<tour::EndLink>& links, const CoverResult& result,
+                                 const std::optional<Point>& start) {
   std::vector<int> order = tour::chained(result.swaths(), result.stops, links).order;
   if (start)
     std::rotate(order.begin(), std::find(order.begin(), order.end(), 2 * result.swaths()),
@@ -121,7 +121,7 @@ void order_swaths(const Planner& planner, const CoverRequest& request, double be
   };
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
-                             .first = first_order(links, result, request.start),
+                             .first = order_by_chains(links, result, request.start),
                              .stop = earlier(request.stop, kShareOfOrder)};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/distance.h"
+#include "core/grid/distance.h"
 #include "core/tour/order/fragments.h"
 
 namespace lasius::tour {

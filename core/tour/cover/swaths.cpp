@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/distance.h"
 #include "core/base/parallel.h"
 #include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/sweep_cells.h"
@@ -21,7 +20,7 @@ constexpr double kDearness = 6;        // of what is left, against a swath: to g
 constexpr double kNearEnds = 2;        // widths between ends that a straight way is looked for
 constexpr double kShareOfPlans = 0.7;  // of the time to a deadline; the rest is for what is joined
 
-std::vector<Point> ends_of(const std::vector<Swath>& swaths) {
+std::vector<Point> both_ends(const std::vector<Swath>& swaths) {
   std::vector<Point> ends;
   ends.reserve(2 * swaths.size());
   for (const Swath& swath : swaths) ends.insert(ends.end(), {swath.from, swath.to});
@@ -177,7 +176,7 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
   if (stopped()) return std::nullopt;
   cut_back(lines_, ground_, counts, plan.swaths, fills);
   if (stopped()) return std::nullopt;
-  const std::vector<Point> stops = ends_of(plan.swaths);
+  const std::vector<Point> stops = both_ends(plan.swaths);
   plan.estimate =
       chained(static_cast<int>(plan.swaths.size()), stops, near_ends(clear_, lines_, stops))
           .length +
@@ -214,7 +213,7 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
     return i;
   };
   const auto join = [&](int p, int q) { first[std::max(p, q)] = std::min(p, q); };
-  const std::vector<Point> stops = ends_of(swaths);
+  const std::vector<Point> stops = both_ends(swaths);
   for (const EndLink& link : near_ends(clear_, lines_, stops))
     join(root(link.a / 2), root(link.b / 2));
   std::vector<std::pair<Point, int>> ends;

@@ -29,7 +29,7 @@ struct SwathPlan {
   Heading heading;
   std::vector<Swath> swaths;
   bool cut = false;  ///< not all was looked at in time
-  /// Of the tour: the swaths, from each end the way to the nearest of another, and the area that is
+  /// Of the tour: the swaths, the ways between them as chained() has them, and the area that is
   /// left, as if it took six swaths to cover it. Cells.
   double estimate = 0;
 };

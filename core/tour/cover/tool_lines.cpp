@@ -160,9 +160,9 @@ void ToolLines::on_line(const Heading& h, double c, std::vector<Stretch>& places
 }
 
 bool ToolLines::straight_between(Point a, Point b) const {
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
+  const double length = distance(a, b);
   if (length == 0) return true;
-  const Heading way{dx / length, dy / length};
+  const Heading way{(b.x - a.x) / length, (b.y - a.y) / length};
   std::vector<Stretch> places;
   constexpr double kBeyond = 20 * kDrawnIn;
   on_line(way, way.aside(a), places, {way.along(a) - kBeyond, way.along(b) + kBeyond});

@@ -1,6 +1,7 @@
 // Where along a straight line the centre of a tool may be.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,11 @@ struct Heading {
 
 /// Directions that are tried, eight of them.
 const std::vector<Heading>& headings();
+
+inline double distance(Point a, Point b) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
 
 /// From one t of a line to another.
 struct Stretch {

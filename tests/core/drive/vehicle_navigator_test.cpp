@@ -67,13 +67,22 @@ TEST(VehicleNavigator, GoesTheCheapestWayOverItsCosts) {
   const Planner planner(grid, vehicle, band(9));
   EXPECT_EQ(way.segments, planner.plan({.start = from, .goals = {{90, 20, 0}}}).segments);
   EXPECT_EQ(way.cost, planner.cost(way.segments));
+  EXPECT_NEAR(navigator.cost(std::vector<Segment>{{.begin = from, .length = 80}}), 60 + 20 * 9,
+              1e-6);
+  EXPECT_EQ(Navigator(grid, vehicle, {{90, 20, 0}}, {.costs = band(9)}).step(from).segments,
+            way.segments);
   // Kept over walls beside it; straight again without the band.
   navigator.observe({{{1, 1}}}, true);
   const Pose on = way.segments[0].pose(way.segments[0].extent() / 2);
-  EXPECT_FALSE(navigator.step(on).replanned);
+  const Way left = navigator.step(on);
+  EXPECT_FALSE(left.replanned);
+  EXPECT_TRUE(left.over_costs);
+  EXPECT_LT(left.cost, way.cost);
+  EXPECT_NEAR(left.cost, planner.cost(left.segments), 1e-9);
   navigator.set_costs(band(1));
   EXPECT_NEAR(navigator.step(from).length, straight, 1e-6);
   EXPECT_THROW(navigator.set_costs(CostField(100, 61)), Error);
+  EXPECT_THROW(Navigator(grid, vehicle, {from}, {.costs = CostField(60, 100)}), Error);
 }
 
 TEST(VehicleNavigator, KeepsTheRestOfItsWay) {
@@ -124,30 +133,6 @@ TEST(VehicleNavigator, OfSteadyCurvaturePlansAnewBesideItsWay) {
   EXPECT_TRUE(beside.replanned);
   EXPECT_EQ(beside.rejoined, 0);
   expect_from({on.x, on.y + 0.1, on.yaw}, beside);
-}
-
-TEST(VehicleNavigator, OverCostsTakesTheCheapest) {
-  const Grid grid(120, 60);
-  const Vehicle vehicle = car(kBox, 5);
-  CostField costs(120, 60);
-  std::vector<double> mud(std::size_t{120} * 60, 0);
-  for (int y = 0; y < 40; ++y)
-    for (int x = 40; x < 80; ++x) mud[static_cast<std::size_t>(y) * 120 + x] = 4;
-  costs.add(mud);
-  const Pose start{10, 20, 0}, goal{110, 20, 0};
-  Navigator navigator(grid, vehicle, {goal}, {.costs = costs});
-  const Planner planner(grid, vehicle, costs);
-  const Way way = navigator.step(start);
-  EXPECT_TRUE(way.over_costs);
-  EXPECT_EQ(way.cost, planner.plan({.start = start, .goals = {goal}}).cost);
-  EXPECT_LT(way.cost, 0.8 * navigator.cost(std::vector<Segment>{{.begin = start, .length = 100}}));
-  const Pose on = way.segments[0].pose(way.segments[0].extent() / 2);
-  const Way left = navigator.step(on);
-  EXPECT_FALSE(left.replanned);
-  EXPECT_TRUE(left.over_costs);
-  EXPECT_LT(left.cost, way.cost);
-  EXPECT_NEAR(left.cost, planner.cost(left.segments), 1e-9);
-  EXPECT_THROW(Navigator(grid, vehicle, {goal}, {.costs = CostField(60, 120)}), Error);
 }
 
 // The inflation of a wall that the way does not meet makes another one cheaper; without the wall

@@ -352,36 +352,5 @@ TEST(Cover, EndsWithTheBestSoFar) {
   EXPECT_NEAR(told.back(), cover.tour.length, 1e-3 * static_cast<double>(cover.stops.size()));
 }
 
-// The longer it has, the better: of the same swaths never longer, and from the first on in an order
-// that keeps to corridors, where ends of swaths that are near through a wall are not joined.
-TEST(Cover, IsNotLongerTheLaterItIsCut) {
-  const Planner planner(generate(MapKind::maze, {.width = 36, .height = 36, .seed = 3}), Disc{0.5});
-  CoverRequest request = ask(1);
-  request.threads = 1;
-  request.generations = 0;
-  const auto cost_of = [](const CoverResult& cover) { return cover.tour.length / cover.covered; };
-  const CoverResult whole = plan_cover(planner, request);
-  ASSERT_EQ(whole.tour.status, Status::solved);
-  ASSERT_GT(whole.swaths(), 60);
-  int cut = 0;
-  CoverResult before;
-  for (int polls = 0; polls < 1 << 16; polls += 1 + polls) {
-    SCOPED_TRACE(polls);
-    const CountingTime time(polls);
-    request.stop = time.is_up();
-    CoverResult cover = plan_cover(planner, request);
-    if (cover.tour.status == Status::solved) break;
-    ++cut;
-    expect_valid(planner, request, cover);
-    EXPECT_GT(cover.covered, 0.9 * whole.covered);
-    EXPECT_LT(cost_of(cover), 1.3 * cost_of(whole));
-    if (cover.stops == before.stops) {
-      EXPECT_LE(cover.tour.length, before.tour.length + 1e-6);
-    }
-    before = std::move(cover);
-  }
-  EXPECT_GT(cut, 10);
-}
-
 }  // namespace
 }  // namespace lasius
