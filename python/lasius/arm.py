@@ -501,10 +501,10 @@ def tip_line(
     """
     sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
     placed = numbers_of(pose, (4, 4), "pose")
-    error, (*fields, trajectory, stops) = _raw.tip_line(
+    error, (status, joints, reached, why, made, stops) = _raw.tip_line(
         robot._raw, sensor, start, placed, tolerance, angle_tolerance, joint_step, motion, duration, time_limit
     )
-    return finish(error, TipLine(*fields, Trajectory(trajectory), stops))
+    return finish(error, TipLine(status, joints, reached, why, Trajectory(made), stops))
 
 
 @explained
