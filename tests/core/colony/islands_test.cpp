@@ -253,20 +253,37 @@ TEST(Islands, AnObserverSeesTheLeaderAndEndsAllOfThem) {
 }
 
 TEST(Islands, WhatACutIterationFoundIsOffered) {
-  FarApart far;
+  const Planner planner{blobs(40, 30)};
+  Request request = far_apart(planner);
   Params params = split("as", 2);
   params.iterations = 1;
   const CountingTime never(INT_MAX);
-  far.request.stop = never.is_up();
-  ASSERT_EQ(far.plan(params).iterations, 1);
-  int cut = 0;
-  for (int polls = never.polls() - 1; polls > never.polls() / 2 && cut == 0; --polls) {
+  request.stop = never.is_up();
+  ASSERT_EQ(planner.plan(request, params).iterations, 1);
+
+  // Of the second island alone, which walks after the first.
+  const CountingTime of_second(INT_MAX);
+  Params share = params;
+  share.islands = 1;
+  share.ants = 3;
+  ColonyMemory memory;
+  GridColony second(planner.grid(), share, memory, no_own_rules(), GridColony::After::nothing,
+                    nullptr, nullptr, 4);
+  const Observer none;
+  request.stop = of_second.is_up();
+  second.begin(request);
+  second.set_out(request, none);
+  const int before = of_second.polls();
+  ASSERT_EQ(second.send_ants(0), StopCondition::Cause::none);
+
+  int cut = 0;  // how often there is a path nevertheless
+  for (int polls = 1; polls < never.polls(); ++polls) {
     const CountingTime time(polls);
-    far.request.stop = time.is_up();
-    const Result found = far.plan(params);
-    cut += found.status == Status::limit && found.iterations == 0 && !found.path.empty();
+    request.stop = time.is_up();
+    const Result found = planner.plan(request, params);
+    cut += found.iterations == 0 && !found.path.empty();
   }
-  EXPECT_GT(cut, 0);
+  EXPECT_GT(cut, of_second.polls() - before + 2);
 }
 
 TEST(Islands, MoreThanThereAreAntsAreRefused) {
