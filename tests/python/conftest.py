@@ -2,12 +2,16 @@
 
 import os
 import pathlib
+import signal
 
 import pytest
 
 import lasius
 
 START, GOAL = (14, 14), (380, 179)
+
+# A shell's jobs in the background ignore Ctrl-C, which tests send themselves.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
