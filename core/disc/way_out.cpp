@@ -23,7 +23,7 @@ struct DiscSpace::Nearest {
            (!other || space.components_->connected(space.blocked_, c, *other));
   }
   void offer(Point p) {
-    const double far = distance(from, p);
+    const double far = lasius::distance(from, p);
     if (!(far < distance) || !space.clear(p)) return;
     if (taken && !taken(p)) {
       refused = true;

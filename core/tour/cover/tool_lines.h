@@ -25,11 +25,6 @@ struct Heading {
 /// Directions that are tried, eight of them.
 const std::vector<Heading>& headings();
 
-inline double distance(Point a, Point b) noexcept {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 /// From one t of a line to another.
 struct Stretch {
   double from = 0, to = 0;
