@@ -47,8 +47,9 @@ class TourProblem : public Problem {
   TourAnswer answer_{};
 
  private:
-  Place end_place(const std::optional<int>& end) const {
-    return end ? place_at(*end) : answer_.stops.empty() ? Place{} : answer_.stops.front();
+  const Place& end_place(const std::optional<int>& end) const {
+    static const Place kNowhere;
+    return end ? place_at(*end) : answer_.stops.empty() ? kNowhere : answer_.stops.front();
   }
   bool is_end(int stop) const;
   std::optional<int> index_of(const std::optional<PoseEnd>& end);
