@@ -32,6 +32,7 @@ Json track_json(const std::vector<vehicle::Pose>& poses) {
 
 std::vector<vehicle::Pose> DrivenVehicle::goal_poses() const {
   std::vector<vehicle::Pose> asked;
+  asked.reserve(goals.size());
   for (const VehicleEnd& goal : goals) asked.push_back(goal.pose);
   return asked;
 }

@@ -151,6 +151,7 @@ bool too_many(const RouteProblem& problem) {
 std::vector<double> least_legs_back(const RouteProblem& problem, int stops,
                                     const std::vector<double>& lengths) {
   std::vector<double> least;
+  least.reserve(problem.tasks.size() * problem.tasks.size());
   for (const std::vector<int>& to : problem.tasks)
     for (const std::vector<int>& from : problem.tasks) {
       least.push_back(kNone);
@@ -170,6 +171,7 @@ std::optional<std::vector<int>> exact_ring(const RouteProblem& problem, int stop
   const std::vector<int>& firsts = fewest(problem);
   const std::vector<double> least_back = least_legs_back(problem, stops, lengths);
   RouteProblem tasks{{}, problem.routes, 0};
+  tasks.tasks.reserve(problem.tasks.size());
   for (int task = 0; task < problem.size(); ++task) tasks.tasks.push_back({task});
   SubsetWays home(tasks, problem.size(), least_back);
   const auto at = std::find(problem.tasks.begin(), problem.tasks.end(), firsts);

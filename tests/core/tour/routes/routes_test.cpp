@@ -161,6 +161,7 @@ TEST(Routes, BySubsetsOfOneWayCostsAreThoseOfBruteForce) {
     kernels::RandomStream random(seed, 1, 0, 0);
     const int stops = 10;
     std::vector<Cost> matrix;
+    matrix.reserve(stops * stops);
     for (int i = 0; i < stops * stops; ++i)
       matrix.push_back(seed % 2 == 0 ? 1000 + random.below(60) : random.below(1000));
     const Costs costs(stops, matrix.data());
