@@ -10,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "core/grid/distance.h"
 #include "core/tour/order/fragments.h"
 
 namespace lasius::tour {

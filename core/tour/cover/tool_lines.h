@@ -1,11 +1,11 @@
 // Where along a straight line the centre of a tool may be.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/grid/distance.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 

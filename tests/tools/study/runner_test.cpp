@@ -94,7 +94,11 @@ class TwoRanks final : public tool::Crew {
  public:
   TwoRanks() { tool::set_crew(this); }
   ~TwoRanks() override { tool::set_crew(nullptr); }
-  bool leads() const noexcept override { return leads_; }
+  int number() const noexcept override { return leads_ ? 0 : 1; }
+  int size() const noexcept override { return 2; }
+  std::vector<std::string> gather(const std::string&, const std::string& own) override {
+    return {own, own};
+  }
   std::optional<std::string> share(const Work& work) override {
     keys_.insert(work.key);
     if (!leads_) return told_;
