@@ -185,7 +185,6 @@ def without_nameless_files():
 
 
 def no_core():
-    signal.signal(signal.SIGQUIT, signal.SIG_DFL)  # a shell's jobs in the background ignore it
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 

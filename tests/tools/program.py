@@ -15,6 +15,10 @@ PROGRAM = os.environ["LASIUS_PROGRAM"]
 MAPS = os.environ["LASIUS_MAPS_DIR"]
 SVG = "{http://www.w3.org/2000/svg}"
 
+# nohup and a shell's jobs in the background ignore these, and so would the program.
+for number in (signal.SIGHUP, signal.SIGQUIT):
+    signal.signal(number, signal.SIG_DFL)
+
 # Free cells are dots. (0,0)-(9,5) is joined, (6,2) lies in a closed cell, (3,2) is blocked.
 SMALL_MAP = """type octile
 height 6
