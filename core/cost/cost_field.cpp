@@ -76,6 +76,13 @@ void cost::check_inflation(const Inflation& inflation) {
   check_in(inflation.inscribed, 0, 20000, "the inflation's inscribed radius");
 }
 
+void cost::check_sum(std::span<const double> weights, const Inflation& inflation) {
+  if (const double most = *std::ranges::max_element(weights) + inflation.weight;
+      !(most <= CostField::kMost))
+    refuse("costs and inflation together may weigh " + number_text(most),
+           "use smaller ones: weights are at most " + number_text(CostField::kMost));
+}
+
 double cost::inflated(const Inflation& inflation, std::int32_t squared_half_cells) noexcept {
   constexpr double kPerLn2 = 1.4426950408889634074;
   const double d = std::sqrt(static_cast<double>(squared_half_cells)) / 2;

@@ -57,20 +57,10 @@ LiveCosts::LiveCosts(const EditedMap& map, const CostField& costs,
       squeezes_(corners == Corners::allow) {
   if (!inflation_) return;
   cost::check_inflation(*inflation_);
-  check_sum(given_);
+  cost::check_sum(given_, *inflation_);
   const StopCondition never;
   Poller poller(never);
   update({0, 0, map.map().width(), map.map().height()}, poller);
-}
-
-/// @throws Error(invalid_parameter) where given costs and the inflation pass what is allowed.
-void LiveCosts::check_sum(std::span<const double> weights) const {
-  if (!inflation_) return;
-  if (const double most = *std::ranges::max_element(weights) + inflation_->weight;
-      !(most <= CostField::kMost))
-    throw Error(ErrorCode::invalid_parameter,
-                "costs and inflation together may weigh " + number_text(most),
-                "use smaller ones: weights are at most " + number_text(CostField::kMost));
 }
 
 void LiveCosts::set(const Rectangle& part, std::span<const double> weights) {
@@ -81,7 +71,7 @@ void LiveCosts::set(const Rectangle& part, std::span<const double> weights) {
                 "costs of " + size_text(part.width, part.height) + " cells from " +
                     pair_text(part.x, part.y) + " leave the map",
                 "give those inside of it");
-  check_sum(weights);
+  if (inflation_) cost::check_sum(weights, *inflation_);
   for (int y = 0; y < part.height; ++y) {
     for (int x = 0; x < part.width; ++x) {
       const double weight = checked.weight({x, y});

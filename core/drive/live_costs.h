@@ -53,7 +53,6 @@ class LiveCosts {
   std::vector<Point> polished(std::span<const Cell> walk, std::size_t most, Poller& poller) const;
   void find_path(const disc::DiscSpace* space, const StopCondition& stop, Poller& poller,
                  Result& result);
-  void check_sum(std::span<const double> weights) const;
   double weight_of(Cell c, std::int32_t squared_half_cells) const noexcept;
 
   const EditedMap& map_;

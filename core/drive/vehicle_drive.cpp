@@ -27,7 +27,9 @@ class VehiclePilot final : public Pilot {
  public:
   VehiclePilot(const Grid& map, const Vehicle& vehicle, std::vector<Pose> goals,
                const NavigatorOptions& options)
-      : navigator_(map, vehicle, std::move(goals), options), options_(options) {}
+      : navigator_(map, vehicle, std::move(goals), options), options_(options) {
+    options_.costs.reset();  // the Navigator has them
+  }
 
   void stand_at(const Pose& pose) { pose_ = pose; }
   double cost(const Segment& motion) const { return navigator_.cost(std::span(&motion, 1)); }

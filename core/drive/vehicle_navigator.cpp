@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
+#include "core/cost/inflation.h"
 #include "core/drive/doubts.h"
 #include "core/drive/kept_way.h"
 #include "core/drive/vehicle_window.h"
@@ -31,8 +32,12 @@ class Navigator::Impl {
         planner_(*Planner::make(map_, vehicle, {}, costs_now())),
         kept_(vehicle),
         around_(circumscribed_radius(vehicle)) {
-    if (options_.costs) unit_ = std::ranges::min(options_.costs->weights());
-    if (options_.inflation) follow_ = options_.inflation->radius;
+    if (options_.inflation) {
+      follow_ = options_.inflation->radius;
+      constexpr double kOne[] = {1};
+      cost::check_sum(kOne, *options_.inflation);
+    }
+    if (options_.costs) take(*options_.costs);
     require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
                       "give 0 or more steps");
     set_goals(std::move(goals));
@@ -54,7 +59,7 @@ class Navigator::Impl {
 
   void set_costs(CostField costs) {
     (void)costs.range(map_);  // refuses another size
-    unit_ = std::ranges::min(costs.weights());
+    take(costs);
     options_.costs = std::move(costs);
     changed_ = tempted_ = true;
   }
@@ -64,7 +69,7 @@ class Navigator::Impl {
     const int goal = way_.goal;
     way_ = {};
     if (const auto rest = left_from(robot); !rest.empty()) {
-      tempted_ = tempted_ || shortens(robot, planner_.cost(rest));
+      tempted_ = tempted_ || (!news_.empty() && shortens(robot, planner_.cost(rest)));
       news_.clear();
       if (const int there = reached(robot); there >= 0 && !leads_out()) {
         way_.rejoined = 0;
@@ -108,6 +113,12 @@ class Navigator::Impl {
     costs_ = options_.costs ? options_.costs : CostField(map_.width(), map_.height());
     if (options_.inflation) costs_->add(map_, *options_.inflation);
     return &*costs_;
+  }
+
+  /// What follows from costs; walls that will be seen may add their inflation to any of them.
+  void take(const CostField& costs) {
+    if (options_.inflation) cost::check_sum(costs.weights(), *options_.inflation);
+    unit_ = std::ranges::min(costs.weights());
   }
 
   void set(Cell cell, bool blocked) {
@@ -189,6 +200,8 @@ class Navigator::Impl {
     way_.replanned = true;
     kept_.drop();
     if (changed_) {
+      if (const auto cause = stop.poll(); cause != StopCondition::Cause::none)
+        return tell_stopped(cause);
       std::optional<Planner> planner = planner_.on(map_, stop, costs_now());
       if (!planner) return tell_stopped(stop.poll());
       planner_ = std::move(*planner);

@@ -273,8 +273,9 @@ struct TipLineOptions {
 };
 
 /// A motion of the tip along a line, as far as it goes: `joints` are waypoints, the start first,
-/// and the status says `solved` where they go all along, else why they end before. Then `length` is
-/// that of the line, `goal` 0, and the trajectory is there where a motion was asked for.
+/// and the status says `solved` where they go all along (with a motion: how that ended), else why
+/// they end before; of those that do, no travel is told. Then `length` is that of the line, `goal`
+/// 0, and the trajectory is there where a motion was asked for.
 struct TipLine : Result {
   double reached = 0;  ///< share of the line, 0 .. 1
 };

@@ -72,7 +72,7 @@ TEST(VehicleNavigator, GoesTheCheapestWayOverItsCosts) {
   EXPECT_EQ(Navigator(grid, vehicle, {{90, 20, 0}}, {.costs = band(9)}).step(from).segments,
             way.segments);
   // Kept over walls beside it; straight again without the band.
-  navigator.observe({{{1, 1}}}, true);
+  navigator.observe(Rectangle{1, 1, 1, 1}, true);
   const Pose on = way.segments[0].pose(way.segments[0].extent() / 2);
   const Way left = navigator.step(on);
   EXPECT_FALSE(left.replanned);
@@ -83,6 +83,12 @@ TEST(VehicleNavigator, GoesTheCheapestWayOverItsCosts) {
   EXPECT_NEAR(navigator.step(from).length, straight, 1e-6);
   EXPECT_THROW(navigator.set_costs(CostField(100, 61)), Error);
   EXPECT_THROW(Navigator(grid, vehicle, {from}, {.costs = CostField(60, 100)}), Error);
+  // No step meets weights that inflation makes too great.
+  const Inflation heavy{.radius = 8, .scaling = 0.5, .weight = CostField::kMost - 5};
+  EXPECT_THROW(Navigator(grid, vehicle, {from}, {.costs = band(6), .inflation = heavy}), Error);
+  Navigator inflated(grid, vehicle, {from}, {.inflation = heavy});
+  EXPECT_THROW(inflated.set_costs(band(6)), Error);
+  EXPECT_NO_THROW(inflated.set_costs(band(5)));
 }
 
 TEST(VehicleNavigator, KeepsTheRestOfItsWay) {
