@@ -1,13 +1,14 @@
 // lasius_bench nav2: plans over costs between all nodes of Nav2's depot.
 #include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
+#include "bench/pose_pairs.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/base/special_values.h"
@@ -64,15 +65,7 @@ Depot load_depot(const Nav2Options& options) {
                                         .scaling = options.scaling * cell,
                                         .weight = 2,
                                         .inscribed = std::max(1.0, options.radius / cell)});
-  std::ifstream file(base + "_graph.geojson");
-  const auto graph = nlohmann::json::parse(file);
-  for (const auto& feature : graph.at("features")) {
-    const auto& shape = feature.at("geometry");
-    if (shape.at("type") != "Point") continue;
-    const auto& at = shape.at("coordinates");
-    depot.nodes.push_back(
-        map.frame->to_cells({at.at(0).get<double>(), at.at(1).get<double>()}, depot.grid.height()));
-  }
+  depot.nodes = nodes_of_graph(base + "_graph.geojson", *map.frame, depot.grid.height());
   return depot;
 }
 

@@ -21,7 +21,8 @@ PosePairs read_pose_pairs(const std::filesystem::path& file) {
   return pairs;
 }
 
-PosePairs pairs_of_graph(const std::filesystem::path& file, const WorldFrame& frame, int height) {
+std::vector<Point> nodes_of_graph(const std::filesystem::path& file, const WorldFrame& frame,
+                                  int height) {
   std::vector<Point> nodes;
   try {
     std::ifstream in(file);
@@ -36,6 +37,11 @@ PosePairs pairs_of_graph(const std::filesystem::path& file, const WorldFrame& fr
     throw Error(ErrorCode::file_broken, {.file = file.string()}, error.what(),
                 "give a route graph in GeoJSON");
   }
+  return nodes;
+}
+
+PosePairs pairs_of_graph(const std::filesystem::path& file, const WorldFrame& frame, int height) {
+  const std::vector<Point> nodes = nodes_of_graph(file, frame, height);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Point from = nodes[i], to = nodes[(i + 1) % nodes.size()];

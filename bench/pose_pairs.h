@@ -15,8 +15,12 @@ using PosePairs = std::vector<std::pair<vehicle::Pose, vehicle::Pose>>;
 /// A line x y yaw x y yaw each, in cells. @throws Error(file_broken)
 PosePairs read_pose_pairs(const std::filesystem::path& file);
 
-/// All pairs of the nodes of a route graph (GeoJSON points, metres), each of which faces the next
-/// one of the file, the last one the first. @throws Error(file_broken)
+/// The nodes of a route graph (GeoJSON points, metres), in cells. @throws Error(file_broken)
+std::vector<Point> nodes_of_graph(const std::filesystem::path& file, const WorldFrame& frame,
+                                  int height);
+
+/// All pairs of the nodes of a route graph, each of which faces the next one of the file, the last
+/// one the first. @throws Error(file_broken)
 PosePairs pairs_of_graph(const std::filesystem::path& file, const WorldFrame& frame, int height);
 
 /// Free ones, by draw.

@@ -101,7 +101,7 @@ struct VehicleTally {
   oracle::FootprintJudge judge;
   std::mt19937_64 random{1};
   std::vector<double> times, gaps;
-  int open = 0, found = 0, touching = 0, planted = 0, misjudged = 0;
+  int open = 0, found = 0, touching = 0, planted = 0, misjudged = 0, compared = 0;
   double length = 0, cusps = 0, cost = 0, corners = 0, above = 0;
 
  private:
@@ -155,18 +155,21 @@ void measure_vehicle(const std::string& name, const Grid& grid, const PosePairs*
     request.weight = 1;
     request.smooth = request.bound = false;
     request.stop.deadline = deadline();
-    const double least = planner.plan(request).cost;
-    tally.above += least > 0 ? result.cost / least : 1;
+    const vehicle::Result least = planner.plan(request);
+    if (least.status != Status::solved) continue;
+    ++tally.compared;
+    tally.above += least.cost > 0 ? result.cost / least.cost : 1;
   }
   const double found = std::max(1, tally.found);
   const auto mean_time = std::accumulate(tally.times.begin(), tally.times.end(), 0.0) /
                          static_cast<double>(tally.times.size());
-  table.row(name + " (" + std::to_string(pairs.size()) + ")",
-            {1.0 * tally.open, 1.0 * tally.found, 1.0 * tally.touching, median(tally.times),
-             mean_time, quantile(tally.times, 0.95), largest(tally.times), tally.length / found,
-             tally.cost / found, tally.gaps.empty() ? 0 : median(tally.gaps), tally.cusps / found,
-             tally.corners / found, started, prepared, million_checks(planner.space()),
-             1.0 * tally.planted, 1.0 * tally.misjudged, tally.above / found});
+  table.row(
+      name + " (" + std::to_string(pairs.size()) + ")",
+      {1.0 * tally.open, 1.0 * tally.found, 1.0 * tally.touching, median(tally.times), mean_time,
+       quantile(tally.times, 0.95), largest(tally.times), tally.length / found, tally.cost / found,
+       tally.gaps.empty() ? 0 : median(tally.gaps), tally.cusps / found, tally.corners / found,
+       started, prepared, million_checks(planner.space()), 1.0 * tally.planted,
+       1.0 * tally.misjudged, 1.0 * tally.compared, tally.above / std::max(1, tally.compared)});
 }
 
 void run_vehicles(const VehicleOptions& options) {
@@ -176,10 +179,12 @@ void run_vehicles(const VehicleOptions& options) {
                   ", " + options.kind + "; milliseconds of processor time a plan, bound included" +
                   (options.smooth ? ", smoothed" : ", not smoothed") +
                   "; open: both ends touch nothing; touching: by separating axes every 0.05 cells; "
-                  "misjudged: paths, or contacts planted on them, that the certificate has wrong.",
-              {"map (pairs)", "open", "found", "touching", "median", "mean", "95%", "most",
-               "length", "cost", "gap %, median", "cusps", "corners", "vehicle, ms", "map, ms",
-               "motions / us", "planted", "misjudged", "cost to weight 1's"},
+                  "misjudged: paths, or contacts planted on them, that the certificate has wrong; "
+                  "compared: paths of pairs that the search with weight 1 solved, too.",
+              {"map (pairs)",   "open",    "found",     "touching",    "median",
+               "mean",          "95%",     "most",      "length",      "cost",
+               "gap %, median", "cusps",   "corners",   "vehicle, ms", "map, ms",
+               "motions / us",  "planted", "misjudged", "compared",    "cost to weight 1's"},
               options.markdown);
   if (!options.graph.empty()) {
     const auto& world = options.world;
