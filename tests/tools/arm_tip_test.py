@@ -127,6 +127,14 @@ class Tip(ProgramTest):
                          [False] * len(result["inverse"]["found"]))
         self.assertGreater(len(result["inverse"]["found"]), 0)
         self.replayed("touch.json")
+        # A free goal beside it, further than the blocked ones: `--inverse` has room for none of its own.
+        free = ("--goal-joints", "2.7,0.4,0.7,0.2,0.6,0.1")
+        both = self.arm("--inverse", "2", "--goal", self.pose(), *free, "--json", "-o", "both.json", scene="ball.json")
+        result = self.ended(both, 0).json
+        self.assertEqual((result["status"], [one["free"] for one in result["inverse"]["found"]]),
+                         ("solved", [False, True]))
+        self.assertEqual(result["inverse"]["found"][1]["goal"], 1)
+        self.replayed("both.json")
         self.ended(self.arm("--inverse", "2", "--goal", self.pose(), "--time-limit", "0"), 6)
         # One goal that is out of reach takes nothing from another.
         self.ended(self.arm("--inverse", "2", "--goal", self.pose(), "--goal", "9,9,9"), 0)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lasius/arm.h"
+#include "lasius/error.h"
 #include "tools/arm/arm_command.h"
 
 namespace lasius::tool {
@@ -52,6 +53,20 @@ struct ArmAnswer {
 inline Eigen::Vector3d tip_of(const arm::Robot& robot, const arm::Goal& goal) {
   if (goal.kind == arm::Goal::Kind::joints) return arm::tip_position(robot, goal.values);
   return goal.target.translation();
+}
+
+/// Whether a call ended; its refusal of the question is the plan's error.
+template <class Call>
+bool answered(arm::Result& plan, const Call& call) {
+  try {
+    call();
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_parameter) throw;
+    plan.status = Status::invalid;
+    plan.error = error.what();
+    return false;
+  }
 }
 
 /// The unit of a plan's length.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tools/arm/arm_answer.h"
+#include "tools/arm/arm_inverse.h"
 #include "tools/arm/arm_json.h"
 #include "tools/arm/arm_kind.h"
 #include "tools/arm/arm_picture.h"

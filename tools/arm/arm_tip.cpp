@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "lasius/arm_plan.h"
-#include "lasius/error.h"
 #include "tools/arm/arm_json.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -17,20 +16,6 @@ Json nearest_json(const arm::SceneSensor::Nearest& nearest) {
   return {{"distance", std::isfinite(nearest.distance) ? number(nearest.distance) : Json(nullptr)},
           {"link", text_or_null(nearest.link)},
           {"other", text_or_null(nearest.other)}};
-}
-
-/// What a call returns; its refusal of the question is the plan's error.
-template <class Call>
-bool answered(arm::Result& plan, const Call& call) {
-  try {
-    call();
-    return true;
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::invalid_parameter) throw;
-    plan.status = Status::invalid;
-    plan.error = error.what();
-    return false;
-  }
 }
 
 }  // namespace
@@ -66,44 +51,6 @@ void plan_straight(const ArmCommand& command, const arm::SceneSensor& sensor,
     }
   });
   answer.straight_reached = std::max(0.0, answer.straight_reached);
-}
-
-void find_inverse(const ArmCommand& command, const arm::SceneSensor& sensor,
-                  const StopCondition& stop, ArmAnswer& answer) {
-  arm::Result& plan = answer.plan;
-  std::size_t asked = 0;
-  for (std::size_t i = 0; i < answer.goals.size(); ++i)
-    asked += answered(plan, [&] {
-      for (const arm::JointVector& q : arm::inverse_kinematics(
-               answer.robot, answer.goals[i], answer.start, command.inverse, command.seed, stop))
-        answer.inverse.push_back({i, q, sensor.nearest(q), sensor.position_free(q)});
-    });
-  if (asked == 0) return;
-  const auto far = [&](const Reaching& reaching) { return (reaching.q - answer.start).norm(); };
-  std::ranges::stable_sort(answer.inverse, {}, far);
-  const auto most = static_cast<std::size_t>(command.inverse);
-  if (answer.inverse.size() > most)
-    answer.inverse.erase(answer.inverse.begin() + command.inverse, answer.inverse.end());
-  plan.error.clear();
-  const auto cause = stop.poll();
-  if (cause == StopCondition::Cause::token) {
-    plan.status = Status::interrupted;
-  } else if (cause == StopCondition::Cause::deadline) {
-    plan.status = Status::limit;
-    plan.limit = Limit::time;
-  } else if (answer.inverse.empty()) {
-    plan.status = Status::no_path;
-    plan.error = "no joint values were found that reach the goal, which is no proof";
-  } else if (std::ranges::none_of(answer.inverse, &Reaching::free)) {
-    plan.status = Status::invalid;
-    plan.fault = Fault::goal_blocked;
-    plan.error = "the arm touches something in each of " +
-                 counted(std::ssize(answer.inverse), "posture") +
-                 " found: " + sensor.contact(answer.inverse.front().q);
-  } else {
-    plan.status = Status::solved;
-    plan.length = far(answer.inverse.front());
-  }
 }
 
 std::string nearest_text(const arm::SceneSensor::Nearest& nearest) {

@@ -13,12 +13,6 @@ namespace lasius::tool {
 void plan_straight(const ArmCommand& command, const arm::SceneSensor& sensor,
                    const StopCondition& stop, ArmAnswer& answer);
 
-/// Joint values that reach the goals, with what is nearest there. The plan is solved where any of
-/// them is free, with the joint travel to the first as length; invalid where all of them touch
-/// something.
-void find_inverse(const ArmCommand& command, const arm::SceneSensor& sensor,
-                  const StopCondition& stop, ArmAnswer& answer);
-
 /// "0.12 m between link 2 (after elbow) and obstacle 1 (shelf)".
 std::string nearest_text(const arm::SceneSensor::Nearest& nearest);
 
