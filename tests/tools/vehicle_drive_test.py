@@ -103,6 +103,9 @@ class VehicleDrives(ProgramTest):
         self.assertGreater(result["cost"], result["length"])
         self.assertIn("inflation", result["parameters"])
         self.quiet(self.run_program("verify", "-q", "run.json"))
+        for goals in ([], None, {"a": near}):
+            self.write("bad.json", json.dumps({**result, "goals": goals}))
+            self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", '"goals" is')
 
     def test_what_is_refused(self):
         for options, said in ((("--radius", "2"), "--radius with --vehicle"), (("--algorithm", "mmas"), "lattice alone"),
