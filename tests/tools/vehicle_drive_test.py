@@ -90,6 +90,8 @@ class VehicleDrives(ProgramTest):
             self.assertLess(math.dist(world(*at)[:2], there[:2]), 1e-9)
             self.assertLess(abs(math.remainder(world(*at)[2] - there[2], 2 * math.pi)), 1e-9)
         self.quiet(self.run_program("verify", "-q", "w.json"))
+        self.write("bad.json", json.dumps({**run.json, "goals_world": []}))
+        self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", '"goals_world" is []')
 
     def test_over_costs_and_to_one_of_several_goals(self):
         near, far = "20,4,0", "38,25,90deg"
