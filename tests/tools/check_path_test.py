@@ -177,7 +177,8 @@ class CheckPath(ProgramTest):
     def test_results_without_one_path(self):
         for content, code, said in (('{"track": null, "status": "invalid"}', 2, "its status is invalid"),
                                     ('{"legs": [], "tours": []}', 2, "tours of several robots"),
-                                    ('{"legs": []}', 3, '"stops"'), ('{"legs": {"a": {"path": [[1, 2]]}}}', 3, "no list of legs"),
+                                    ('{"legs": []}', 3, '"stops"'),
+                                    ('{"legs": {"a": {"path": [[1, 2]]}}}', 3, "no list of legs"),
                                     ('{"legs": [], "stops": [[1, 1]], "order": [1]}', 3, '"order"'),
                                     ('{"legs": [], "stops": [[1]], "order": [0]}', 3, '"stops"'),
                                     ('{"legs": [], "stops": [], "order": [0]}', 3, '"order"'),
