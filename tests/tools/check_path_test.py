@@ -176,13 +176,38 @@ class CheckPath(ProgramTest):
 
     def test_results_without_one_path(self):
         for content, code, said in (('{"track": null, "status": "invalid"}', 2, "its status is invalid"),
-                                    ('{"legs": [], "tours": []}', 3, "tours of several robots"),
-                                    ('{"legs": []}', 3, "no point"), ('{"legs": [{"path": [[1]]}]}', 3, "no list of points"),
+                                    ('{"legs": [], "tours": []}', 2, "tours of several robots"),
+                                    ('{"legs": []}', 3, '"stops"'),
+                                    ('{"legs": {"a": {"path": [[1, 2]]}}}', 3, "no list of legs"),
+                                    ('{"legs": [], "stops": [[1, 1]], "order": [1]}', 3, '"order"'),
+                                    ('{"legs": [], "stops": [[1]], "order": [0]}', 3, '"stops"'),
+                                    ('{"legs": [], "stops": [], "order": [0]}', 3, '"order"'),
+                                    ('{"legs": [], "stops": [[1, 1]], "order": []}', 3, "no point"),
+                                    ('{"path": {"a": [1, 2]}}', 3, "no list of points"),
+                                    ('{"track": [[1, 1, 0]], "parameters": 5}', 3, '"parameters" is 5'),
+                                    ('{"track": [[1, 1, 0]], "parameters": null}', 3, '"parameters" is null'),
+                                    ('{"legs": [{"path": [[1]]}]}', 3, "no list of points"),
                                     ('{"path": 4}', 3, "no list of points"), ("[]", 3, "path")):
             self.write("run.json", content)
             run = self.run_program("check-path", "room.map", "run.json")
             self.assertEqual(run.code, code, run.err)
             self.assertIn(said, run.err)
+
+    def test_tours_of_one_stop(self):
+        self.write("world.pgm", b"P5 24 12 255 " + b"\xfe" * 288)
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-1, -2, 0.7]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.2\n")
+        for stop, map_file, frame in (([3, 2], "room.map", "cell"), ([3.5, 2.25], "room.map", "cell"),
+                                      ([-0.5, -1], "world.yaml", "world")):
+            self.write("one.json", json.dumps([stop]))
+            run = self.run_program("tour", map_file, "--stops", "one.json", "--open", "--radius", "0.25", "--frame", frame,
+                                   "-o", "run.json")
+            self.assertEqual(run.code, 0, run.err)
+            self.assertIn("holds: ", self.run_program("check-path", map_file, "run.json").out)
+        result = json.loads(self.read("run.json"))
+        self.write("run.json", json.dumps({**result, "stops": [[4, 2]], "stops_world": None}))
+        run = self.run_program("check-path", "room.map", "run.json")
+        self.assertEqual((run.code, "at (4.5, 2.5)" in run.out), (1, True), run.out)
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [

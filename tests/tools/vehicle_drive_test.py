@@ -90,6 +90,8 @@ class VehicleDrives(ProgramTest):
             self.assertLess(math.dist(world(*at)[:2], there[:2]), 1e-9)
             self.assertLess(abs(math.remainder(world(*at)[2] - there[2], 2 * math.pi)), 1e-9)
         self.quiet(self.run_program("verify", "-q", "w.json"))
+        self.write("bad.json", json.dumps({**run.json, "goals_world": []}))
+        self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", '"goals_world" is []')
 
     def test_over_costs_and_to_one_of_several_goals(self):
         near, far = "20,4,0", "38,25,90deg"
@@ -103,6 +105,9 @@ class VehicleDrives(ProgramTest):
         self.assertGreater(result["cost"], result["length"])
         self.assertIn("inflation", result["parameters"])
         self.quiet(self.run_program("verify", "-q", "run.json"))
+        for goals in ([], None, {"a": near}):
+            self.write("bad.json", json.dumps({**result, "goals": goals}))
+            self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", '"goals" is')
 
     def test_what_is_refused(self):
         for options, said in ((("--radius", "2"), "--radius with --vehicle"), (("--algorithm", "mmas"), "lattice alone"),

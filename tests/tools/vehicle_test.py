@@ -262,6 +262,9 @@ class Vehicles(ProgramTest):
         self.assertEqual((run.code, result["goal_index"], result["goal"], len(result["goals"])), (0, 1, [9.5, 15.5, 0], 2))
         self.check(result, CAR)
         self.quiet(self.run_program("verify", "-q", "g.json"))
+        for goals in ([], None, {"a": result["goal"]}):
+            self.write("bad.json", json.dumps({**result, "goals": goals}))
+            self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", '"goals" is')
         self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "2,2", "--goal", "3,3"), 2, "more than once")
         # Any heading will do where any is asked for, and a blocked goal is not met but neared.
         free = self.drive("car.json", "4,4,0", "9,15,3", "--heading-tolerance", "180deg", "--json").json

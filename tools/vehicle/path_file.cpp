@@ -143,9 +143,16 @@ std::string path_key(const Json& result) {
   throw UsageError("it has no \"path\"");
 }
 
+/// @throws UsageError naming the key
+const Json& list_at(const Json& result, const std::string& key, const std::string& of = "points") {
+  const Json& list = value_at(result, key);
+  if (!list.is_array()) throw UsageError("\"" + key + "\" is no list of " + of);
+  return list;
+}
+
 /// Appends its points and segments. @throws UsageError naming the key
 void take_path(PathFile& path, const Json& part, const std::string& key) {
-  for (const Json& vertex : value_at(part, key)) {
+  for (const Json& vertex : list_at(part, key)) {
     if (!vertex.is_array() || vertex.size() < 2)
       throw UsageError("\"" + key + "\" is no list of points");
     const Point at = recorded_point(Json{{key, {vertex[0], vertex[1]}}}, key);
@@ -157,15 +164,30 @@ void take_path(PathFile& path, const Json& part, const std::string& key) {
   path.segments.insert(path.segments.end(), segments.begin(), segments.end());
 }
 
+/// Of a tour without legs: its only stop. @throws UsageError naming the key
+void take_stop(PathFile& path, const Json& result) {
+  path.metres = told(result, "stops_world");
+  const std::string key = path.metres ? "stops_world" : "stops";
+  const Json &stops = list_at(result, key), &order = list_at(result, "order", "stops");
+  if (order.empty()) return;
+  const Json first = {{"order", order.front()}};
+  const auto last = static_cast<std::int64_t>(stops.size()) - 1;
+  const Json& stop = stops[static_cast<std::size_t>(recorded_integer(first, "order", 0, last))];
+  const Point at = recorded_point(Json{{key, stop}}, key);
+  const bool cell = stop.front().is_number_integer() && stop.back().is_number_integer();
+  path.points.push_back(cell && !path.metres ? Point{at.x + 0.5, at.y + 0.5} : at);
+}
+
 /// @throws UsageError naming the key
 PathFile path_of(const std::string& file, const Json& result, const std::string& key) {
   PathFile path{.file = file};
-  if (told(result, "tours"))
-    throw UsageError("it has tours of several robots; give one robot's path");
-  if (key == "legs")
-    for (const Json& leg : result["legs"]) take_path(path, leg, "path");
-  else
+  if (key == "legs") {
+    const Json& legs = list_at(result, key, "legs");
+    for (const Json& leg : legs) take_path(path, leg, "path");
+    if (legs.empty() && !of_vehicle(result)) take_stop(path, result);
+  } else {
     take_path(path, result, key);
+  }
   if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
   if (of_vehicle(result) && path.segments.empty()) {  // a drive or tour that only stands
     if (key == "path") throw UsageError("\"segments\" are none");
@@ -176,7 +198,8 @@ PathFile path_of(const std::string& file, const Json& result, const std::string&
     path.segments = {{.begin = {at.x, at.y, at.yaw}}};
   }
   if (path.points.empty()) throw UsageError("its path has no point");
-  const Json parameters = result.value("parameters", Json());
+  const Json parameters = result.value("parameters", Json::object());
+  if (!parameters.is_object()) throw UsageError("\"parameters\" is " + dumped(parameters));
   if (told(parameters, "vehicle")) path.vehicle = recorded_vehicle(parameters);
   if (told(parameters, "radius")) path.radius = recorded_real(parameters, "radius", 0, kNoLimit);
   path.unknown_free = told(parameters, "unknown") && parameters["unknown"] == "free";
@@ -190,6 +213,9 @@ PathFile read_result(const std::string& file) {
     throw UsageError(file + " holds " + std::to_string(results.size()) +
                      " results; give one with one result");
   const Json& result = results.front().json;
+  if (told(result, "tours"))
+    throw UsageError(file +
+                     " has tours of several robots; save them as .csv and give the rows of one");
   try {
     const std::string key = path_key(result);
     const bool none = !told(result, key) || (result[key].empty() && key != "legs");

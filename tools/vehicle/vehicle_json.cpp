@@ -41,8 +41,10 @@ std::vector<PoseEnd> recorded_goals(const Json& result, bool metres) {
   const std::string goals = metres ? "goals_world" : "goals";
   if (!result.contains(goals)) return {recorded_pose(result, metres ? "goal_world" : "goal")};
   std::vector<PoseEnd> all;
-  all.reserve(result[goals].size());
-  for (const Json& goal : result[goals]) all.push_back(recorded_pose(Json{{goals, goal}}, goals));
+  const Json& list = result[goals];
+  if (!list.is_array() || list.empty()) throw UsageError("\"" + goals + "\" is " + dumped(list));
+  all.reserve(list.size());
+  for (const Json& goal : list) all.push_back(recorded_pose(Json{{goals, goal}}, goals));
   return all;
 }
 
