@@ -41,9 +41,11 @@ class ArrayWriter {
 /// Reads what an ArrayWriter wrote. @throws Error(file_broken) where the file says what cannot be.
 class ArrayReader {
  public:
-  /// @param file  its name; `before`: bytes of it that lie before `text`
-  ArrayReader(std::string_view text, std::string file, std::size_t before)
-      : text_(text), file_(std::move(file)), before_(before) {}
+  /// @param file  its name; `before`: bytes of it that lie before `text`; `remedy`, which outlives
+  ///              this: what to do where it is broken
+  ArrayReader(std::string_view text, std::string file, std::size_t before,
+              std::string_view remedy = "remove it, to have it made anew")
+      : text_(text), file_(std::move(file)), before_(before), remedy_(remedy) {}
 
   template <class T>
   std::vector<T> array() {
@@ -66,7 +68,7 @@ class ArrayReader {
     if (holds) return;
     throw Error(ErrorCode::file_broken,
                 {.file = file_, .offset = static_cast<std::int64_t>(before_ + at_)},
-                "is damaged: its numbers do not agree", "remove it, to have it made anew");
+                "is damaged: its numbers do not agree", std::string(remedy_));
   }
   /// Rising numbers from 0 to `last`, as of where parts begin.
   template <class T>
@@ -80,6 +82,7 @@ class ArrayReader {
   std::string_view text_;
   std::string file_;
   std::size_t before_;
+  std::string_view remedy_;
   std::size_t at_ = 0;
 };
 

@@ -1,15 +1,37 @@
 #include "core/colony/islands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/stored_arrays.h"
 
 namespace lasius {
+namespace {
+
+void require_ranks(const Ranks& ranks) {
+  require_parameter(ranks.count >= 1, "ranks.count", ranks.count, "it must be 1 or more");
+  require_parameter(ranks.own >= 0 && ranks.own < ranks.count, "ranks.own", ranks.own,
+                    "it must be from 0 to " + number_text(ranks.count - 1));
+  if (!ranks.gather) throw invalid_parameter("ranks.gather is empty", "give it a function");
+}
+
+/// What a rank has handed in.
+ArrayReader handed_in(std::string_view text, int rank) {
+  return {text, "what rank " + number_text(rank) + " handed in", 0,
+          "give all ranks the same request and parameters"};
+}
+
+}  // namespace
 
 Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
                  const disc::DiscSpace* disc, const cost::Terrain* terrain, const Ranks* ranks)
     : params_(params), ranks_(ranks), threads_(thread_count(params.threads)) {
+  if (ranks != nullptr) require_ranks(*ranks);
   const auto count = static_cast<std::size_t>(params.islands);
   news_.resize(count);
   if (memory.islands.size() < count) memory.islands.resize(count);
@@ -56,24 +78,28 @@ void Islands::exchange_tours() {
 
 StopCondition::Cause Islands::send_ants(int q) {
   if (exchange_at(q)) exchange_tours();
-  for_each([this, q](Island& island) {
-    auto cause = StopCondition::Cause::token;
-    if (!observer_stops_) cause = island.colony.send_ants(q);
+  auto told = observed_;
+  if (ranks_ != nullptr && told == StopCondition::Cause::none) told = stop_.poll();
+  for_each([this, q, told](Island& island) {
+    auto cause = told;
     if (cause == StopCondition::Cause::none) {
-      island.colony.offer();
-      island.colony.update_trail(q);
-    } else if (!observer_stops_) {
-      island.colony.offer_cut();
+      cause = island.colony.send_ants(q);
+      if (cause == StopCondition::Cause::none) {
+        island.colony.offer();
+        island.colony.update_trail(q);
+      } else {
+        island.colony.offer_cut();
+      }
     }
     tell(island, cause, exchange_at(q + 1));
   });
-  if (ranks_ != nullptr) share_news();
+  if (ranks_ != nullptr) told = share_news(told);
   for (Island& island : islands_)
     if (leader_ == nullptr || island.colony.best_path().shorter_than(leader_->best_path()))
       leader_ = &island.colony;
   for (const News& one : news_)
     if (one.whole.cause != StopCondition::Cause::none) return one.whole.cause;
-  return StopCondition::Cause::none;
+  return told;
 }
 
 void Islands::tell(const Island& island, StopCondition::Cause cause, bool with_tour) {
@@ -95,31 +121,48 @@ void Islands::tell(const Island& island, StopCondition::Cause cause, bool with_t
   to.best_tour.assign(tour.moves.begin(), tour.moves.end());
 }
 
-void Islands::share_news() {
+std::vector<std::string> Islands::gather(const std::string& own) const {
+  std::vector<std::string> all = ranks_->gather(own);
+  if (std::ssize(all) != ranks_->count)
+    throw invalid_parameter("ranks.gather gave " + number_text(all.size()) + " texts for " +
+                                number_text(ranks_->count) + " ranks",
+                            "it must give one for each, empty where a rank has ended");
+  return all;
+}
+
+StopCondition::Cause Islands::share_news(StopCondition::Cause told) {
   ArrayWriter own;
+  own.value(told);
   for (const Island& island : islands_) {
     const News& one = news(island.number);
     own.value(one.whole);
     own.array(one.ants);
     own.array(one.best_tour);
   }
-  const std::vector<std::string> all = ranks_->gather(own.text());
+  const std::vector<std::string> all = gather(own.text());
+  auto first = StopCondition::Cause::none;
   for (int rank = 0; rank < ranks_->count; ++rank) {
-    ArrayReader from(all[static_cast<std::size_t>(rank)], "a rank's news", 0);
-    for (int i = rank; rank != ranks_->own && i < params_.islands; i += ranks_->count) {
-      if (from.at_end()) {  // it has ended; the own deadline is near
-        const auto cause = stop_.poll();
-        const bool none = cause == StopCondition::Cause::none;
-        news(i).whole.cause = none ? StopCondition::Cause::deadline : cause;
-        continue;
-      }
+    ArrayReader from = handed_in(all[static_cast<std::size_t>(rank)], rank);
+    const bool other = rank != ranks_->own, ended = other && from.at_end();
+    auto cause = told;
+    if (ended) {  // the own deadline is near
+      cause = stop_.poll();
+      if (cause == StopCondition::Cause::none) cause = StopCondition::Cause::deadline;
+    } else if (other) {
+      cause = from.value<StopCondition::Cause>();
+    }
+    if (first == StopCondition::Cause::none) first = cause;
+    if (!other || ended) continue;
+    for (int i = rank; i < params_.islands; i += ranks_->count) {
       news(i).whole = from.value<News::Whole>();
       auto ants = from.array<News::OfAnt>();
       from.require(ants.size() == news(i).ants.size());
       news(i).ants = std::move(ants);
       news(i).best_tour = from.array<std::uint8_t>();
     }
+    from.require(from.at_end());
   }
+  return first;
 }
 
 std::vector<Point> Islands::best_path() {
@@ -141,13 +184,16 @@ std::vector<Point> Islands::best_path() {
   ArrayWriter own;
   own.value(mine);
   own.array(path);
-  for (const std::string& text : ranks_->gather(own.text())) {
-    if (text.empty()) continue;
-    ArrayReader from(text, "a rank's path", 0);
+  const std::vector<std::string> all = gather(own.text());
+  for (int rank = 0; rank < ranks_->count; ++rank) {
+    ArrayReader from = handed_in(all[static_cast<std::size_t>(rank)], rank);
+    if (from.at_end()) continue;
     const auto found = from.value<Found>();
+    auto points = from.array<Point>();
+    from.require(from.at_end());
     if (!(found < least)) continue;
     least = found;
-    path = from.array<Point>();
+    path = std::move(points);
   }
   return path;
 }
@@ -182,7 +228,7 @@ bool Islands::settled() const {
 StopCondition::Cause Islands::observe(const Convergence& run) {
   const auto cause = leader_ != nullptr ? leader_->observe(run) : StopCondition::Cause::none;
   if (ranks_ == nullptr) return cause;
-  observer_stops_ = cause != StopCondition::Cause::none;  // others hear of it in the next iteration
+  observed_ = cause;
   return StopCondition::Cause::none;
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/colony/grid_colony.h"
@@ -23,6 +25,7 @@ namespace lasius {
 class Islands final : public ColonyWorld {
  public:
   /// As GridColony for one run; `params` have more than one island, and an ant for each.
+  /// @throws Error(invalid_parameter) for ranks that cannot be.
   Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
           const cost::Terrain* terrain, const Ranks* ranks);
 
@@ -84,7 +87,10 @@ class Islands final : public ColonyWorld {
   bool exchange_at(int q) const { return q > 0 && q % params_.exchange_every == 0; }
   void exchange_tours();
   void tell(const Island& island, StopCondition::Cause cause, bool with_tour);
-  void share_news();
+  /// Tells the others what this rank is told, and of its islands, and hears of theirs. The first
+  /// cause, by rank, for which one is to stop.
+  StopCondition::Cause share_news(StopCondition::Cause told);
+  std::vector<std::string> gather(const std::string& own) const;
   News& news(int island) { return news_[static_cast<std::size_t>(island)]; }
   const News::OfAnt& news_of(int ant) const {
     const Place place = places_[static_cast<std::size_t>(ant)];
@@ -101,7 +107,8 @@ class Islands final : public ColonyWorld {
   std::vector<News> news_;      ///< of all
   std::vector<Place> places_;   ///< of all ants
   GridColony* leader_ = nullptr;
-  bool observer_stops_ = false;
+  /// Of ranks: why the own observer stops, which others hear of in the next iteration.
+  StopCondition::Cause observed_ = StopCondition::Cause::none;
 };
 
 }  // namespace lasius

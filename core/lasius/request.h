@@ -15,11 +15,11 @@ namespace lasius {
 /// the same map; each sends a share of the islands and gets the whole answer, that of one process.
 /// Where one of them is told to stop, all end; an observer is shown the islands of its own process.
 struct Ranks {
-  int own = 0;    ///< the number of this process, from 0
-  int count = 1;  ///< of processes
-  /// Hands in what this one has, and gets what each has handed in, by number; empty: it has ended,
-  /// which is as if its deadline had passed. Called by the thread that plans, once an iteration and
-  /// once at the end. What it throws ends the call.
+  int own = 0;    ///< the number of this process, from 0, below `count`
+  int count = 1;  ///< of processes, 1 or more
+  /// Hands in what this one has, and gets what each has handed in, `count` by number; empty: it has
+  /// ended, which is as if its deadline had passed. Called by the thread that plans, once an
+  /// iteration and once at the end. What it throws ends the call.
   std::function<std::vector<std::string>(std::string)> gather = {};
 };
 

@@ -60,15 +60,20 @@ class Meeting {
     return {own, static_cast<int>(handed_in_.size()),
             [this, own](std::string text) { return gather(own, std::move(text)); }};
   }
-  /// This one comes no more.
+  /// Once it ends, this one comes no more.
+  struct Leaving {
+    Meeting& meeting;
+    int own;
+    ~Leaving() { meeting.leave(own); }
+  };
+
+ private:
   void leave(int own) {
     const std::lock_guard lock(mutex_);
     handed_in_[static_cast<std::size_t>(own)].clear();
     --here_;
     meet();
   }
-
- private:
   std::vector<std::string> gather(int own, std::string text) {
     std::unique_lock lock(mutex_);
     handed_in_[static_cast<std::size_t>(own)] = std::move(text);
@@ -99,14 +104,15 @@ std::vector<Result> plan_on_ranks(int count, const Params& params,
   std::vector<Result> results(static_cast<std::size_t>(count));
   Meeting meeting(count);
   std::vector<std::jthread> threads;
+  threads.reserve(results.size());
   for (int r = 0; r < count; ++r)
     threads.emplace_back([&, r] {
+      const Meeting::Leaving leaving{meeting, r};
       FarApart far;
       const Ranks rank = meeting.rank(r);
       far.request.ranks = &rank;
       if (as) as(r, far.request);
-      results[static_cast<std::size_t>(r)] = far.plan(params, nullptr, observer);
-      meeting.leave(r);
+      EXPECT_NO_THROW(results[static_cast<std::size_t>(r)] = far.plan(params, nullptr, observer));
     });
   threads.clear();
   return results;
@@ -124,7 +130,7 @@ TEST_P(Archipelago, AllRanksFindWhatOneProcessFinds) {
 
 TEST(Islands, ARankThatIsToldToStopEndsAllOfThem) {
   Params params = split("acs", 4);
-  params.iterations = 1000000;
+  params.iterations = 1000;
   std::stop_source stop;
   stop.request_stop();
   for (const Result& one : plan_on_ranks(3, params, [&](int rank, Request&request) {
@@ -142,14 +148,91 @@ TEST(Islands, ARankThatIsToldToStopEndsAllOfThem) {
   }
 }
 
+TEST(Islands, ARankWithoutAnIslandIsHeardToo) {
+  Params params = split("acs", 3);
+  params.iterations = 1000;
+  std::stop_source stop;
+  stop.request_stop();
+  for (const Result& one : plan_on_ranks(5, params, [&](int rank, Request&request) {
+         if (rank == 4) request.stop.token = stop.get_token();
+       }))
+    EXPECT_EQ(one.status, Status::interrupted);
+  for (const Result& one : plan_on_ranks(5, params, [&](int rank, Request&request) {
+         if (rank == 3) request.stop.deadline = Clock::time_point::min();
+       }))
+    EXPECT_EQ(one.status, Status::limit);
+}
+
 TEST(Islands, ARankThatHasEndedIsAsADeadline) {
   Params params = split("acs", 4);
-  params.iterations = 1000000;
-  const auto results = plan_on_ranks(2, params, [&](int rank, Request& request) {
-    if (rank == 1) request.goal = request.start;  // an answer without a search
-  });
-  EXPECT_EQ(results[0].status, Status::limit);
-  EXPECT_EQ(results[1].status, Status::solved);
+  params.iterations = 1000;
+  for (const int ranks : {2, 5}) {  // of five, the last has no island
+    const auto results = plan_on_ranks(ranks, params, [&](int rank, Request& request) {
+      if (rank == ranks - 1) request.goal = request.start;  // an answer without a search
+    });
+    for (int r = 0; r < ranks; ++r)
+      EXPECT_EQ(results[static_cast<std::size_t>(r)].status,
+                r == ranks - 1 ? Status::solved : Status::limit);
+  }
+}
+
+/// The remedy that one rank is told; empty where it is not refused.
+std::string remedy_of(const Params& params, const Ranks& rank) {
+  FarApart far;
+  far.request.ranks = &rank;
+  try {
+    (void)far.plan(params);
+  } catch (const Error& error) {
+    return error.remedy();
+  }
+  return {};
+}
+
+TEST(Islands, RanksThatCannotBeAreRefused) {
+  const Params params = split("acs", 2);
+  const auto alone = [](std::string own) { return std::vector{std::move(own)}; };
+  EXPECT_EQ(remedy_of(params, {0, 1, alone}), "");
+  EXPECT_EQ(remedy_of(params, {0, 0, alone}), "it must be 1 or more");
+  EXPECT_EQ(remedy_of(params, {-1, 2, alone}), "it must be from 0 to 1");
+  EXPECT_EQ(remedy_of(params, {2, 2, alone}), "it must be from 0 to 1");
+  EXPECT_EQ(remedy_of(params, {0, 1}), "give it a function");
+  const std::string one_each = "it must give one for each, empty where a rank has ended";
+  EXPECT_EQ(remedy_of(params, {0, 2, alone}), one_each);
+  int calls = 0;  // of the last, too
+  EXPECT_EQ(remedy_of(params, {0, 1,
+                               [&](const std::string& own) {
+                                 return std::vector(++calls > params.iterations ? 2 : 1, own);
+                               }}),
+            one_each);
+}
+
+TEST(Islands, RanksThatAreAskedForOtherThingsAreRefused) {
+  struct Heard {};
+  const auto news_of_second = [](int ants, int islands) {
+    Params params = split("acs", islands);
+    params.ants = ants;
+    std::string news;
+    const auto hear = [&](const std::string& own) -> std::vector<std::string> {
+      news = own;
+      throw Heard{};
+    };
+    EXPECT_THROW(remedy_of(params, {1, 2, hear}), Heard);
+    return news;
+  };
+  const auto told_first = [](const std::string& second, int later) {
+    Params params = split("acs", 4);
+    params.ants = 8;
+    int calls = 0;
+    return remedy_of(params, {0, 2, [&](const std::string& own) {
+                                return std::vector{own, ++calls > later ? "path" : second};
+                              }});
+  };
+  const std::string same = "give all ranks the same request and parameters";
+  EXPECT_EQ(told_first(news_of_second(12, 4), 1), same);  // more ants of an island
+  EXPECT_EQ(told_first(news_of_second(12, 6), 1), same);  // more islands
+  EXPECT_EQ(told_first(news_of_second(4, 2), 1), same);   // fewer
+  EXPECT_EQ(told_first(news_of_second(8, 4), 1), same);   // it ends sooner
+  EXPECT_EQ(told_first(news_of_second(8, 4), split("acs", 4).iterations), same);  // a broken path
 }
 
 TEST_P(Archipelago, ATourIsLearnedByInTheIterationThatIsDue) {
