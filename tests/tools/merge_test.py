@@ -57,6 +57,15 @@ class Batches(ProgramTest):
         names = self.parts(2, map_file=world, asked=("-q",))
         self.assertEqual(timeless(self.run_program("merge", *names).lines), timeless(plain.lines))
 
+    def test_poses_of_vehicles(self):
+        self.write("free.map", "type octile\nheight 20\nwidth 20\nmap\n" + ("." * 20 + "\n") * 20)
+        self.write("car.yaml", "type: car\nfootprint: [[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]]\nturning_radius: 2\nunits: cells\n")
+        self.write("q.tsv", "sx\tsy\tsyaw\tgx\tgy\tgyaw\n" + "".join(f"{3 + i}.5\t4.5\t0\t14.5\t{10 + i}.5\t1.5\n" for i in range(3)))
+        asked = ("--vehicle", "car.yaml", "-q")
+        plain = self.quiet(self.run_program("batch", "free.map", "q.tsv", *asked))
+        names = self.parts(2, map_file="free.map", asked=asked)
+        self.assertEqual(timeless(self.quiet(self.run_program("merge", *names)).lines), timeless(plain.lines))
+
     def test_what_is_no_whole_run_is_refused(self):
         self.write_queries(7)
         one, two, three = self.parts(3)

@@ -94,22 +94,21 @@ std::vector<std::string> end_texts(const VehicleAnswer& answer) {
 
 }  // namespace
 
-int run_vehicle_batch(const VehicleCommand& command) {
-  RunOptions run = command.run;
+int run_vehicle_batch(VehicleCommand command) {
+  RunOptions& run = command.run;  // that of the records, which tell their part
   check_files(run);
   SignalWatcher signals;
   const VehicleMap on = load_vehicle_map(command, {}, signals.token());
   note_files(on, run);
   check_files(run);
   std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
-  SearchOptions options = run;
-  keep_part(queries, command.queries, options.part);
+  keep_part(queries, command.queries, run.part);
   const auto answer_all = [&](const Batch::Part& part, const BatchOptions& how,
                               const Batch::Take& take) {
     const BatchReceiverOf<VehicleAnswer> receive = [&](const auto& found) {
       VehicleAnswer answer = found.result;
       Record record = vehicle_record(on, command, answer);
-      record.index = options.part.among_all(part.first + found.index);
+      record.index = run.part.among_all(part.first + found.index);
       std::vector<Point> path;
       for (const auto& timed : timed_poses(on, command, answer))
         path.push_back({timed.at.pose.x, timed.at.pose.y});
@@ -125,7 +124,7 @@ int run_vehicle_batch(const VehicleCommand& command) {
   const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
     write_batch_picture(picture, on.map, run, paths, caption);
   };
-  return run_batch({.options = options,
+  return run_batch({.options = run,
                     .unit = run.frame == Frame::world ? "m" : "",
                     .queries = queries.size(),
                     .poses = true,

@@ -9,7 +9,7 @@ namespace lasius::tool {
 
 const ProblemKind& vehicle_kind();
 /// `batch` of a vehicle. The exit code.
-int run_vehicle_batch(const VehicleCommand& command);
+int run_vehicle_batch(VehicleCommand command);
 Subcommand add_check_path(CLI::App& program);
 
 }  // namespace lasius::tool

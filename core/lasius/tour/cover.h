@@ -55,10 +55,12 @@ struct CoverResult {
 /// Pignol 1998); what they leave is covered by pieces of lines along and across it where these
 /// are worth their length, swaths are cut where others cover all that they do, and the plan of
 /// least estimated length is taken. Its swaths are brought in order as the stops of a tour are, two
-/// ends a swath. At most 10 000 swaths. Status::invalid where the start is outside or blocked, or
-/// no free place is wide enough; no_path where none is found from one swath to the next.
-/// @throws Error(invalid_parameter) for a width out of range or that asks for too many swaths,
-/// more than 100 000 lines across the longer side or 200 million samples of area,
+/// ends a swath. At most 10 000 swaths: plans of more are passed over, and out of time before one
+/// of fewer there is no tour (Status::limit). Status::invalid where the start is outside or
+/// blocked, or no free place is wide enough; no_path where none is found from one swath to the
+/// next.
+/// @throws Error(invalid_parameter) for a width out of range or that asks for too many swaths in
+/// every direction, more than 100 000 lines across the longer side or 200 million samples of area,
 /// generations below 0, and as Planner::plan for a robot's radius.
 LASIUS_EXPORT CoverResult plan_cover(const Planner& planner, const CoverRequest& request,
                                      const TourObserver& observer = {});

@@ -27,7 +27,7 @@ using tour::CoverGround;
 using tour::Swath;
 using tour::SwathPricer;
 
-constexpr int kMostSwaths = 10'000;
+constexpr int kMostSwaths = tour::SwathPlan::kMost;
 constexpr int kMostLines = 100'000, kMostSamples = 200'000'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose ascent takes their square in steps
@@ -176,7 +176,11 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   if (ground->place()) {
     plan = tour::SwathMaker(unprepared, *clear, lines, *ground)
                .best(request.threads, earlier(request.stop, kShareOfSwaths));
-    if (!plan || (plan->swaths.empty() && plan->cut)) return result;
+    // Another heading's may be fewer, or any at all.
+    if (!plan || (plan->cut && (plan->swaths.empty() || plan->too_many()))) {
+      if (!request.stop.token.stop_requested()) found.status = Status::limit;
+      return result;
+    }
   }
   if (!plan || plan->swaths.empty()) {
     found.status = Status::invalid;
@@ -184,7 +188,7 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
     return result;
   }
   result.angle = plan->heading.degrees;
-  if (plan->swaths.size() > kMostSwaths)
+  if (plan->too_many())
     throw Error(ErrorCode::invalid_parameter,
                 "a width of " + number_text(request.width) + " cells asks for " +
                     number_text(static_cast<int>(plan->swaths.size())) + " swaths, more than " +

@@ -182,6 +182,7 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
           .length +
       kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
   for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
+  plan.cut = fills.stopped();
   return plan;
 }
 
@@ -193,12 +194,13 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
     plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, laying, i == 0);
   });
   std::optional<SwathPlan>* least = nullptr;
+  const auto rank = [](const SwathPlan& plan) { return std::pair(plan.too_many(), plan.estimate); };
   for (auto& plan : plans)
-    if (plan && !plan->swaths.empty() && (least == nullptr || plan->estimate < (*least)->estimate))
+    if (plan && !plan->swaths.empty() && (least == nullptr || rank(*plan) < rank(**least)))
       least = &plan;
   if (least == nullptr) least = &plans.front();
   if (!*least) return std::nullopt;
-  (*least)->cut = std::ranges::any_of(plans, [](const auto& plan) { return !plan; });
+  (*least)->cut = std::ranges::any_of(plans, [](const auto& plan) { return !plan || plan->cut; });
   if (lines_.radius() > 0) drop_apart(**least, threads, stop);
   return std::move(*least);
 }

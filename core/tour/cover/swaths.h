@@ -26,12 +26,15 @@ double ways_between(const std::vector<Swath>& swaths, bool open = false);
 
 /// Swaths, all in the region of the ground.
 struct SwathPlan {
+  static constexpr int kMost = 10'000;  ///< swaths that are brought in order
+
   Heading heading;
   std::vector<Swath> swaths;
   bool cut = false;  ///< not all was looked at in time
   /// Of the tour: the swaths, the ways between them as chained() has them, and the area that is
   /// left, as if it took six swaths to cover it. Cells.
   double estimate = 0;
+  bool too_many() const noexcept { return swaths.size() > kMost; }
 };
 
 enum class Laid {
@@ -55,7 +58,8 @@ class SwathMaker {
   std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop,
                                 bool must) const;
   /// The plan of least estimate of those that are made in time, on threads that do not matter to
-  /// it. The first one is made whatever the deadline; empty if stopped by the token before.
+  /// it; one of too many swaths where all are. The first one is made whatever the deadline; empty
+  /// if stopped by the token before.
   std::optional<SwathPlan> best(int threads, const StopCondition& stop) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/tour/cover.h"
 #include "tests/core/base/counting_time.h"
@@ -41,6 +42,30 @@ TEST(Cover, IsNotLongerTheLaterItIsCut) {
     before = std::move(cover);
   }
   EXPECT_GT(cut, 10);
+}
+
+// Between pillars one swath each is laid that others cut back: too many in want of time, which is
+// no fault of the width's.
+TEST(Cover, RefusesNoWidthForWantOfTime) {
+  Grid grid(210, 210);
+  for (int y = 1; y < 210; y += 2)
+    for (int x = 1; x < 210; x += 2) grid.set_blocked({x, y}, true);
+  const Planner planner(grid);
+  CoverRequest request;
+  request.width = 8;
+  request.threads = 2;
+  request.generations = 0;
+  const CountingTime time(0);
+  request.stop = time.is_up();
+  const CoverResult cover = plan_cover(planner, request);
+  EXPECT_EQ(cover.tour.status, Status::limit);
+  EXPECT_TRUE(cover.stops.empty());
+  EXPECT_TRUE(cover.tour.order.empty());
+  // A width whose swaths are too many in every direction is known only in time.
+  request.width = 1;
+  EXPECT_EQ(plan_cover(planner, request).tour.status, Status::limit);
+  request.stop = {};
+  EXPECT_THROW(static_cast<void>(plan_cover(planner, request)), Error);
 }
 
 }  // namespace
