@@ -177,6 +177,7 @@ bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
   if (least < kInfinity) queue_.reset(least, queue_.width());
   std::size_t kept = 0;
   for (const std::uint32_t node : waiting_) {
+    if (poller.stop_after(1)) return false;
     if (is_spread(node)) continue;
     if (value_[node] + left(node) <= limit)
       queue_.push(node, value_[node]);
@@ -184,7 +185,9 @@ bool EdgeField::march(const Bound& rest, double limit, Poller& poller) {
       waiting_[kept++] = node;
   }
   waiting_.resize(kept);
+  // Where weights differ by much most of what is left lies beyond the limit: that is work, too.
   while (queue_.advance(poller)) {
+    if (poller.stop_after(1)) return false;
     const std::uint32_t node = queue_.pop();
     if (is_spread(node)) continue;
     if (value_[node] > limit || value_[node] + left(node) > limit) {

@@ -165,10 +165,21 @@ bool Space::Impl::all_free(std::span<const Segment> motions, double open, bool l
 
 namespace {
 
+constexpr double kFar = 500000;
+
 /// Poses far outside the map touch it; numbers beyond what is exact are not looked at.
 bool within(const Pose& pose) {
-  constexpr double kFar = 500000;
   return std::fabs(pose.x) < kFar && std::fabs(pose.y) < kFar && std::fabs(pose.yaw) < 1e6;
+}
+
+/// The share of the way between two poses that is looked at: up to far outside the map.
+double share_within(const Pose& a, const Pose& b) {
+  if (!within(a) || !within({0, 0, b.yaw})) return 0;
+  if (!std::isfinite(b.x - a.x) || !std::isfinite(b.y - a.y)) return 0;
+  const auto share = [](double from, double to) {
+    return std::fabs(to) < kFar ? 1 : (std::copysign(kFar, to) - from) / (to - from);
+  };
+  return std::min(share(a.x, b.x), share(a.y, b.y));
 }
 
 Cell cell_of(const Pose& pose) {
@@ -220,8 +231,11 @@ std::optional<Cell> Space::contact(const Pose& pose) const {
 
 std::optional<Contact> Space::first_contact(std::span<const Segment> path) const {
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const Segment& s = path[i];
-    const bool inside = within(s.begin) && within(s.end());
+    Segment s = path[i];
+    const bool straight =
+        s.gear != 0 && s.length > 0 && s.sharpest() == 0 && std::fabs(s.angle) < 1e6;
+    if (straight) s.length = std::min(s.length, 4 * kFar);  // it leaves the map before
+    const bool inside = within(s.begin) && (straight || within(s.end()));
     const double share = inside ? impl_->touch(s, Impl::kFine, true) : 0;
     if (share > 1) continue;
     const double at = share * s.extent();
@@ -234,21 +248,23 @@ std::optional<Contact> Space::first_contact(std::span<const Pose> path) const {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Pose& a = path[i];
     const Pose& b = path[std::min(i + 1, path.size() - 1)];
-    const bool inside = within(a) && within(b);
-    const double turn = inside ? half_turned(b.yaw - a.yaw) : 0;
+    const double looked_at = share_within(a, b);
+    const bool inside = looked_at > 0;
+    const double turn = inside ? looked_at * half_turned(b.yaw - a.yaw) : 0;
     const double yaw = inside ? half_turned(a.yaw) : 0;
+    const double dx = inside ? looked_at * (b.x - a.x) : 0;
+    const double dy = inside ? looked_at * (b.y - a.y) : 0;
     const auto pose_at = [&](double share) {
-      return Pose{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), yaw + share * turn};
+      return Pose{a.x + share * dx, a.y + share * dy, yaw + share * turn};
     };
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
     const double driven = std::sqrt(dx * dx + dy * dy);
     const double reach = driven + std::fabs(turn) * impl_->outline().around();
-    const double share = inside ? impl_->touch(pose_at, reach, Impl::kFine, true) : 0;
+    double share = inside ? impl_->touch(pose_at, reach, Impl::kFine, true) : 0;
+    if (looked_at < 1) share = std::min(share, 1.);
     if (share > 1) continue;
     Pose met = pose_at(share);
     met.yaw += a.yaw - yaw;
-    return contact_at(*this, static_cast<int>(i), share, met);
+    return contact_at(*this, static_cast<int>(i), share * looked_at, met);
   }
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 
 #include "core/cost/coarse_bound.h"
 #include "core/cost/goal_field.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/weights.h"
@@ -71,6 +72,31 @@ TEST(EdgeField, GoesOnAsIfItHadNotStopped) {
       }
     }
   }
+}
+
+// What lies beyond the limit costs time, too: it is dealt out, and put by. Of a march that spreads
+// next to nothing a stop is seen all the same.
+TEST(EdgeField, StopsAmongWhatLiesBeyondTheLimit) {
+  const Grid grid(200, 200);
+  std::vector<double> weights(200 * 200);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = i % 2 == 0 ? 9e5 : 1;
+  const Terrain terrain(grid, CostField(200, 200, weights));
+  const StraightBound rest(terrain, {190.5, 100.5});
+  const CellChords chords(4);
+  const StopCondition never;
+  Poller poller(never);
+  EdgeField field(terrain);
+  field.begin(chords, {100, 100}, 0.01, nullptr);
+  ASSERT_TRUE(field.march(rest, 9e6, poller));
+  const std::size_t cells = field.cells().size();
+  const CountingTime counted(1 << 30), up(0);
+  const StopCondition counting = counted.is_up(), stop = up.is_up();
+  Poller every(counting, 1), stopped(stop, 1);
+  ASSERT_TRUE(field.march(rest, 9e6, every));
+  EXPECT_EQ(field.cells().size(), cells);
+  EXPECT_GT(counted.polls(), 1000);
+  EXPECT_FALSE(field.march(rest, 9e6, stopped));
+  EXPECT_EQ(up.polls(), 1);
 }
 
 // The values of every level, marched for itself over all cells, obey chords between random points.

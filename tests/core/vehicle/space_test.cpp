@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <span>
 #include <string>
 
 #include "lasius/error.h"
@@ -114,6 +116,29 @@ TEST(VehicleSpace, PosesToldOneByOne) {
   EXPECT_EQ(contact->segment, 1);
   EXPECT_EQ(contact->cell, (Cell{20, 20}));
   EXPECT_NEAR(contact->pose.x, 18, 0.01);
+}
+
+// However far away the next pose is, the map is left where it ends: footprints reach 2 cells ahead.
+TEST(VehicleSpace, PosesFarOutsideLeaveAtTheEdge) {
+  const Grid grid(40, 40);
+  const Space space(grid, car(rectangle(2, 2, 1), 3));
+  for (const double far : {499000., 1e6, 1e300}) {
+    const std::vector<Pose> out{{10, 10, 0}, {far, 10, 0}};
+    const std::vector<Segment> straight{{.begin = out[0], .length = far, .gear = 1}};
+    const auto of_poses = space.first_contact(out), of_motion = space.first_contact(straight);
+    for (const auto& contact : {of_poses, of_motion}) {
+      ASSERT_TRUE(contact.has_value());
+      EXPECT_EQ(contact->cell.x, 40) << far;
+      EXPECT_NEAR(contact->pose.x, 38, 0.01) << far;
+    }
+    EXPECT_NEAR(of_poses->at * far, 28, 0.02) << far;
+    EXPECT_NEAR(of_motion->at, 28, 0.01) << far;
+    // Of numbers that are none something is told, too.
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    for (const Segment& bad : {Segment{.begin = out[0], .length = kNone},
+                               Segment{.begin = out[0], .length = far, .angle = kNone}})
+      EXPECT_TRUE(space.first_contact(std::span(&bad, 1)).has_value());
+  }
 }
 
 TEST(VehicleSpace, RefusesWhatIsNoVehicle) {
