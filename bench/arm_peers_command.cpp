@@ -1,6 +1,5 @@
 // lasius_bench arm-peers: arms beside OMPL's RRT-Connect.
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string>

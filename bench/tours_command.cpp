@@ -10,7 +10,6 @@
 #include "bench/peers/textbook_tours.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
-#include "bench/statistics.h"
 #include "bench/tour_time.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/order/bound.h"

@@ -1,5 +1,4 @@
 // Shortest curves of discs.
-#include <optional>
 
 #include "bench/hunt/drawing.h"
 #include "lasius/planner.h"

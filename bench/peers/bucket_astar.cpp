@@ -4,6 +4,8 @@
 #include <bit>
 #include <numbers>
 
+#include "bench/peers/octile_costs.h"
+
 namespace lasius::peers {
 BucketAStar::BucketAStar(const Grid& grid) : moves_(grid), nodes_(moves_.size(), Node{0, 0}) {
   use_scale(0);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench/peers/move_grid.h"
-#include "bench/peers/octile_costs.h"
 #include "bench/peers/query_planner.h"
 
 namespace lasius::peers {

@@ -1,7 +1,6 @@
 #include "core/arm/arm_colony.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/arm/lattice_ants.h"
 #include "core/arm/lattice_trail.h"

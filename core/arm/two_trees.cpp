@@ -1,6 +1,5 @@
 #include "core/arm/two_trees.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "kernels/base/random_stream.h"

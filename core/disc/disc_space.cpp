@@ -1,7 +1,6 @@
 #include "core/disc/disc_space.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 

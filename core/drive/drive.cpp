@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
-#include "core/base/number_text.h"
 #include "core/drive/changes_check.h"
 #include "core/drive/drive_loop.h"
 #include "core/drive/path_walker.h"

@@ -7,7 +7,6 @@
 #include "core/base/invalid_parameter.h"
 #include "core/drive/navigator_impl.h"
 #include "core/grid/cell_distance.h"
-#include "core/grid/grid_view.h"
 
 namespace lasius {
 

@@ -9,7 +9,6 @@
 #include "core/exact/alternatives.h"
 #include "core/grid/grid_view.h"
 #include "core/loop/run_status.h"
-#include "core/params/parameter_table.h"
 #include "lasius/path.h"
 
 namespace lasius {

@@ -1,8 +1,6 @@
 #include "lasius/batch.h"
 
-#include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "core/colony/own_update.h"
 #include "core/loop/batch_run.h"

@@ -1,5 +1,4 @@
 // The cells under a polyline.
-#include <algorithm>
 #include <cstdlib>
 
 #include "core/smooth/straighten.h"

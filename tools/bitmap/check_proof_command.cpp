@@ -1,6 +1,6 @@
-#include <limits>
 #include <memory>
 
+#include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/cost_proof.h"
 #include "lasius/io_json.h"

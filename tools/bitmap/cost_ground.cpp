@@ -1,10 +1,10 @@
 #include "tools/bitmap/cost_ground.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tools/bitmap/level_lines.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -13,8 +12,6 @@
 #include "core/base/output.h"
 #include "core/io/grey_image.h"
 #include "core/map_files/byte_reader.h"
-#include "tools/console/exit_code.h"
-#include "tools/console/values.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {

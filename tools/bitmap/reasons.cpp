@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/bitmap/path_clearance.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {

@@ -9,7 +9,6 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/console/streams.h"
-#include "tools/console/values.h"
 #include "tools/manual/topics.h"
 #include "tools/options/commands.h"
 #include "tools/options/manual.h"

@@ -1,7 +1,6 @@
 #include "tools/polygon/polygon_picture.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tools/console/values.h"
 #include "tools/draw/canvas.h"

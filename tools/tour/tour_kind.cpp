@@ -1,11 +1,11 @@
 #include "tools/tour/tour_kind.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
+#include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/options/commands.h"
 #include "tools/record/problem.h"

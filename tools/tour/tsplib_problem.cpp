@@ -2,8 +2,6 @@
 
 #include "lasius/tsplib.h"
 #include "tools/console/elapsed.h"
-#include "tools/console/exit_code.h"
-#include "tools/console/values.h"
 #include "tools/record/queries.h"
 
 namespace lasius::tool {

@@ -14,7 +14,6 @@
 
 #include "core/arm/robot/refusals.h"
 #include "core/arm/robot/xml_text.h"
-#include "core/base/text_lines.h"
 
 namespace lasius::arm {
 namespace {

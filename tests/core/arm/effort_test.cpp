@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "tests/core/arm/questions.h"
-#include "tests/core/base/refusal.h"
 
 // What a search among postures asks, how long it goes on, and what it makes short.
 namespace lasius::arm {

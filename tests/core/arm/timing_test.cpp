@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/arm/blends.h"
-#include "core/arm/spline.h"
 #include "lasius/arm_trajectory.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/arm/ways.h"

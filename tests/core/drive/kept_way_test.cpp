@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "lasius/vehicle/navigator.h"
 
 namespace lasius::vehicle {

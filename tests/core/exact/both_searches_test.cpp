@@ -1,8 +1,6 @@
 // What the ordinary search and the one over a prepared map have in common.
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
 #include "lasius/generate.h"

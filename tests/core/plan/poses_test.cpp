@@ -8,7 +8,6 @@
 
 #include "lasius/error.h"
 #include "lasius/planner.h"
-#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {

@@ -7,7 +7,6 @@
 #include <map>
 #include <random>
 
-#include "core/vehicle/angle.h"
 #include "core/vehicle/bound.h"
 #include "core/vehicle/flood.h"
 #include "core/vehicle/prices.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "lasius/map_io.h"

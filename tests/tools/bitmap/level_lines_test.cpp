@@ -8,7 +8,6 @@
 
 #include "core/cost/level_values.h"
 #include "lasius/cost_planner.h"
-#include "tests/worlds/grids.h"
 
 namespace lasius::tool {
 namespace {

@@ -4,7 +4,6 @@
 #include <random>
 #include <sstream>
 
-#include "core/base/text_lines.h"
 #include "lasius/error.h"
 #include "lasius/tour.h"
 
