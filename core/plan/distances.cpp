@@ -53,6 +53,25 @@ std::vector<PreparedSearch::Target> seen_from(const Planner::Impl& map,
   return seen;
 }
 
+// A row of lengths for each source, by answer(source, first, part, thread): `part` is the row from
+// the target `first` on. Where the sources are the targets, these lie behind the source, and the
+// others are the same the other way round. Nothing where it ended before.
+template <class Answer>
+std::optional<std::vector<double>> by_rows(std::size_t sources, std::size_t targets, bool same,
+                                           int threads, Ended& ended, const Answer& answer) {
+  std::vector<double> lengths(sources * targets, 0);
+  parallel_for(static_cast<int>(sources), threads, [&](int row, int thread) {
+    const std::size_t first = same ? row + 1 : 0;
+    if (first >= targets || ended.poll()) return;
+    answer(row, first, std::span(lengths).subspan(row * targets + first, targets - first), thread);
+  });
+  if (ended) return std::nullopt;
+  for (std::size_t row = 0; same && row < targets; ++row)
+    for (std::size_t to = row + 1; to < targets; ++to)
+      lengths[to * targets + row] = lengths[row * targets + to];
+  return lengths;
+}
+
 // By one search of all corners from each source.
 std::optional<std::vector<double>> searched(const Planner::Impl& map,
                                             std::span<const Point> sources,
@@ -61,21 +80,12 @@ std::optional<std::vector<double>> searched(const Planner::Impl& map,
   std::vector<PreparedSearch> searches(static_cast<std::size_t>(threads));
   Ended ended(stop);
   const auto seen = seen_from(map, targets, searches, stop, ended);
-  const std::size_t columns = targets.size();
-  std::vector<double> lengths(sources.size() * columns, 0);
-  parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
-    const std::size_t first = same ? row + 1 : 0;
-    if (first >= columns || ended.poll()) return;
-    const std::span part(lengths.data() + row * columns + first, columns - first);
-    if (searches[thread].lengths_to(map.grid, *map.graph, sources[row],
-                                    std::span(seen).subspan(first), stop, part))
-      ended.set();
-  });
-  if (ended) return std::nullopt;
-  for (std::size_t row = 0; same && row < columns; ++row)
-    for (std::size_t to = row + 1; to < columns; ++to)
-      lengths[to * columns + row] = lengths[row * columns + to];
-  return lengths;
+  return by_rows(sources.size(), targets.size(), same, threads, ended,
+                 [&](int row, std::size_t first, std::span<double> part, int thread) {
+                   if (searches[thread].lengths_to(map.grid, *map.graph, sources[row],
+                                                   std::span(seen).subspan(first), stop, part))
+                     ended.set();
+                 });
 }
 
 // By labels: a look from each place, and a merge for each pair.
@@ -86,26 +96,19 @@ std::optional<std::vector<double>> merged(const Planner::Impl& map, std::span<co
   std::vector<LabelSearch> searches(static_cast<std::size_t>(threads));
   std::vector<LabelSearch::View> seen(targets.size());
   Ended ended(stop);
+  const auto view = [&](LabelSearch& search, Point from) {
+    return search.view(map.grid, *map.graph, *map.labels, from, stop);
+  };
   parallel_for(static_cast<int>(targets.size()), threads, [&](int to, int thread) {
-    if (!ended.poll())
-      seen[to] = searches[thread].view(map.grid, *map.graph, *map.labels, targets[to], stop);
+    if (!ended.poll()) seen[to] = view(searches[thread], targets[to]);
   });
-  const std::size_t columns = targets.size();
-  std::vector<double> lengths(sources.size() * columns, 0);
-  parallel_for(static_cast<int>(sources.size()), threads, [&](int row, int thread) {
-    const std::size_t first = same ? row + 1 : 0;
-    if (first >= columns || ended.poll()) return;
-    LabelSearch& search = searches[thread];
-    const auto from = search.view(map.grid, *map.graph, *map.labels, sources[row], stop);
-    if (ended.poll()) return;
-    search.lengths_to(map.grid, *map.graph, *map.labels, from, std::span(seen).subspan(first),
-                      std::span(lengths).subspan(row * columns + first, columns - first));
-  });
-  if (ended) return std::nullopt;
-  for (std::size_t row = 0; same && row < columns; ++row)
-    for (std::size_t to = row + 1; to < columns; ++to)
-      lengths[to * columns + row] = lengths[row * columns + to];
-  return lengths;
+  return by_rows(sources.size(), targets.size(), same, threads, ended,
+                 [&](int row, std::size_t first, std::span<double> part, int thread) {
+                   const auto from = view(searches[thread], sources[row]);
+                   if (!ended.poll())
+                     searches[thread].lengths_to(map.grid, *map.graph, *map.labels, from,
+                                                 std::span(seen).subspan(first), part);
+                 });
 }
 
 // The straight distance to the place that so many others are nearer than.
@@ -178,31 +181,25 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Point> sou
                     "ask from and to free cells of the map");
       }
   const bool same = sources.data() == targets.data() && sources.size() == targets.size();
-  if (impl_->labels != nullptr)
-    return merged(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
+  const int team = static_cast<int>(thread_count(threads));
+  if (impl_->labels != nullptr) return merged(*impl_, sources, targets, same, team, stop);
   if (impl_->graph != nullptr && impl_->disc == nullptr &&
       impl_->preparation.vertices <= kVerticesPerTarget * static_cast<std::int64_t>(targets.size()))
-    return searched(*impl_, sources, targets, same, static_cast<int>(thread_count(threads)), stop);
-  const int rows = static_cast<int>(sources.size());
-  const std::size_t columns = targets.size();
-  std::vector<double> lengths(sources.size() * columns, 0);
-  std::vector<Workspace> workspaces(thread_count(threads));
+    return searched(*impl_, sources, targets, same, team, stop);
+  std::vector<Workspace> workspaces(static_cast<std::size_t>(team));
   const Params params("exact");
-  std::atomic<bool> stopped{false};
-  parallel_for(rows, static_cast<int>(workspaces.size()), [&](int row, int thread) {
-    for (std::size_t to = same ? row + 1 : 0; to < columns && !stopped; ++to) {
-      const Result found =
-          plan({.stop = stop, .start_point = sources[row], .goal_point = targets[to]}, params,
-               &workspaces[thread]);
-      if (found.status == Status::limit || found.status == Status::interrupted) stopped = true;
-      const double length =
-          found.path.empty() ? std::numeric_limits<double>::infinity() : found.length;
-      lengths[row * columns + to] = length;
-      if (same) lengths[to * columns + row] = length;
-    }
-  });
-  if (stopped) return std::nullopt;
-  return lengths;
+  Ended ended(stop);
+  return by_rows(
+      sources.size(), targets.size(), same, team, ended,
+      [&](int row, std::size_t first, std::span<double> part, int thread) {
+        for (std::size_t i = 0; i < part.size() && !ended; ++i) {
+          const Result found =
+              plan({.stop = stop, .start_point = sources[row], .goal_point = targets[first + i]},
+                   params, &workspaces[thread]);
+          if (found.status == Status::limit || found.status == Status::interrupted) ended.set();
+          part[i] = found.path.empty() ? std::numeric_limits<double>::infinity() : found.length;
+        }
+      });
 }
 
 }  // namespace lasius
