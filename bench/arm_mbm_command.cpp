@@ -45,12 +45,6 @@ double travel_of(const Eigen::MatrixXd& way) {
   return sum;
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 bool breaks_limit(const arm::Robot& robot, const arm::Trajectory::State& state) {
   constexpr double kTolerance = 1e-9;
   for (int j = 0; j < robot.size(); ++j) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace lasius::bench {
@@ -17,6 +18,11 @@ inline double quantile(std::vector<double> values, double share) {
 }
 
 inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+/// Not of none.
+inline double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 /// Whether two curves are the same; what is not a number in both is.
 inline bool alike(const std::vector<double>& a, const std::vector<double>& b) {

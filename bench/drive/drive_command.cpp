@@ -107,12 +107,6 @@ std::vector<double> ways(const QuerySet& set, const Query& query, const DriveOpt
   return ratios;
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 /// What the queries of a map came to.
 struct MapFigures {
   double lasius_ms = 0, dstar_ms = 0, astar_ms = 0;

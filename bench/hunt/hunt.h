@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "lasius/geometry.h"
@@ -35,14 +34,16 @@ struct HuntVerdict {
   }
 };
 
+/// Problems that are none, as where places are blocked, have no answers.
+using HuntJudge = HuntVerdict(const HuntCase& problem);
+
 /// A kind of problem.
 struct HuntKind {
   std::string_view name;
   std::string_view about;  ///< a line
   /// The same for the same seed, on every machine.
   HuntCase (*make)(std::uint64_t seed);
-  /// Problems that are none, as where places are blocked, have no answers.
-  HuntVerdict (*judge)(const HuntCase& problem);
+  HuntJudge* judge;
 };
 std::span<const HuntKind> hunt_kinds();
 /// @throws std::out_of_range for an unknown name
@@ -57,13 +58,7 @@ HuntCase reduced(HuntCase problem, const std::function<bool(const HuntCase&)>& f
 std::string as_test(const HuntKind& kind, const HuntCase& problem);
 
 // Each in a file of its own.
-HuntVerdict judge_shortest(const HuntCase& problem);
-HuntVerdict judge_disc(const HuntCase& problem);
-HuntVerdict judge_colony(const HuntCase& problem);
-HuntVerdict judge_costs(const HuntCase& problem);
-HuntVerdict judge_tour(const HuntCase& problem);
-HuntVerdict judge_vehicle(const HuntCase& problem);
-HuntVerdict judge_drive(const HuntCase& problem);
-HuntVerdict judge_polygon(const HuntCase& problem);
+HuntJudge judge_shortest, judge_disc, judge_colony, judge_costs, judge_tour, judge_vehicle,
+    judge_drive, judge_polygon;
 
 }  // namespace lasius::bench

@@ -186,7 +186,7 @@ void Anya::expand_flat(const Node& node) {
   int c = dx > 0 ? x : x - 1;  // the cell column ahead
   const bool up = bit(above, c), down = bit(below, c);
   if (up && down) return;
-  c = dx > 0 ? first_change_right(above, below, c) : first_change_left(above, below, c);
+  c = dx > 0 ? first_change<true>(above, below, c) : first_change<false>(above, below, c);
   if (bit(above, c) && (bit(below, c) || down)) return;  // a wall, or a squeeze
   if (bit(below, c) && up) return;
   const int end = dx > 0 ? c : c + 1;

@@ -55,32 +55,21 @@ inline int first_free(const std::uint64_t* row, int x, int end) noexcept {
   return end;
 }
 
-/// The first column right of x where either of two rows differs from its bit at x, not both of
-/// which are blocked there.
-inline int first_change_right(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
+/// The first column right, or left, of x where either of two rows differs from its bit at x, not
+/// both of which are blocked there.
+template <bool kRight>
+int first_change(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
   const std::uint64_t flip_a = bit(a, x) ? ~std::uint64_t{0} : 0;
   const std::uint64_t flip_b = bit(b, x) ? ~std::uint64_t{0} : 0;
+  const std::uint64_t beyond =
+      kRight ? ~std::uint64_t{0} << (x & 63) : ~std::uint64_t{0} >> (63 - (x & 63));
   int i = x >> 6;
-  std::uint64_t word = ((a[i] ^ flip_a) | (b[i] ^ flip_b)) & (~std::uint64_t{0} << (x & 63));
+  std::uint64_t word = ((a[i] ^ flip_a) | (b[i] ^ flip_b)) & beyond;
   while (word == 0) {
-    ++i;
+    i += kRight ? 1 : -1;
     word = (a[i] ^ flip_a) | (b[i] ^ flip_b);
   }
-  return i * 64 + std::countr_zero(word);
-}
-
-/// The first column left of x where either of two rows differs from its bit at x, not both of
-/// which are blocked there.
-inline int first_change_left(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
-  const std::uint64_t flip_a = bit(a, x) ? ~std::uint64_t{0} : 0;
-  const std::uint64_t flip_b = bit(b, x) ? ~std::uint64_t{0} : 0;
-  int i = x >> 6;
-  std::uint64_t word = ((a[i] ^ flip_a) | (b[i] ^ flip_b)) & (~std::uint64_t{0} >> (63 - (x & 63)));
-  while (word == 0) {
-    --i;
-    word = (a[i] ^ flip_a) | (b[i] ^ flip_b);
-  }
-  return i * 64 + 63 - std::countl_zero(word);
+  return i * 64 + (kRight ? std::countr_zero(word) : 63 - std::countl_zero(word));
 }
 
 }  // namespace lasius::peers
