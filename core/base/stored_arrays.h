@@ -70,12 +70,6 @@ class ArrayReader {
                 {.file = file_, .offset = static_cast<std::int64_t>(before_ + at_)},
                 "is damaged: its numbers do not agree", std::string(remedy_));
   }
-  /// Rising numbers from 0 to `last`, as of where parts begin.
-  template <class T>
-  void require_rising(const std::vector<T>& values, std::uint64_t last) const {
-    require(!values.empty() && values.back() == last);
-    for (std::size_t i = 1; i < values.size(); ++i) require(values[i - 1] <= values[i]);
-  }
   bool at_end() const noexcept { return at_ == text_.size(); }
 
  private:

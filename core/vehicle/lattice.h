@@ -42,7 +42,6 @@ class Lattice {
   void append(const Edge& edge, int x, int y, std::vector<Segment>& to) const;
 
  private:
-  void add_words(const Vehicle& vehicle);
   void add_edge(Edge edge, const Outline& outline, const Vehicle& vehicle);
   void add_rotations(const Vehicle& vehicle, const Outline& outline);
   Masks::Mask sweep(const std::vector<Segment>& motion, const Outline& outline);
