@@ -31,6 +31,19 @@ Grid grid_of(int width, int height, const Blocked& blocked) {
   return grid;
 }
 
+/// Blocked in these parts alone.
+inline Grid walled(int width, int height, std::initializer_list<Rectangle> parts) {
+  Grid grid(width, height);
+  for (const Rectangle& part : parts) grid.fill(part, true);
+  return grid;
+}
+/// Blocked at these cells alone.
+inline Grid with_blocked(int width, int height, std::initializer_list<Cell> cells) {
+  Grid grid(width, height);
+  for (const Cell c : cells) grid.set_blocked(c);
+  return grid;
+}
+
 /// A grid drawn from text: '#' and '@' are blocked.
 inline Grid drawn(std::initializer_list<std::string_view> rows) {
   return grid_of(static_cast<int>(rows.begin()->size()), static_cast<int>(rows.size()),

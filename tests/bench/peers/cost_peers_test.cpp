@@ -24,9 +24,7 @@ CostField random_weights(const Grid& grid, std::mt19937& random) {
 
 // Two cells of weight 1 and 4 over one another; two blocked cells that touch at (4, 1).
 TEST(PathIntegral, CountsTheCheaperSideOfALineAndRefusesASqueeze) {
-  Grid grid(5, 2);
-  grid.set_blocked({3, 0});
-  grid.set_blocked({4, 1});
+  const Grid grid = with_blocked(5, 2, {{3, 0}, {4, 1}});
   const CostField costs(5, 2, std::array<double, 10>{1, 1, 1, 1, 1, 4, 4, 4, 4, 4});
   const WeightedMap map(grid, costs);
   PathIntegral integral(map);

@@ -7,6 +7,7 @@
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 #include "tests/core/arm/robot/arms.h"
+#include "tests/core/base/counting_time.h"
 
 namespace lasius::arm {
 namespace {
@@ -174,9 +175,7 @@ TEST(TipLine, EndsWhereSomethingIsInTheWayAndSaysWhat) {
   far.translation().x() += 100;
   EXPECT_NE(tip_line(robot, SceneSensor(robot, {}), bent(), far).error, "");
   EXPECT_THROW(tip_line(robot, SceneSensor(robot, {}), bent(), goal, {.tolerance = 0}), Error);
-  std::stop_source source;
-  source.request_stop();
-  const StopCondition told{.token = source.get_token()};
+  const StopCondition told = fired();
   EXPECT_EQ(tip_line(robot, SceneSensor(robot, {}), bent(), goal, {.stop = told}).status,
             Status::interrupted);
 }

@@ -47,6 +47,9 @@ class FiringTime final : public TimeSource {
   mutable std::stop_source source_;
 };
 
+/// Never holds.
+inline const StopCondition kNeverStops;
+
 /// Holds from the beginning.
 inline StopCondition fired() {
   std::stop_source source;

@@ -52,8 +52,7 @@ TEST(ZeroArray, GivesBackHalfAMegabyteBetweenTwoLooksAtTheClock) {
   Poller poller(stop);
   EXPECT_FALSE(words.clear(poller));
   EXPECT_EQ(words.bytes(), all - 4 * Poller::kWords * 8);
-  const StopCondition never;
-  Poller patient(never);
+  Poller patient(kNeverStops);
   EXPECT_TRUE(words.clear(patient));
   EXPECT_EQ(words.bytes(), 0);
   EXPECT_EQ(words[0], 0u);
@@ -61,8 +60,7 @@ TEST(ZeroArray, GivesBackHalfAMegabyteBetweenTwoLooksAtTheClock) {
 }
 
 TEST(ZeroArray, IsRenewedInASizeThatIsAtLeastTheOneAskedFor) {
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   Words words(100);
   touch_all(words);
   EXPECT_TRUE(words.renew(50, true, poller));

@@ -1,5 +1,4 @@
-// A colony whose map changes under it: what it offers is walkable, and depends on nothing but the
-// calls.
+// A colony whose map changes under it: what it offers is walkable, and depends on the calls alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,8 +155,7 @@ TEST(SurvivingColony, OffersTheRestOfItsBestTour) {
 
 TEST(SurvivingColony, DropsABestWayThatIsBlocked) {
   // Two ways round: 10 cells below row 1, or above it, by one cell more each way.
-  Grid grid(12, 5);
-  grid.fill({1, 1, 10, 1}, true);
+  Grid grid = walled(12, 5, {{1, 1, 10, 1}});
   SurvivingColony colony(grid, {11, 1}, few_ants("eas"));
   const double shorter = colony.run({0, 1}, 30).length;
   grid.set_blocked({5, 0});

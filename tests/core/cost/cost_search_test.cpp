@@ -53,8 +53,7 @@ TEST(EdgeField, GoesOnAsIfItHadNotStopped) {
   const Terrain terrain(grid, CostField(700, 60, weights));
   const StraightBound rest(terrain, {690.5, 30.5});
   const CellChords chords(4);
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   EdgeField once(terrain), twice(terrain);
   for (EdgeField* field : {&once, &twice}) field->begin(chords, {5, 30}, 0.01, nullptr);
   ASSERT_TRUE(twice.march(rest, 690, poller));
@@ -83,8 +82,7 @@ TEST(EdgeField, StopsAmongWhatLiesBeyondTheLimit) {
   const Terrain terrain(grid, CostField(200, 200, weights));
   const StraightBound rest(terrain, {190.5, 100.5});
   const CellChords chords(4);
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   EdgeField field(terrain);
   field.begin(chords, {100, 100}, 0.01, nullptr);
   ASSERT_TRUE(field.march(rest, 9e6, poller));
@@ -112,8 +110,7 @@ TEST(EdgeField, RandomChordsCostEnough) {
     for (const int k : {2, 4, 8}) {
       const CellChords chords(k);
       EdgeField field(terrain);
-      const StopCondition never;
-      Poller poller(never);
+      Poller poller(kNeverStops);
       field.begin(chords, start, 0, nullptr);
       ASSERT_TRUE(field.march(StraightBound(terrain, centre(goal)), 1e300, poller));
       ASSERT_TRUE(field.certify(poller));
@@ -214,8 +211,7 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
 // Both ends' searches meet far from either: against D* Lite, which has one end and another order.
 TEST(CostSearch, EightMovesFromBothEndsOnLargerMaps) {
   std::mt19937 random(29);
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   EightMoves moves;
   for (int i = 0; i < 60; ++i) {
     const WeightedWorld world = random_weights(random, 30, 90);
@@ -243,11 +239,9 @@ TEST(CostSearch, EightMovesFromBothEndsOnLargerMaps) {
 }
 
 TEST(CostSearch, WalksThatAreNoneOrHaveOneCell) {
-  Grid grid(9, 9);
-  for (int y = 0; y < 9; ++y) grid.set_blocked({4, y});
+  const Grid grid = walled(9, 9, {{4, 0, 1, 9}});
   const Terrain terrain(grid, CostField(9, 9));
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   EightMoves moves;
   for (const bool knights : {false, true}) {
     EXPECT_TRUE(moves.search(terrain, {0, 0}, {8, 8}, Corners::allow, poller, knights).empty());
@@ -267,8 +261,7 @@ TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {
     double walked[2] = {};
     for (const bool knights : {false, true}) {
       EightMoves moves;
-      const StopCondition never;
-      Poller poller(never);
+      Poller poller(kNeverStops);
       std::vector<Point> path;
       for (const Cell c : moves.search(terrain, start, goal, Corners::one_side, poller, knights))
         path.push_back(centre(c));
@@ -346,11 +339,9 @@ TEST(CostSearch, StopsAtTheTargetGap) {
     EXPECT_GE(answer.lower_bound, bound * (1 - 1e-9));
   }
   EXPECT_GE(paths, 3);
-  std::stop_source source;
-  source.request_stop();
   CostSearch search;
   CostAnswer answer;
-  search.search(terrain, {start, goal}, {}, {.token = source.get_token()}, answer);
+  search.search(terrain, {start, goal}, {}, fired(), answer);
   EXPECT_EQ(answer.cause, StopCondition::Cause::token);
   EXPECT_LE(answer.lower_bound, answer.path.empty() ? 0 : answer.length);
 }

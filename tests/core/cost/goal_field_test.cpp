@@ -7,6 +7,7 @@
 
 #include "core/cost/eight_moves.h"
 #include "lasius/stop.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/weights.h"
 
 namespace lasius::cost {
@@ -28,8 +29,7 @@ TEST(GoalField, KeepsUpWithEditsAndMoves) {
     const Corners rule = world % 2 == 0 ? Corners::forbid : Corners::allow;
     GoalField field(terrain, goal, 0.01, rule == Corners::allow);
     for (int edit = 0; edit < 20; ++edit) {
-      const StopCondition never;
-      Poller poller(never), other(never);
+      Poller poller(kNeverStops), other(kNeverStops);
       ASSERT_TRUE(field.update(robot, poller));
       const auto walk = field.walk();
       const auto best = EightMoves().search(terrain, robot, goal, rule, other, false);
@@ -60,9 +60,7 @@ TEST(GoalField, GoesOnWhereItWasStopped) {
   const Grid grid(300, 300);
   const Terrain terrain(grid, CostField(300, 300));
   GoalField field(terrain, {0, 150}, 1, false);
-  std::stop_source source;
-  source.request_stop();
-  const StopCondition stopped{.token = source.get_token()}, never;
+  const StopCondition stopped = fired();
   int cuts = 0;
   for (;; ++cuts) {
     Poller poller(stopped, 64);

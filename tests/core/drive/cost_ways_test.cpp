@@ -146,8 +146,7 @@ TEST(CostWays, AreKeptWhereNothingMadeAnotherCheaper) {
 }
 
 TEST(CostWays, AStepCanBeStopped) {
-  Grid map(400, 400);
-  map.fill({200, 0, 1, 399}, true);
+  const Grid map = walled(400, 400, {{200, 0, 1, 399}});
   const Cell start{5, 5}, goal{390, 5};
   const NavigatorOptions options{.costs = CostField(400, 400)};
   Navigator whole(map, goal, options);

@@ -19,6 +19,7 @@
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/near_clearance.h"
 #include "tests/worlds/changing_world.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 #include "tests/worlds/shared_maps.h"
 
@@ -176,9 +177,7 @@ TEST(DiscDrives, ColoniesKeepTheRadius) {
 
 /// The only way leads along a corridor exactly as wide as the disc, over centres of cells.
 TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
-  Grid grid(40, 21);
-  grid.fill({10, 0, 20, 9}, true);
-  grid.fill({10, 12, 20, 9}, true);
+  Grid grid = walled(40, 21, {{10, 0, 20, 9}, {10, 12, 20, 9}});
   const Request request{{3, 3}, {36, 17}};
   for (const auto& [radius, open] : {std::pair{1.5, true}, {1.5 + 1e-6, false}}) {
     const Planner planner(grid, Disc{radius});
@@ -201,8 +200,7 @@ TEST(DiscDrives, GoWhereExactlyTheDiscFits) {
   EXPECT_EQ(result.status, Status::unreachable);
   EXPECT_EQ(result.ticks, 0) << "it does not set out";
   // Nor where the door is beyond what it walks at a time.
-  Grid hall(200, 21);
-  hall.fill({170, 0, 20, 21}, true);
+  Grid hall = walled(200, 21, {{170, 0, 20, 21}});
   hall.fill({170, 8, 20, 4}, false);
   EXPECT_EQ(drive(hall, hall, {3, 3}, {196, 17}, {}, {}, {.radius = 2}).ticks, 0);
 }
@@ -243,8 +241,7 @@ TEST(DiscDrives, AWayIsKeptWhereNothingChanges) {
 
 // A door between centres of cells is passed by a path, and by no walk, which leads around.
 TEST(DiscDrives, AStepCanBeStopped) {
-  Grid map(900, 900);
-  map.fill({440, 0, 20, 860}, true);
+  Grid map = walled(900, 900, {{440, 0, 20, 860}});
   map.fill({440, 448, 20, 4}, false);
   const Cell start{430, 450}, goal{470, 450};
   const NavigatorOptions options{.radius = 2};
@@ -274,8 +271,7 @@ TEST(DiscDrives, AStepCanBeStopped) {
 
 // The same door and no way around: near the goal is as far as a walk leads.
 TEST(DiscDrives, EndNearAGoalThatNoWalkLeadsTo) {
-  Grid map(60, 40);
-  map.fill({28, 0, 4, 40}, true);
+  Grid map = walled(60, 40, {{28, 0, 4, 40}});
   map.fill({28, 18, 4, 4}, false);
   const Cell start{10, 20}, goal{50, 20};
   ASSERT_EQ(Planner(Grid(map), Disc{2}).plan({start, goal}).status, Status::solved);

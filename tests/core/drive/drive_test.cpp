@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -134,8 +133,7 @@ TEST(Drive, DoubtsTheMapWhereItKnowsNoOtherWay) {
 
 // The walls that it has seen are there for good, for nothing changes: it does not go back to them.
 TEST(Drive, BelievesTheWallsThatItHasSeen) {
-  Grid map(60, 9);
-  map.fill({30, 0, 1, 9}, true);
+  const Grid map = walled(60, 9, {{30, 0, 1, 9}});
   Grid truth = map;
   truth.set_blocked({30, 8}, false);
   const DriveResult r = drive(map, truth, {25, 0}, {35, 0}, {}, {.sense = 6});

@@ -56,8 +56,7 @@ TEST(NavigatorWay, IsWhatIsLeftFromTheRobotOn) {
 
 /// A corridor, the only way between two rooms.
 Grid two_rooms() {
-  Grid map(41, 21);
-  map.fill({20, 0, 1, 21}, true);
+  Grid map = walled(41, 21, {{20, 0, 1, 21}});
   map.set_blocked({20, 10}, false);
   return map;
 }
@@ -93,8 +92,7 @@ TEST(NavigatorWay, WallsThatAreSeenAgainOrNeverDoubtedStay) {
 
 TEST(NavigatorWay, LeadsOutOfWhereTheRobotMayNotBe) {
   for (const char* name : {"exact", "acs"}) {
-    Grid map(60, 30);
-    map.fill({20, 0, 2, 20}, true);
+    const Grid map = walled(60, 30, {{20, 0, 2, 20}});
     Navigator navigator(map, {50, 5}, {.params = quick(name), .radius = 3});
     Cell robot{18, 10};  // too near to the wall
     ASSERT_TRUE(navigator.passable().blocked(robot));
@@ -147,8 +145,7 @@ TEST(NavigatorWay, EndsNearAGoalThatIsBlockedForAWhile) {
 }
 
 TEST(NavigatorWay, ADriveArrivesWithinTheTolerance) {
-  Grid truth(40, 20);
-  truth.fill({27, 7, 7, 7}, true);
+  Grid truth = walled(40, 20, {{27, 7, 7, 7}});
   truth.fill({28, 8, 5, 5}, false);  // the goal is shut in, which the map has not
   const Cell goal{30, 10};
   const auto driven = [&](double tolerance, const Grid& map) {

@@ -12,6 +12,7 @@
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -127,8 +128,7 @@ TEST(VehicleDrive, DoubtsWhatTheMapHasAndTruthHasNot) {
 }
 
 TEST(VehicleDrive, EndsWhereNoWayIsLeft) {
-  Grid truth(80, 40);
-  truth.fill({40, 0, 2, 40}, true);
+  const Grid truth = walled(80, 40, {{40, 0, 2, 40}});
   const Vehicle vehicle = car(kTruck, 4);
   const Grid map(80, 40);
   const DriveResult run = drive(map, truth, vehicle, {5, 20, 0}, {{70, 20, 0}}, {}, {.sense = 60});
@@ -146,8 +146,7 @@ TEST(VehicleDrive, EndsWhereNoWayIsLeft) {
 
 /// A room, and a lane from it that turns down and ends, 6 cells wide.
 Grid room_and_lane() {
-  Grid truth(70, 50);
-  truth.fill({0, 0, 70, 50}, true);
+  Grid truth = walled(70, 50, {{0, 0, 70, 50}});
   truth.fill({0, 0, 26, 50}, false);
   truth.fill({26, 8, 30, 6}, false);
   truth.fill({50, 8, 6, 22}, false);
@@ -182,8 +181,7 @@ TEST(VehicleDrive, ADeadEndThatItCannotLeaveForwards) {
 // It learns of posts as it goes aside, tick after tick.
 TEST(VehicleDrive, GoesAsideAroundWhatItLearnsOnTheWay) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    Grid map(80, 40);
-    map.fill({50, 0, 2, 40}, true);
+    const Grid map = walled(80, 40, {{50, 0, 2, 40}});
     Grid truth = map;
     for (std::uint32_t i = 0; i < 14; ++i) {
       const auto words = kernels::random_words(seed, {i, 0, 0, 7});

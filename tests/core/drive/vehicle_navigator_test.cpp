@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <stop_token>
 
 #include "core/drive/kept_way.h"
 #include "lasius/error.h"
 #include "lasius/vehicle/navigator.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"
 #include "tests/worlds/grids.h"
@@ -21,8 +21,7 @@ const std::vector<Point> kBox = rectangle(2, 5, 2);
 
 /// Two rooms and a door in the wall between them, 12 cells wide.
 Grid two_rooms() {
-  Grid grid(100, 60);
-  grid.fill({50, 0, 2, 60}, true);
+  Grid grid = walled(100, 60, {{50, 0, 2, 60}});
   grid.fill({50, 10, 2, 12}, false);
   return grid;
 }
@@ -269,10 +268,8 @@ TEST(VehicleNavigator, AStoppedStepForgetsNoShorterWay) {
   const Pose start{10, 50, 0};
   const double length = navigator.step(start).length;
   navigator.observe(Rectangle{50, 44, 2, 12}, false);
-  std::stop_source source;
-  source.request_stop();
   for (int i = 0; i < 2; ++i) {
-    const Way way = navigator.step(start, {.token = source.get_token()});
+    const Way way = navigator.step(start, fired());
     EXPECT_EQ(way.status, Status::solved);
     EXPECT_EQ(way.length, length);
   }
@@ -304,13 +301,10 @@ TEST(VehicleNavigator, WithinTheTolerancesItIsThere) {
 }
 
 TEST(VehicleNavigator, AStoppedWayOutIsNoProof) {
-  Grid grid(60, 60);
-  grid.fill({30, 0, 30, 20}, true);
+  const Grid grid = walled(60, 60, {{30, 0, 30, 20}});
   const Pose robot{26.5, 10, 0};
   Navigator navigator(grid, car(kBox, 5), {{10, 50, 2}});
-  std::stop_source source;
-  source.request_stop();
-  const Way stopped = navigator.step(robot, {.token = source.get_token()});
+  const Way stopped = navigator.step(robot, fired());
   EXPECT_EQ(stopped.status, Status::interrupted);
   EXPECT_EQ(stopped.fault, Fault::none);
   EXPECT_FALSE(stopped.error.empty());
@@ -320,8 +314,7 @@ TEST(VehicleNavigator, AStoppedWayOutIsNoProof) {
 }
 
 TEST(VehicleNavigator, LeadsOutOfItsOwnMargin) {
-  Grid grid(60, 60);
-  grid.fill({30, 0, 30, 20}, true);
+  const Grid grid = walled(60, 60, {{30, 0, 30, 20}});
   Vehicle turning = differential(kBox);
   turning.reverse = true;
   for (const Vehicle& vehicle : {car(kBox, 5), turning, omni(kBox)}) {

@@ -97,8 +97,7 @@ TEST(CornerGraph, EdgesAreInSightAndInTheOrderOfTheTurn) {
 }
 
 TEST(CornerGraph, SeesAroundOneBlock) {
-  Grid grid(9, 9);
-  grid.set_blocked({4, 4});
+  const Grid grid = with_blocked(9, 9, {{4, 4}});
   const Graph graph = graph_of(grid);
   ASSERT_EQ(graph->size(), 4u);
   EXPECT_EQ(graph->edge_count(), 8);  // along each edge, both ways
@@ -259,8 +258,7 @@ TEST(CornerGraph, PollsAfterEachFloodHoweverLittleItReached) {
 }
 
 TEST(CornerGraph, StoppedWhileItCountsTellsOfNoCorners) {
-  Grid grid(2048, 2048);
-  grid.set_blocked({100, 100});
+  const Grid grid = with_blocked(2048, 2048, {{100, 100}});
   const CountingTime time(0);
   Preparation report;
   EXPECT_EQ(CornerGraph::make(grid, {.threads = 1, .stop = time.is_up()}, report), nullptr);

@@ -10,6 +10,7 @@
 #include "lasius/generate.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/oracle/plane_rule.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -129,10 +130,7 @@ TEST(PointEnds, FineSightIsThatOfHalfCells) {
 
 /// What no fixed point of a scan tells apart: a start a hair beside a wall, and a gap in it.
 TEST(PointEnds, AHairBesideAWall) {
-  Grid grid(40, 20);
-  grid.fill({10, 0, 1, 9}, true);
-  grid.fill({10, 10, 1, 10}, true);
-  grid.fill({12, 5, 20, 4}, true);
+  const Grid grid = walled(40, 20, {{10, 0, 1, 9}, {10, 10, 1, 10}, {12, 5, 20, 4}});
   for (const double hair : {1e-3, 1e-6, 1e-9, 1e-12}) {
     for (const auto& [start, goal] : {std::pair{Point{10 - hair, 0.5}, Point{30.5, 0.5}},
                                       std::pair{Point{9.5, 9 + hair}, Point{39.5, 9 + hair}},

@@ -1,4 +1,3 @@
-#include "core/genetic/grid_ga.h"
 
 #include <gtest/gtest.h>
 
@@ -52,8 +51,7 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
                            "...."});
   RouteMaker maker;
   maker.reset(grid, Neighbours::four, Corners::forbid, {});
-  StopCondition never;
-  Poller poller(never, 1000);
+  Poller poller(kNeverStops, 1000);
   Cells route{{0, 2}};
   // Nearest to (3, 2) is (1, 2), whose ways on are (1, 3) only.
   ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
@@ -72,8 +70,7 @@ TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
                            "..#."});
   RouteMaker maker;
   maker.reset(grid, Neighbours::eight, Corners::forbid, {});
-  StopCondition never;
-  Poller poller(never, 1000);
+  Poller poller(kNeverStops, 1000);
   Cells route{{0, 0}, {1, 0}};
   EXPECT_FALSE(maker.extend(route, {3, 0}, poller));
   EXPECT_EQ(route, (Cells{{0, 0}, {1, 0}}));
@@ -85,21 +82,20 @@ TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
 TEST(RouteMaker, WalksAsBeforeOnceItWasCutShortAndReset) {
   for (const int side : {300, 3000}) {
     const Grid grid(side, side);
-    StopCondition never;
-    Poller poller(never);
+    Poller poller(kNeverStops);
     Cells expected{{0, 0}};
     RouteMaker fresh, kept;
-    fresh.reset(grid, Neighbours::eight, Corners::forbid, never);
+    fresh.reset(grid, Neighbours::eight, Corners::forbid, kNeverStops);
     ASSERT_TRUE(fresh.extend(expected, {side - 1, side - 1}, poller));
     for (const int cells : {1, 100, 299}) {
       const CountingTime time(0);
       const StopCondition up = time.is_up();
       Poller until(up, 4 * cells);
       Cells route{{0, 0}};
-      kept.reset(grid, Neighbours::eight, Corners::forbid, never);
+      kept.reset(grid, Neighbours::eight, Corners::forbid, kNeverStops);
       EXPECT_FALSE(kept.extend(route, {side - 1, side - 1}, until));
       EXPECT_EQ(route, (Cells{{0, 0}}));
-      kept.reset(grid, Neighbours::eight, Corners::forbid, never);
+      kept.reset(grid, Neighbours::eight, Corners::forbid, kNeverStops);
       ASSERT_TRUE(kept.extend(route, {side - 1, side - 1}, poller));
       EXPECT_EQ(route, expected);
     }
@@ -110,8 +106,7 @@ TEST(RouteMaker, WalksAsBeforeOnceItWasCutShortAndReset) {
 TEST(RouteMaker, ObeysTheRuleOfCorners) {
   const Grid grid = drawn({".#",  //
                            ".."});
-  StopCondition never;
-  Poller poller(never, 1000);
+  Poller poller(kNeverStops, 1000);
   const auto walk = [&](Corners corners) {
     Cells route{{0, 0}};
     RouteMaker maker;

@@ -9,23 +9,30 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
 
-// The definition, cell by cell: the outside is looked at one cell deep.
-std::int64_t squared_half_cells(const Grid& grid, Cell c) {
+// The definitions, cell by cell, of the least square of what `apart` makes of two cells' distance
+// along an axis: the outside is looked at one cell deep.
+template <class Apart>
+std::int64_t least_square(const Grid& grid, Cell c, const Apart& apart) {
   std::int64_t best = std::numeric_limits<std::int64_t>::max();
   for (int y = -1; y <= grid.height(); ++y) {
     for (int x = -1; x <= grid.width(); ++x) {
       if (grid.free({x, y})) continue;
-      const std::int64_t dx = std::max(0, 2 * std::abs(x - c.x) - 1);
-      const std::int64_t dy = std::max(0, 2 * std::abs(y - c.y) - 1);
+      const std::int64_t dx = std::max(0, apart(std::abs(x - c.x)));
+      const std::int64_t dy = std::max(0, apart(std::abs(y - c.y)));
       best = std::min(best, dx * dx + dy * dy);
     }
   }
   return best;
+}
+
+std::int64_t squared_half_cells(const Grid& grid, Cell c) {
+  return least_square(grid, c, [](int cells) { return 2 * cells - 1; });
 }
 
 std::vector<Grid> sample_grids() {
@@ -67,22 +74,13 @@ TEST(Clearance, AgreesWithTheDefinition) {
 TEST(Clearance, HoldsTheLargestValue) {
   const ClearanceField field = clearance(Grid(32768, 3));
   EXPECT_EQ(field.at({16000, 1}), 1.5);
-  Grid corner(1500, 1500);
-  for (int y = 0; y < 1500; ++y) corner.set_blocked({1400, y});
+  const Grid corner = walled(1500, 1500, {{1400, 0, 1, 1500}});
   EXPECT_EQ(clearance(corner).at({699, 750}), 699.5);
 }
 
 // From the cell's nearest point, in cells.
 double squared_gap(const Grid& grid, Cell c) {
-  double best = 1e18;
-  for (int y = -1; y <= grid.height(); ++y) {
-    for (int x = -1; x <= grid.width(); ++x) {
-      if (grid.free({x, y})) continue;
-      const double dx = std::max(0, std::abs(x - c.x) - 1), dy = std::max(0, std::abs(y - c.y) - 1);
-      best = std::min(best, dx * dx + dy * dy);
-    }
-  }
-  return best;
+  return static_cast<double>(least_square(grid, c, [](int cells) { return cells - 1; }));
 }
 
 TEST(GrowObstacles, BlocksWhatHasAPointNearerThanTheRadius) {
@@ -155,9 +153,7 @@ TEST(WidestRadius, IsWorkedOutByHand) {
   const Grid squeezed = drawn({".#", "#."});
   EXPECT_EQ(WidestRadius::make(squeezed)->between({0, 0}, {1, 1}), std::nullopt);
   EXPECT_EQ(WidestRadius::make(squeezed, Corners::allow)->between({0, 0}, {1, 1}), 0);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, {.token = stop.get_token()}));
+  EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, fired()));
 }
 
 TEST(NearestBlocked, IsASquareOrTheOutside) {

@@ -127,8 +127,7 @@ TEST(Components, JoinsDiagonallyAcrossTileCorners) {
 }
 
 TEST(Components, BlockedAndOutsideCellsAreJoinedToNothing) {
-  Grid grid(10, 10);
-  grid.set_blocked({3, 3});
+  const Grid grid = with_blocked(10, 10, {{3, 3}});
   const Components components(grid, Connectivity::four);
   EXPECT_TRUE(components.connected(grid, {2, 2}, {2, 2}));
   EXPECT_FALSE(components.connected(grid, {3, 3}, {3, 3}));
@@ -195,8 +194,7 @@ TEST(Components, UpdatesEqualAFreshBuildAndBreadthFirstSearch) {
 TEST(Components, ADoorJoinsAndPartsHalvesOfTheMap) {
   for (const auto connectivity : kBoth) {
     for (const int wall : {700, 767, 768, 1024}) {
-      Grid grid(1600, 2000);
-      grid.fill({wall, 0, 1, 2000}, true);
+      Grid grid = walled(1600, 2000, {{wall, 0, 1, 2000}});
       Components components(grid, connectivity);
       EXPECT_EQ(components.count(), 2);
       for (const int y : {0, 255, 256, 1023, 1024, 1999}) {

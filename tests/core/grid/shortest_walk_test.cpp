@@ -40,16 +40,14 @@ TEST(ShortestWalk, CornersCloseDiagonals) {
 }
 
 TEST(ShortestWalk, NothingWhereThereIsNone) {
-  Grid grid(5, 5);
-  for (int x = 0; x < 5; ++x) grid.set_blocked({x, 1});
+  const Grid grid = walled(5, 5, {{0, 1, 5, 1}});
   EXPECT_FALSE(shortest_walk(grid, {0, 0}, {4, 2}, Neighbours::eight, Corners::allow));
   EXPECT_FALSE(shortest_walk(grid, {0, 1}, {4, 2}, Neighbours::eight));
   EXPECT_FALSE(shortest_walk(grid, {0, 0}, {5, 0}, Neighbours::eight));
 }
 
 TEST(ShortestWalk, StopsWhenTold) {
-  Grid grid(600, 600);
-  for (int y = 0; y < 599; ++y) grid.set_blocked({300, y});
+  const Grid grid = walled(600, 600, {{300, 0, 1, 599}});
   EXPECT_TRUE(shortest_walk(grid, {0, 0}, {500, 3}, Neighbours::four));
   EXPECT_FALSE(shortest_walk(grid, {0, 0}, {500, 3}, Neighbours::four, Corners::forbid, fired()));
 }

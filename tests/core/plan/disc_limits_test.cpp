@@ -51,8 +51,7 @@ TEST(DiscPlanner, CurvesThatAreHardlyLongerThanNothingAreAnswered) {
 
 TEST(DiscPlanner, AStartThatIsShutInIsRefusedInLinearTime) {
   constexpr int kSide = 1024;
-  Grid grid(kSide, kSide);
-  grid.fill({510, 510, 5, 5}, true);
+  Grid grid = walled(kSide, kSide, {{510, 510, 5, 5}});
   grid.fill({511, 511, 3, 3}, false);
   const Planner planner(grid, Disc{2});
   EXPECT_GT(planner.footprint().disc, 0);

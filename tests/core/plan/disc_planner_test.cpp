@@ -7,6 +7,8 @@
 
 #include "lasius/batch.h"
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/disc/disc_worlds.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/worlds/grids.h"
@@ -150,9 +152,7 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
 }
 
 TEST(DiscPlanner, ACorridorAsWideAsTheDiscIsOpen) {
-  Grid grid(40, 21);
-  grid.fill({10, 0, 20, 9}, true);
-  grid.fill({10, 12, 20, 9}, true);
+  const Grid grid = walled(40, 21, {{10, 0, 20, 9}, {10, 12, 20, 9}});
   const Request request{{3, 3}, {36, 17}};
   for (const auto& [radius, open] : {std::pair{1.5, true}, {1.5 + 1e-6, false}, {0.7, true}}) {
     const Planner planner(grid, Disc{radius});
@@ -199,13 +199,10 @@ TEST(DiscPlanner, RadiiThatItIsNotMadeFor) {
     EXPECT_THROW((void)planner->plan(request), Error);
     EXPECT_THROW((void)plan_batch(*planner, std::span(&request, 1)), Error);
   }
-  try {
-    (void)wide.plan({{70, 70}, {120, 130}});
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("radius is 60; for exact a disc's radius is between"),
-              std::string::npos)
-        << error.what();
-  }
+  expect_says(refusal([&] {
+                (void)wide.plan({{70, 70}, {120, 130}});
+              }),
+              "radius is 60; for exact a disc's radius is between");
   const Planner point(Grid(9, 9), Disc{});
   EXPECT_TRUE(point.plan({{0, 0}, {8, 5}}).curve.empty());
   EXPECT_EQ(point.plan({{0, 0}, {8, 5}}).path, Planner(Grid(9, 9)).plan({{0, 0}, {8, 5}}).path);
@@ -292,11 +289,9 @@ TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
 }
 
 TEST(DiscPlanner, IsStopped) {
-  std::stop_source stop;
-  stop.request_stop();
   std::mt19937 random(2);
   Grid grid = random_grid(400, 400, 1, random);
-  EXPECT_FALSE(Planner::make(Grid(grid), Disc{0.9}, {.token = stop.get_token()}));
+  EXPECT_FALSE(Planner::make(Grid(grid), Disc{0.9}, fired()));
   const Planner planner(grid, Disc{0.5});
   std::vector<double> lengths;
   Result whole, cut;

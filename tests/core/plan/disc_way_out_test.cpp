@@ -1,10 +1,8 @@
 // Where a robot stands nearer than its radius, and the clearance that a leg keeps.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <stop_token>
-
 #include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -51,13 +49,10 @@ TEST(DiscWayOut, IsLedOutOfWhereItMayNotStand) {
     EXPECT_TRUE(at_wall.optimal);
     EXPECT_NEAR(at_wall.length, 3.25, 1e-9);
   }
-  std::stop_source stop;
-  stop.request_stop();
   Grid large(600, 600);
   for (const Cell c : cells_of({0, 0, 30, 20})) large.set_blocked(c, grid.blocked(c));
   const Result stopped =
-      Planner(large, Disc{2.25})
-          .plan({.start = {11, 7}, .goal = {300, 300}, .stop = {.token = stop.get_token()}});
+      Planner(large, Disc{2.25}).plan({.start = {11, 7}, .goal = {300, 300}, .stop = fired()});
   EXPECT_EQ(stopped.status, Status::interrupted);
 }
 

@@ -50,8 +50,7 @@ TEST(GoalTolerance, TheNearestIsTheOneOfASearchThroughAllCells) {
 
 /// A goal in a shelf that is shut, with a door on no side.
 Grid shelf() {
-  Grid grid(20, 16);
-  grid.fill({10, 5, 7, 7}, true);
+  Grid grid = walled(20, 16, {{10, 5, 7, 7}});
   grid.fill({11, 6, 5, 5}, false);
   grid.set_blocked({12, 8});
   return grid;

@@ -14,6 +14,7 @@
 #include "tests/core/base/environment_variable.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/oracle/plane_rule.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {
@@ -148,8 +149,7 @@ TEST(Planner, TautIsNeverLongerThanStraightAndStraightThanNone) {
 }
 
 TEST(Planner, StartAndGoalOutsideOrBlockedAreAnAnswer) {
-  Grid grid(10, 10);
-  grid.set_blocked({4, 4});
+  const Grid grid = with_blocked(10, 10, {{4, 4}});
   const Planner planner(grid);
   const auto error = [&](Cell start, Cell goal) {
     const Result result = planner.plan({.start = start, .goal = goal});
@@ -166,9 +166,7 @@ TEST(Planner, StartAndGoalOutsideOrBlockedAreAnAnswer) {
             "start (-2147483648, 5) is outside the map; the nearest free cell is (0, 5)");
   EXPECT_EQ(error({kMost, kLeast}, {0, 0}),
             "start (2147483647, -2147483648) is outside the map; the nearest free cell is (9, 0)");
-  Grid full(2, 1);
-  full.set_blocked({0, 0});
-  full.set_blocked({1, 0});
+  const Grid full = with_blocked(2, 1, {{0, 0}, {1, 0}});
   EXPECT_EQ(Planner(full).plan({.start = {0, 0}, .goal = {1, 0}}).error,
             "start (0, 0) is blocked; the map has no free cell");
 }
@@ -217,8 +215,7 @@ TEST(Planner, CellsThatFourNeighboursJoinNeedNoLabelsOfEight) {
 
 TEST(Planner, UnreachableNeedsNoTimeAtAll) {
   const CountingTime time(0);  // any poll at all would end the call with another status
-  Grid grid(1000, 1000);
-  for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
+  const Grid grid = walled(1000, 1000, {{500, 0, 1, 1000}});
   const Planner planner(grid);
   const Result result =
       planner.plan({.start = {1, 1}, .goal = {900, 900}, .stop = time.is_up()}, Params("fan2004"));
@@ -294,10 +291,7 @@ TEST(Planner, GapsThatAColonyCannotCertifyAreRefused) {
 }
 
 TEST(Planner, FaultsSayWhichEndAndWhy) {
-  Grid grid(5, 3);
-  grid.set_blocked({2, 0});
-  grid.set_blocked({2, 1});
-  grid.set_blocked({2, 2});
+  const Grid grid = with_blocked(5, 3, {{2, 0}, {2, 1}, {2, 2}});
   const Planner planner(grid);
   const auto asked = [&](Cell start, Cell goal) {
     return planner.plan({.start = start, .goal = goal});
@@ -329,8 +323,7 @@ TEST(Planner, OnePlannerServesManyThreads) {
 }
 
 TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {
-  Grid grid(600, 300);
-  for (int y = 0; y < 300; ++y) grid.set_blocked({300, y});
+  const Grid grid = walled(600, 300, {{300, 0, 1, 300}});
   const Planner closed(grid);
   const Planner::Edit door{{300, 150}, false};
   const Planner open = closed.edited({&door, 1});

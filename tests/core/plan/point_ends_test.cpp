@@ -149,9 +149,7 @@ TEST(PointEndsOfPlans, AHairFromAWallHaveTheWaysOfTheGraph) {
 }
 
 TEST(PointEndsOfPlans, OfADiscKeepItsRadius) {
-  Grid grid(40, 30);
-  grid.fill({12, 0, 2, 20}, true);
-  grid.fill({24, 8, 2, 22}, true);
+  Grid grid = walled(40, 30, {{12, 0, 2, 20}, {24, 8, 2, 22}});
   for (const double radius : {0.75, 1.5, 0.04}) {
     const Planner planner(grid, Disc{radius});
     for (const char* algorithm : {"exact", "as"}) {

@@ -105,8 +105,7 @@ TEST(PreparedPlanner, RefusesThreadsOutOfRangeAndKeepsTheMap) {
 
 // The graph is of the map as it was: a planner for another one does without.
 TEST(PreparedPlanner, EditsLeaveThePreparationBehind) {
-  Grid grid(40, 21);
-  grid.set_blocked({20, 10});
+  Grid grid = with_blocked(40, 21, {{20, 10}});
   const Planner prepared(grid, PrepareOptions{});
   ASSERT_EQ(prepared.preparation().state, Preparation::State::ready);
   const Request request{.start = {2, 10}, .goal = {37, 10}};

@@ -286,8 +286,7 @@ TEST(LoopCutter, PollsAndFindsNothingWhenStopped) {
 }
 
 TEST(Straighten, WhatIsNoWalkIsRefused) {
-  Grid grid(6, 4);
-  grid.set_blocked({2, 1});
+  const Grid grid = with_blocked(6, 4, {{2, 1}});
   for (const Walk& cells : {Walk{{0, 0}, {2, 0}},
                             {{0, 0}, {1, 0}, {2, 1}},
                             {{5, 3}, {6, 3}},

@@ -217,9 +217,8 @@ TEST(Tauten, KeepsRandomSqueezes) {
 
 TEST(Tauten, HoldsAtTheLargestSide) {
   constexpr int kSide = Grid::kMaxSide;
-  Grid grid(kSide, kSide);
-  grid.set_blocked({kSide / 2, kSide / 2});
-  grid.set_blocked({kSide / 2 + 1, kSide / 2 - 1});
+  const Grid grid =
+      with_blocked(kSide, kSide, {{kSide / 2, kSide / 2}, {kSide / 2 + 1, kSide / 2 - 1}});
   const Path path{{0.5, 0.5}, {kSide - 0.5, 0.5}, {kSide - 0.5, kSide - 0.5}};
   const Path taut = pull_taut(grid, path);
   EXPECT_EQ(taut, (Path{path.front(), {kSide / 2 + 2.0, kSide / 2 - 1.0}, {path.back()}}));
@@ -238,8 +237,7 @@ TEST(TautString, AllocatesNothingTheSecondTime) {
 TEST(TautString, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
   // One triangle of 32768 rows of up to 512 words, empty but for its far corners.
   constexpr int kSide = Grid::kMaxSide;
-  Grid grid(kSide, kSide);
-  grid.set_blocked({kSide - 2, 1});
+  const Grid grid = with_blocked(kSide, kSide, {{kSide - 2, 1}});
   const Walk corner{{0, 0}, {kSide - 1, 0}, {kSide - 1, kSide - 1}};
   const CountingTime counted(1 << 30);
   TautString taut;

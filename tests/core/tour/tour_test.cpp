@@ -149,12 +149,9 @@ TEST(Tours, VisitEveryStopOnceByShortestLegs) {
 TEST(Tours, AStoppedPricerMakesNoLegCheaper) {
   const Planner planner(rooms());
   const auto stops = some_stops(planner.grid(), 30);
-  std::stop_source source;
-  source.request_stop();
   std::vector<Point> points;
   for (const Cell c : stops) points.push_back(centre(c));
-  tour::MapPricer pricer(planner, points, {.token = source.get_token()}),
-      asked(planner, points, {});
+  tour::MapPricer pricer(planner, points, fired()), asked(planner, points, {});
   for (int a = 0; a < 30; ++a)
     for (int b = 0; b < a; ++b) EXPECT_GE(pricer.price(a, b), asked.price(a, b));
   // Those that nobody priced are told apart by straight distances.

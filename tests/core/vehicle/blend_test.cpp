@@ -13,6 +13,7 @@
 #include "lasius/vehicle/profile.h"
 #include "tests/core/vehicle/dense_check.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -96,9 +97,7 @@ TEST(VehicleBlend, WhatHasNoRoomStays) {
   turn.push_back({.begin = turn[0].end(), .curvature = 1 / 6.0, .length = 6 * 0.4});
   turn.push_back({.begin = turn[1].end(), .length = 10});
   ASSERT_EQ(corners(blended(open.impl(), vehicle, turn, checked, poller)), 0);
-  Grid tight(80, 80);
-  tight.fill({28, 18, 1, 1}, true);
-  tight.fill({28, 21, 1, 1}, true);
+  const Grid tight = walled(80, 80, {{28, 18, 1, 1}, {28, 21, 1, 1}});
   const Space narrow(tight, vehicle);
   EXPECT_EQ(blended(narrow.impl(), vehicle, turn, checked, poller), turn);
   // It rests there if it is to.
@@ -122,9 +121,7 @@ struct Ends final : InterleavedWork {
 // A turn that has no room, and others that have: stopped early all corners stay, later some.
 TEST(VehicleBlend, KeepsTheCornersThatAreLeftOnceStopped) {
   const Vehicle vehicle = slow_hand();
-  Grid grid(120, 80);
-  grid.fill({28, 28, 1, 1}, true);
-  grid.fill({28, 31, 1, 1}, true);
+  const Grid grid = walled(120, 80, {{28, 28, 1, 1}, {28, 31, 1, 1}});
   std::vector<Segment> path{{.begin = {20, 30, 0}, .length = 10}};
   for (int i = 0; i < 6; ++i) {
     const double radius = i == 0 ? 6 : i % 2 == 0 ? 5 : -5;

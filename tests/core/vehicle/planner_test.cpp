@@ -6,13 +6,13 @@
 
 #include <cmath>
 #include <random>
-#include <stop_token>
 #include <string>
 
 #include "core/vehicle/angle.h"
 #include "lasius/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/dense_check.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -127,8 +127,7 @@ TEST(VehiclePlanner, LooksAtAllOfTheLatticeWhereThatIsHard) {
 
 TEST(VehiclePlanner, DrivesToAnySide) {
   // A lane in which it cannot turn, and whose bend it takes aside.
-  Grid grid(60, 60);
-  grid.fill({0, 0, 60, 60}, true);
+  Grid grid = walled(60, 60, {{0, 0, 60, 60}});
   grid.fill({5, 5, 15, 50}, false);
   grid.fill({5, 45, 50, 10}, false);
   const Part box = rectangle(6, 6, 3.5);
@@ -170,8 +169,7 @@ TEST(VehiclePlanner, RefusesRatesOfCurvatureOutOfRange) {
 
 // A car of 128 cells: several words a row.
 TEST(VehiclePlanner, LargeVehicle) {
-  Grid grid(700, 420);
-  grid.fill({340, 0, 20, 200}, true);
+  const Grid grid = walled(700, 420, {{340, 0, 20, 200}});
   const Part hull = rectangle(30, 98, 30);
   const Planner planner(grid, car(hull, 90));
   const Request request{.start = {60, 100, 1.2}, .goals = {{620, 110, -1.4}}};
@@ -181,8 +179,7 @@ TEST(VehiclePlanner, LargeVehicle) {
 }
 
 TEST(VehiclePlanner, SaysWhyNot) {
-  Grid grid(60, 40);
-  grid.fill({29, 0, 2, 40}, true);
+  Grid grid = walled(60, 40, {{29, 0, 2, 40}});
   const auto why = [&](const Pose& start, const Pose& goal) {
     return Planner(grid, car(rectangle(3, 3, 2), 4)).plan({.start = start, .goals = {goal}});
   };
@@ -210,9 +207,7 @@ TEST(VehiclePlanner, Stops) {
   std::mt19937_64 random(4);
   Request request{.start = random_free(planner.space(), random), .goals = {}};
   request.goals.push_back(random_free(planner.space(), random));
-  std::stop_source source;
-  source.request_stop();
-  request.stop.token = source.get_token();
+  request.stop = fired();
   EXPECT_EQ(planner.plan(request).status, Status::interrupted);
   request.stop = {.deadline = Clock::time_point::min()};
   EXPECT_EQ(planner.plan(request).status, Status::limit);
@@ -259,13 +254,11 @@ TEST(Planner, IsThereAlready) {
 
 TEST(Planner, ToleratesGoalsThatAreBlockedOrBehindAWall) {
   const Vehicle car{.footprint = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}}, .turning_radius = 4};
-  Grid post(400, 60);
-  post.set_blocked({370, 30});
+  const Grid post = with_blocked(400, 60, {{370, 30}});
   const Result blocked = Planner(post, car).plan(
       {.start = {10.5, 30.5, 0}, .goals = {{370.5, 30.5, 0}}, .goal_tolerance = 3});
   EXPECT_NE(blocked.status, Status::limit);
-  Grid wall(120, 80);
-  wall.fill({60, 0, 1, 70}, true);
+  const Grid wall = walled(120, 80, {{60, 0, 1, 70}});
   const Result before = Planner(wall, car).plan(
       {.start = {30.5, 10.5, 0}, .goals = {{64.5, 10.5, 0}}, .goal_tolerance = 9});
   ASSERT_EQ(before.status, Status::solved);

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -13,6 +12,7 @@
 
 #include "lasius/error.h"
 #include "tests/core/vehicle/dense_check.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -87,8 +87,7 @@ TEST(VehicleSpace, NoFalseFreeAndHardlyAFalseBlocked) {
 }
 
 TEST(VehicleSpace, TouchingIsMeeting) {
-  Grid grid(40, 40);
-  grid.set_blocked({20, 20});
+  const Grid grid = with_blocked(40, 40, {{20, 20}});
   const Space space(grid, car(rectangle(2, 2, 1), 3));
   // The front edge lies on the cell's left side; then a hair before it.
   EXPECT_FALSE(space.free(Pose{18, 20.5, 0}));
@@ -105,8 +104,7 @@ TEST(VehicleSpace, TouchingIsMeeting) {
 }
 
 TEST(VehicleSpace, PosesToldOneByOne) {
-  Grid grid(40, 40);
-  grid.set_blocked({20, 20});
+  const Grid grid = with_blocked(40, 40, {{20, 20}});
   const Space space(grid, car(rectangle(2, 2, 1), 3));
   const std::vector<Pose> past{{10, 10, 0}, {30, 10, 0}};
   const std::vector<Pose> through{{10, 10, 0}, {10, 20.5, 0}, {30, 20.5, 0}};

@@ -183,8 +183,7 @@ TEST(ScanCone, KeepsWithinItsLimits) {
 TEST(ScanCone, CrossesTheLargestMap) {
   // Two blocks at the far end of 32768 rows; the second is hidden by one column of the first.
   constexpr int kSide = 32768;
-  Grid grid(256, kSide);
-  grid.set_blocked({100, kSide - 10});
+  const Grid grid = with_blocked(256, kSide, {{100, kSide - 10}});
   const BitmapView map = view_of(grid);
   const HalfPoint root{1, 1};
   const Places seen = scan_quadrant<1>(map, root, 1);

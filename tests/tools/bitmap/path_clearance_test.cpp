@@ -9,8 +9,7 @@ namespace lasius::tool {
 namespace {
 
 TEST(DistanceToBlocked, WorkedByHand) {
-  Grid grid(20, 20);
-  grid.set_blocked({10, 10});
+  Grid grid = with_blocked(20, 20, {{10, 10}});
   EXPECT_DOUBLE_EQ(distance_to_blocked(grid, {8.5, 10.5}), 1.5);  // to the square's left edge
   EXPECT_DOUBLE_EQ(distance_to_blocked(grid, {7, 6}), 5);         // to its corner: 3, 4, 5
   EXPECT_DOUBLE_EQ(distance_to_blocked(grid, {12.25, 10.75}), 1.25);
@@ -34,8 +33,7 @@ TEST(DistanceToBlocked, AsTheClearanceFieldAtCentres) {
 }
 
 TEST(ClearanceAlong, SamplesAreEvenAndEndWithThePath) {
-  Grid grid(30, 11);
-  for (int y = 0; y < 11; ++y) grid.set_blocked({29, y});
+  const Grid grid = walled(30, 11, {{29, 0, 1, 11}});
   const std::vector<Point> path{{9, 5.5}, {19, 5.5}, {27, 5.5}};  // 18 long, to 2 from the wall
   const auto along = clearance_along(grid, path, 18);
   EXPECT_DOUBLE_EQ(along.step, 0.5);

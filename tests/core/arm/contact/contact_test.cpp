@@ -13,6 +13,7 @@
 #include "lasius/arm_trajectory.h"
 #include "tests/core/arm/contact/draw.h"
 #include "tests/core/arm/robot/arms.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::arm {
@@ -194,9 +195,7 @@ TEST(Contact, AMotionIsCutWhereItIsToldToStop) {
   const Robot robot = shipped("industrial6");
   Draw draw(17);
   const SceneSensor sensor(robot, any_scene(draw, 200));
-  std::stop_source source;
-  source.request_stop();
-  const StopCondition stop{.token = source.get_token()};
+  const StopCondition stop = fired();
   const JointVector from = draw.values(robot), to = draw.values(robot);
   EXPECT_FALSE(sensor.try_motion(from, to, stop).has_value());
   EXPECT_EQ(sensor.try_motion(from, to, {}), sensor.motion_free(from, to));

@@ -10,6 +10,7 @@
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"
 
@@ -181,9 +182,8 @@ TEST(Improver, ExchangesPiecesOnlyWhereTheOrderDiffers) {
   const Instance stops = random_instance(30, 3, true);
   const Ends ends{true, 0};
   const Costs costs = stops.costs();
-  const StopCondition never;
-  Improver improver(costs, ends, given, Improvement::pieces, true, 1, never);
-  Poller poller(never);
+  Improver improver(costs, ends, given, Improvement::pieces, true, 1, kNeverStops);
+  Poller poller(kNeverStops);
   const std::vector<int> first = first_order(costs, ends, given).order;
   EXPECT_EQ(improver.improved(first, first, 0, poller), first);  // differs nowhere
   const std::vector<int> better = improver.improved(first, {}, 0, poller);
@@ -202,10 +202,8 @@ TEST(AntColony, StopsAndRefuses) {
   EXPECT_EQ(told, 3);
   EXPECT_EQ(found.cause, StopCondition::Cause::none);
   EXPECT_LT(run.iterations, 1000);
-  std::stop_source source;
-  source.request_stop();
-  const OrderFound none = find_order_by_ants(stops.costs(), {}, true, AntParams("as"), 1,
-                                             {.stop = {.token = source.get_token()}}, run);
+  const OrderFound none =
+      find_order_by_ants(stops.costs(), {}, true, AntParams("as"), 1, {.stop = fired()}, run);
   EXPECT_EQ(none.cause, StopCondition::Cause::token);
   EXPECT_TRUE(none.order.empty());
   AntParams wrong("as");

@@ -16,6 +16,7 @@
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/rooms.h"
 #include "tests/oracle/disc_paths.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -132,9 +133,7 @@ TEST(Cover, OfAnEmptyRoomIsItsAreaOverTheWidthAndTheTurns) {
 }
 
 TEST(Cover, IsASingleSwathInACorridor) {
-  Grid grid(20, 3);
-  grid.fill({0, 0, 20, 1}, true);
-  grid.fill({0, 2, 20, 1}, true);
+  const Grid grid = walled(20, 3, {{0, 0, 20, 1}, {0, 2, 20, 1}});
   for (const double radius : {0.0, 0.5}) {  // one as wide as the tool
     const Planner planner(grid, Disc{radius});
     CoverRequest request = ask(1);
@@ -209,17 +208,14 @@ TEST(Cover, PlansLegsFromWallsAndBetweenRegions) {
     return cover;
   };
   static_cast<void>(plan(Grid(13, 10), {{4, 1}, {9, 4}, {3, 5}, {2, 6}}, 3, std::nullopt));
-  Grid meeting(6, 7);
-  meeting.fill({3, 0, 3, 3}, true);
-  meeting.fill({0, 3, 3, 4}, true);
+  const Grid meeting = walled(6, 7, {{3, 0, 3, 3}, {0, 3, 3, 4}});
   const CoverResult larger = plan(meeting, {}, 1, Point{3, 3});
   EXPECT_DOUBLE_EQ(larger.unreachable, 9.0 / 21);
 }
 
 // The judge's samples are its own.
 TEST(Cover, TellsTheSharesOfNarrowToolsAndOfTightDeadEnds) {
-  Grid slots(6, 5);
-  slots.fill({1, 1, 2, 3}, true);
+  const Grid slots = walled(6, 5, {{1, 1, 2, 3}});
   CoverRequest request = ask(0.2);
   request.generations = 0;
   const CoverResult narrow = plan_cover(Planner(slots), request);
@@ -227,8 +223,7 @@ TEST(Cover, TellsTheSharesOfNarrowToolsAndOfTightDeadEnds) {
   EXPECT_GT(narrow.covered, 0.97);
   EXPECT_GT(narrow.swept, 0.95 * 24 / 0.2);
 
-  Grid dead_end(15, 5);
-  dead_end.fill({5, 0, 10, 5}, true);
+  Grid dead_end = walled(15, 5, {{5, 0, 10, 5}});
   dead_end.fill({5, 2, 10, 1}, false);
   const Planner planner(dead_end, Disc{0.5});
   const CoverResult tight = plan_cover(planner, ask(2));
@@ -259,8 +254,7 @@ TEST(Cover, IsTheSameOnAnyThreads) {
 }
 
 TEST(Cover, TellsWhatIsWalledOff) {
-  Grid grid(20, 10);
-  grid.fill({15, 0, 1, 10}, true);
+  Grid grid = walled(20, 10, {{15, 0, 1, 10}});
   const Planner planner(grid);
   CoverRequest request = ask(2);
   const CoverResult larger = plan_cover(planner, request);

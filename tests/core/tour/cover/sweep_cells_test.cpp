@@ -10,6 +10,7 @@
 #include "core/tour/cover/swath_order.h"
 #include "lasius/generate.h"
 #include "tests/oracle/disc_paths.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::tour {
 namespace {
@@ -47,8 +48,7 @@ TEST(ToolLines, HaveAllPlacesThatKeepTheRadius) {
 }
 
 TEST(SweepCells, PartAndJoinAroundAnObstacle) {
-  Grid grid(20, 12);
-  grid.fill({8, 4, 5, 3}, true);
+  const Grid grid = walled(20, 12, {{8, 4, 5, 3}});
   const StopCondition never;
   Poller poller(never);
   const auto cells = sweep_cells(ToolLines(grid, 0), headings()[0], 2, poller);
@@ -63,8 +63,7 @@ TEST(SweepCells, PartAndJoinAroundAnObstacle) {
   EXPECT_EQ(cells[1].slices.front().stretch.to, 8);
   EXPECT_EQ(cells[2].slices.front().stretch.from, 13);
   // Where the free space leaps there is a new one, too: a door in a wall.
-  Grid doors(20, 12);
-  doors.fill({0, 6, 20, 1}, true);
+  Grid doors = walled(20, 12, {{0, 6, 20, 1}});
   doors.set_blocked({3, 6}, false);
   const auto through = sweep_cells(ToolLines(doors, 0), headings()[0], 2, poller);
   ASSERT_EQ(through.size(), 3u);
@@ -74,8 +73,7 @@ TEST(SweepCells, PartAndJoinAroundAnObstacle) {
 
 // A wall with a door: ends on both sides of it are far from each other.
 TEST(NearEnds, AreLinkedAroundWhatIsBlocked) {
-  Grid grid(21, 12);
-  grid.fill({10, 0, 1, 11}, true);
+  const Grid grid = walled(21, 12, {{10, 0, 1, 11}});
   const ToolLines lines(grid, 0);
   const std::vector<Point> stops = {{1, 1}, {10, 1}, {11, 1}, {20, 1}, {3.5, 11}, {18, 11}};
   const std::vector<EndLink> links = near_ends(grid, lines, stops);

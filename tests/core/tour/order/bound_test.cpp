@@ -9,6 +9,7 @@
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "kernels/base/random_stream.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -30,8 +31,7 @@ TEST(TourBound, IsNeverAboveTheOptimumAndNear) {
     for (const Ends& ends : kEnds) {
       const Instance stops = random_instance(3 + static_cast<int>(seed % 10), seed, seed % 2);
       const auto best = cost_of(stops.costs(), subset_order(stops.costs(), ends), ends.open);
-      const StopCondition never;
-      Poller poller(never), again(never);
+      Poller poller(kNeverStops), again(kNeverStops);
       // With an upper bound above the optimum, so that nothing is cut down to it.
       const auto bound = tour_bound(stops.costs(), ends, stops.places, best + 5, 20, poller);
       EXPECT_LE(bound, best) << "seed " << seed;
@@ -71,8 +71,7 @@ TEST(TourBound, IsAsGreatWhereBoundsOfLegsArePoor) {
   // Down each tooth and up again, along the back and home.
   const std::int64_t best =
       2 * Comb::kGrains * (Comb::kTeeth * Comb::kDeep + Comb::kApart * (Comb::kTeeth - 1));
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   Comb comb;
   const auto bound = tour_bound({Comb::size(), comb}, {}, {}, best, 4, poller);
   EXPECT_LE(bound, best);
@@ -92,8 +91,7 @@ TEST(TourBound, IsWithinAPerCentInCorridors) {
       for (int w = 0; w < v; ++w)
         matrix[v * kSize + w] = matrix[w * kSize + v] = matrix[from * kSize + w] + length;
     }
-    const StopCondition never;
-    Poller poller(never);
+    Poller poller(kNeverStops);
     const auto bound = tour_bound({kSize, matrix.data()}, {}, {}, best, 10, poller);
     EXPECT_LE(bound, best);
     EXPECT_GE(100 * bound, 99 * best) << "seed " << seed;
@@ -152,8 +150,7 @@ TEST(TourBound, IsWithinHalfAPerCentInThePlane) {
   OrderOptions options;
   options.generations = 40;
   const auto best = find_order(stops.costs(), {}, stops.places, options).cost;
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   const auto bound = tour_bound(stops.costs(), {}, stops.places, best, 40, poller);
   EXPECT_LE(bound, best);
   EXPECT_GE(1000 * bound, 995 * best);

@@ -39,8 +39,7 @@ TEST(TourLocalSearch, LeavesNoCheaperExchangeOfThreeEdges) {
     const Instance stops = random_instance(kStops, seed, seed % 2 == 0);
     const Costs costs = stops.costs();
     const Candidates candidates(costs, {}, kStops - 1);
-    const StopCondition never;
-    Poller poller(never);
+    Poller poller(kNeverStops);
     kernels::RandomStream random(seed, 0, 0);
     ArrayTour tour(costs, random_order(costs, candidates, random));
     LocalSearch search(costs, candidates);
@@ -76,8 +75,7 @@ TEST(TourLocalSearch, KicksKeepATourAndNeverMakeItDearer) {
     const Instance stops = random_instance(size, 3);
     const Costs costs = stops.costs();
     const Candidates candidates(costs, stops.places, 8);
-    const StopCondition never;
-    Poller poller(never);
+    Poller poller(kNeverStops);
     kernels::RandomStream random(1, 0, 0);
     ArrayTour tour(costs, savings_order(costs, candidates));
     LocalSearch search(costs, candidates);

@@ -9,6 +9,7 @@
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"
 
@@ -130,11 +131,9 @@ TEST(PartialOrder, StoppedGivesTheBestSoFar) {
   const Instance stops = random_instance(120, 7);
   const Given given = random_given(120, 7, {});
   const PartialOrder partial = given.order(120);
-  std::stop_source source;
-  source.request_stop();
   OrderOptions options;
   options.given = &partial;
-  options.stop.token = source.get_token();
+  options.stop = fired();
   const OrderFound found = find_order(stops.costs(), {}, stops.places, options);
   EXPECT_TRUE(kept(found.order, given, {}));
   EXPECT_EQ(found.cause, StopCondition::Cause::token);

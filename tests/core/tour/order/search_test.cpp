@@ -8,6 +8,7 @@
 
 #include "core/tour/order/subset_dp.h"
 #include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -90,10 +91,8 @@ TEST(TourOrder, IsTheSameForTheSameSeedAndOnlyGetsCheaper) {
 
 TEST(TourOrder, StoppedGivesTheBestSoFar) {
   const Instance stops = random_instance(200, 7);
-  std::stop_source source;
-  source.request_stop();
   OrderOptions options;
-  options.stop.token = source.get_token();
+  options.stop = fired();
   const OrderFound found = find_order(stops.costs(), {true, 3, 5}, stops.places, options);
   expect_order(found, stops.costs(), {true, 3, 5});
   EXPECT_EQ(found.cause, StopCondition::Cause::token);

@@ -11,6 +11,7 @@
 #include "core/tour/routes/route_bound.h"
 #include "core/tour/routes/route_state.h"
 #include "core/tour/routes/walk_bound.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
 
 namespace lasius::tour {
@@ -137,8 +138,7 @@ TEST(Routes, BySubsetsAreThoseOfBruteForce) {
           EXPECT_EQ(found.cost, least) << "seed " << seed << ", " << routes.size() << " routes";
           EXPECT_EQ(found.cost, cost_of(instance.costs(), found.orders, routes[0].open));
           expect_whole(problem, found.orders);
-          const StopCondition never;
-          Poller poller(never);
+          Poller poller(kNeverStops);
           EXPECT_LE(routes_bound(problem, instance.costs(), least + 5, poller), least);
           const std::int64_t walk = walk_bound(problem, instance.costs(), least + 5, poller);
           EXPECT_LE(walk, least);
@@ -210,8 +210,7 @@ TEST(Routes, AreFoundBySearch) {
         expect_whole(problem, found.orders);
         EXPECT_EQ(found.cost, cost_of(more.costs(), found.orders, routes[0].open));
         EXPECT_LE(100 * found.cost, 102 * one.cost) << "seed " << seed << ", " << routes.size();
-        const StopCondition never;
-        Poller poller(never);
+        Poller poller(kNeverStops);
         const std::int64_t bound = routes_bound(problem, more.costs(), found.cost + 5, poller);
         EXPECT_LE(bound, one.cost);
         best += found.cost == one.cost;
@@ -230,8 +229,7 @@ TEST(Routes, WalksBoundScatteredGroups) {
   RouteProblem problem{.tasks = std::vector<std::vector<int>>(13), .routes = {{}}};
   for (int v = 0; v < 39; ++v) problem.tasks[v % 13].push_back(v);
   const RoutesFound found = find_routes(problem, instance.costs(), {.generations = 3});
-  const StopCondition never;
-  Poller poller(never);
+  Poller poller(kNeverStops);
   const std::int64_t walk = walk_bound(problem, instance.costs(), found.cost, poller);
   EXPECT_GT(1.35 * static_cast<double>(walk), static_cast<double>(found.cost));
   EXPECT_EQ(routes_bound(problem, instance.costs(), found.cost, poller), walk);
@@ -274,8 +272,7 @@ TEST(Routes, WalksThatForgetBoundTheShortest) {
                                                        : costs(v, ends.start)));
           }
       }
-      const StopCondition never;
-      Poller poller(never);
+      Poller poller(kNeverStops);
       const std::int64_t walk = walk_bound(problem, costs, least + 5, poller);
       EXPECT_LE(walk, least) << "seed " << seed;
       EXPECT_GT(2 * walk, least) << "seed " << seed;
@@ -315,9 +312,7 @@ TEST(Routes, AreTheSameAgainAndEndWhenTold) {
   const RoutesFound few = find_routes(problem, instance.costs(), options);
   EXPECT_EQ(told, 2);
   EXPECT_GT(few.cost, first.cost);
-  std::stop_source source;
-  source.request_stop();
-  options = {.stop = {.token = source.get_token()}};
+  options = {.stop = fired()};
   const RoutesFound stopped = find_routes(problem, instance.costs(), options);
   EXPECT_EQ(stopped.cause, StopCondition::Cause::token);
   expect_whole(problem, stopped.orders);

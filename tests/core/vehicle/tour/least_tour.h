@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lasius/vehicle/tour.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 
@@ -75,10 +76,7 @@ inline std::vector<Pose> headings(const Planner& planner, const Point p) {
 
 /// A pocket that opens to the right; most headings of a truck in it have no way there.
 inline Grid pocket() {
-  Grid grid(60, 50);
-  grid.fill({28, 15, 6, 1}, true);
-  grid.fill({28, 16, 1, 19}, true);
-  grid.fill({28, 35, 6, 1}, true);
+  Grid grid = walled(60, 50, {{28, 15, 6, 1}, {28, 16, 1, 19}, {28, 35, 6, 1}});
   return grid;
 }
 

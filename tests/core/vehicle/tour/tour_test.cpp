@@ -275,9 +275,7 @@ TEST(VehicleTour, RefusesAndStops) {
   TourRequest many;
   many.points.assign(251, {30, 20});
   EXPECT_THROW((void)plan_tour(planner, many), Error);  // 2008 poses
-  std::stop_source source;
-  source.request_stop();
-  request.stop = {.token = source.get_token()};
+  request.stop = fired();
   EXPECT_EQ(plan_tour(planner, request).status, Status::interrupted);
 }
 
