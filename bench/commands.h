@@ -1,4 +1,4 @@
-// The modes of lasius_bench beside Google Benchmark's own.
+// The commands of lasius_bench.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -31,8 +31,7 @@ struct Row {
   std::vector<SamplingTrial> trials;
 };
 
-// Median milliseconds over all trials, those that never got there counting as longer, and how many
-// got there.
+// Median milliseconds of all trials, longer where they never got there, and how many got there.
 std::string cell(const std::vector<SamplingTrial>& trials, std::size_t gap) {
   std::vector<double> times;
   for (const SamplingTrial& t : trials) times.push_back(1000 * t.seconds[gap]);

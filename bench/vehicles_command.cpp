@@ -53,8 +53,7 @@ vehicle::Vehicle vehicle_of(const VehicleOptions& options) {
   return made;
 }
 
-// Masks of the lattice that are looked at in a second, in millions, at cells where the footprint
-// fits.
+// Millions of the lattice's masks looked at in a second, at cells where the footprint fits.
 double million_checks(const vehicle::Space& space) {
   const vehicle::Space::Impl& map = space.impl();
   const vehicle::Lattice lattice(space.vehicle(), map.outline());

@@ -1,5 +1,4 @@
-// Ant colony system over crossing points as one would write it down from the lecture: the baseline
-// of `maklink-acs`.
+// Ant colony system over crossing points, written down from the lecture: `maklink-acs`' baseline.
 #pragma once
 
 #include <cstdint>

@@ -18,13 +18,11 @@
 
 namespace lasius::arm {
 
-/// Moves of the tip: +x, -x, +y, -y, +z, -z. After them, where there are ends, the move to the one
-/// nearby.
+/// Moves of the tip: +x, -x, +y, -y, +z, -z. After them the move to an end nearby, if there is one.
 inline constexpr int kTipMoves = 6;
 inline constexpr int kMostMoves = kTipMoves + 1;
 
-/// A point of the lattice, by number; the points around the box have numbers too. After all these,
-/// the ends.
+/// A point of the lattice, by number; points around the box have numbers too; after them, the ends.
 using Node = std::int64_t;
 
 /// What to try where a lattice has no way, for people.

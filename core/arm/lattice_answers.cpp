@@ -7,7 +7,6 @@
 #include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "core/arm/lattice.h"
 
@@ -63,8 +62,7 @@ bool Lattice::solve(Node v, JointArray& q) const {
   const auto at = coordinates(v);
   std::array<int, 3> axes{0, 1, 2};
   std::ranges::stable_sort(axes, [&](int a, int b) { return std::abs(at[a]) > std::abs(at[b]); });
-  // Stretched out, an arm is drawn in by no small change of its joints: a second try bends it
-  // first.
+  // No small change of its joints draws in an arm stretched out: a second try bends it first.
   constexpr double kBend = 0.3;  // radians or metres
   const double* const start = values_.at(start_ * joints_);
   for (const double bend : {0.0, kBend}) {

@@ -106,8 +106,7 @@ std::vector<bool> faulty_spans(const Robot& robot, const TimedWaypoints& course,
   return faulty;
 }
 
-/// A spline through the way, with more knots where it is not free; `stops` where it came to
-/// nothing.
+/// A spline through the way, with more knots where it is not free; `stops` where that fails.
 Trajectory spline_motion(const Robot& robot, const Waypoints& way, CountedSensor& counted,
                          bool& stops) {
   constexpr int kRounds = 6;

@@ -51,8 +51,7 @@ class BucketQueue {
   }
 
   /// Moves to the first bucket that holds something; false if nothing does. Dealing items out is
-  /// work that the poller is told of: on long ways most of them wait, and are dealt out again and
-  /// again.
+  /// work that the poller is told of: on long ways most wait and are dealt out many times.
   bool advance(Poller& poller) {
     for (;;) {
       int word = current_ >> 6;

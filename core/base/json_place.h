@@ -1,6 +1,5 @@
 // JSON texts, read strictly and by one rule for all files. The parser tells only where the syntax
-// is broken, so a text is read once before it is parsed, and once more when an error has to be
-// told.
+// is broken, so a text is read once before it is parsed, and once more when an error is told.
 #pragma once
 
 #include <algorithm>

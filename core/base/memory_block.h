@@ -41,8 +41,7 @@ class LASIUS_EXPORT MemoryBlock {
   std::size_t size() const noexcept { return size_; }  ///< in bytes
   void* data() const noexcept { return data_; }
 
-  /// Bytes that memory is taken for: of pages, those that were touched. Asks the system, page by
-  /// page.
+  /// Bytes that take memory: of pages, those touched. Asks the system, page by page.
   std::int64_t held() const noexcept;
 
  private:

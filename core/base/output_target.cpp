@@ -34,8 +34,7 @@ struct FileId {
   bool operator==(const FileId&) const = default;
 };
 
-/// Which regular file a name stands for; nothing where it is another kind of file, or none could
-/// be.
+/// Which regular file a name stands for; nothing for another kind of file, or where none could be.
 std::optional<FileId> file_id(const std::string& path) {
   try {
     const Target target = find_target(path);

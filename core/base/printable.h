@@ -9,8 +9,7 @@
 namespace lasius {
 
 /// The text with control characters as \x1b, line ends and tabs too: what stands in a file or a
-/// name neither cuts a message short, nor looks like another, nor steers the terminal that shows
-/// it.
+/// name neither cuts a message short, nor looks like another, nor steers a terminal.
 LASIUS_EXPORT std::string printable(std::string_view text);
 
 }  // namespace lasius

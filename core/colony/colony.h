@@ -1,5 +1,4 @@
-// The colony on a bitmap, composed from parameters: run once, or again and again on a map that
-// changes.
+// The colony on a bitmap, composed from parameters: run once, or often on a map that changes.
 #pragma once
 
 #include <memory>

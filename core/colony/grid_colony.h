@@ -64,8 +64,7 @@ class GridColony final : public ColonyWorld {
       memory_.cutters.resize(threads_);
   }
 
-  /// Makes the trail blank for questions like this one; its stop condition, if any, may leave the
-  /// trail in pieces.
+  /// Makes the trail blank for questions like this one; its stop condition may leave it in pieces.
   void begin(const Request& request) {
     request_ = request;
     tau0_ = initial_pheromone(params_, measure_.least(distance(request.start, request.goal)));

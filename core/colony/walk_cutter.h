@@ -21,8 +21,7 @@ namespace lasius {
 /// loops go, and detours past cells of its own. It knows nothing of other ants nor of the map
 /// beside those cells; so it is part of a walk, not a polish.
 ///
-/// Time and memory follow the tour, not the map. Buffers are reused from call to call; one object
-/// per thread.
+/// Time and memory follow the tour, not the map. Buffers are reused; one object per thread.
 class WalkCutter {
  public:
   /// Writes the moves of that way into `way` and returns their number; -1 when stopped. The tour

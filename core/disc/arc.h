@@ -1,5 +1,4 @@
-// Circles about the corners of blocked cells, and the pieces of them that a disc's centre may be
-// on.
+// Circles about corners of blocked cells, and the pieces that a disc's centre may be on.
 #pragma once
 
 #include <cmath>
@@ -57,8 +56,7 @@ inline bool comes_before(const Arc& a, const Arc& b) noexcept {
   return place(a) < place(b);
 }
 
-/// How far a normal has turned past an end of an arc: the sine of the angle, times a number of
-/// [0.7, 1].
+/// How far a normal has turned past an end of an arc: the angle's sine times a number of [0.7, 1].
 inline double past(double fraction, Normal n) noexcept {
   return (1 - fraction) * n.b - fraction * n.a;
 }

@@ -11,8 +11,7 @@
 namespace lasius::disc {
 
 /// Of arcs as long as at the radius asked for: to first order, a taut curve grows with its radius
-/// by what it turns, so that this is the shortest length of that radius and not of the one planned
-/// with.
+/// by what it turns, so this is the shortest length of that radius, not of the one planned with.
 double curve_length(std::span<const CurvePiece> curve) noexcept;
 
 /// A polyline that keeps the radius as the curve does and is at most a thousandth longer: each arc

@@ -141,8 +141,7 @@ class DiscSpace {
   std::uint32_t* mutable_arcs_at(int x, int y) noexcept {
     return const_cast<std::uint32_t*>(arcs_at(x, y).data());
   }
-  // Blocked cells `wall_` steps left, above, right and below, by bit: of what is not blocked, none
-  // is nearer.
+  // Blocked cells `wall_` steps left, above, right and below, by bit: none is nearer.
   unsigned walls(int x, int y) const noexcept {
     return (bit(map_, x - wall_, y) ? 1u : 0u) | (bit(map_, x, y - wall_) ? 2u : 0u) |
            (bit(map_, x + wall_, y) ? 4u : 0u) | (bit(map_, x, y + wall_) ? 8u : 0u);

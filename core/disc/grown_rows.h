@@ -9,8 +9,7 @@
 
 namespace lasius::disc {
 
-/// How far a blocked cell reaches: columns to each side, by the number of rows between, -1 for
-/// none.
+/// How far a blocked cell reaches: columns to each side, by rows between, -1 for none.
 struct Reach {
   explicit Reach(double radius);
 

@@ -108,8 +108,7 @@ class Labels {
   GrowingList<Label> labels_;
 };
 
-/// The curve from a start over a label and its parents to a goal, which its last line leaves for at
-/// this normal.
+/// The curve from a start over a label and its parents to a goal, its last line at this normal.
 Curve trace(const DiscSpace& space, const Labels& labels, std::uint32_t last, Normal leaves,
             Point start, Point goal);
 

@@ -96,8 +96,7 @@ bool SpaceBuilder::look_at_core(Poller& poller) {
   return !poller.stopped();
 }
 
-// The arcs that pass a cell, all or those that are joined anew, are no more; false if there are
-// none.
+// Drops the arcs that pass a cell, all or those joined anew; false if there are none.
 bool SpaceBuilder::note_old_arcs(int x, int y, bool all) {
   bool any = false;
   for (const std::uint32_t number : space_.arcs_at(x, y)) {

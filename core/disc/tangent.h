@@ -9,8 +9,7 @@
 
 namespace lasius::disc {
 
-/// The quadrant that rays of a view run into, and coordinates in which it is u, v >= 0: u = right *
-/// x, v = down * y.
+/// The quadrant that a view's rays run into, as u, v >= 0: u = right * x, v = down * y.
 struct Heading {
   int right = 1, down = 1;
 };

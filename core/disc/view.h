@@ -1,5 +1,4 @@
-// What a disc sees from an arc that it turns around, or from a point: the arcs that it can go on
-// to.
+// What a disc sees from an arc that it turns around, or a point: the arcs that it can go on to.
 #pragma once
 
 #include <algorithm>

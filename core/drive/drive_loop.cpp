@@ -159,8 +159,7 @@ std::optional<Grid> DriveLoop::certain_walls() const {
   return certain;
 }
 
-/// Walls that are not certain are taken for free, those that `kept` has excepted. False if there
-/// are none.
+/// Takes walls that are not certain for free, those of `kept` excepted. False if there are none.
 bool DriveLoop::forget_walls(const Grid* kept) {
   const auto certain = certain_walls();
   if (!certain) return false;

@@ -14,8 +14,7 @@
 
 namespace lasius {
 
-/// A robot under way. See drive() for its rules; what is its own is how it stands, and how it
-/// moves.
+/// A robot under way. See drive() for its rules; its own is how it stands and moves.
 class DriveLoop {
  public:
   /// `map` is what the pilot knows now. `may_circle`: what it knows may be forgotten again and

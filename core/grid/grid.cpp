@@ -54,8 +54,7 @@ std::uint64_t packed(const std::uint8_t* bytes, int count) noexcept {
 }
 
 /// Calls visit(word, bit, count, first) for each word of a row that holds some of the columns x to
-/// x + width - 1: its index, its first bit that does and how many do, and that bit's column, from x
-/// on.
+/// x + width - 1: its index, its first bit that does, how many do, and that bit's column from x.
 template <class Visit>
 void for_each_word(int x, int width, const Visit& visit) {
   for (int from = x; from < x + width;) {

@@ -54,8 +54,7 @@ class ColonyWorld {
 
   /// True when another iteration is of no use.
   virtual bool settled() const { return false; }
-  /// Called after every iteration, its record the last of `run`. Says whether an observer asked to
-  /// stop.
+  /// Called after every iteration, its record the last of `run`. Has an observer asked to stop?
   virtual StopCondition::Cause observe(const Convergence& run) = 0;
 };
 

@@ -1,5 +1,4 @@
-// How a run ended that was, or was not, cut short, what came of it, and what an observer sees of
-// it.
+// How a run ended, cut short or not, what came of it, and what an observer sees of it.
 #pragma once
 
 #include <cmath>

@@ -30,8 +30,7 @@ struct PixelRule {
   };
   Transparent transparent = Transparent::on_white;
 
-  /// Gets what the pixels are, numbers of 16 bits row by row from the top; null: kinds, of which
-  /// the map is made.
+  /// Gets the pixels, numbers of 16 bits row by row from the top; null: kinds, which make the map.
   std::vector<std::uint16_t>* numbers = nullptr;
 
   /// `kind` of every level.

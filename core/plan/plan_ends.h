@@ -19,8 +19,7 @@
 
 namespace lasius {
 
-/// Where a plan begins and ends: cells' centres, unless points are asked for, and but for a disc's
-/// curve.
+/// Where a plan begins and ends: cells' centres, unless points are asked for, or a disc's curve is.
 struct Places {
   Point from, to;
   std::optional<Point> way_out = {};  ///< from where it begins, if not at the start

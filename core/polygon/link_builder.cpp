@@ -103,8 +103,7 @@ LinkBuilder::Sector LinkBuilder::sector(int corner, LatticePoint d) const {
   return convex_turn(before, after) ? Sector::convex : Sector::reflex;
 }
 
-/// Whether the segment meets an edge or a line, ends that they share aside: those are left to
-/// `sector`.
+/// Whether the segment meets an edge or a line, shared ends aside, which are left to `sector`.
 bool LinkBuilder::crossed(LatticePoint from, LatticePoint to, const Edge& e) const {
   if (e.high.x < std::min(from.x, to.x) || e.low.x > std::max(from.x, to.x) ||
       e.high.y < std::min(from.y, to.y) || e.low.y > std::max(from.y, to.y)) {

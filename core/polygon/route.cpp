@@ -13,8 +13,7 @@ void append(std::vector<Point>& path, Point p) {
   if (path.empty() || path.back() != p) path.push_back(p);
 }
 
-/// A vertex of a funnel's path, and the gate that it is an end of: -1 the start, gates.size() the
-/// goal.
+/// A vertex of a funnel's path, and the gate that it ends: -1 the start, gates.size() the goal.
 struct Bend {
   LatticePoint at;
   int gate;

@@ -18,8 +18,7 @@ namespace lasius {
 /// The way with the fewest moves from a walk's first to its last cell inside the walk's own cells
 /// and further ones that the ant entered.
 ///
-/// Time and memory follow these cells, not the map. Buffers are reused from call to call; one
-/// object per thread.
+/// Time and memory follow these cells, not the map. Buffers are reused; one object per thread.
 class LoopCutter {
  public:
   /// Cuts a walk of at least one cell. Moves are the 4 neighbours, with `diagonal` also the 4

@@ -295,8 +295,7 @@ void Straightener::straighten(const Grid& grid, const StopCondition& stop) {
   }
   Poller poller(stop);
   const auto settle_and_keep = [&] { return settle(sight, poller, pulled_) && keep_if_shorter(); };
-  // A vertex less, or pieces pulled again, may pass an obstacle on its other side: then the string
-  // is another one.
+  // A vertex less, or pieces pulled again, may pass an obstacle on its other side: another string.
   for (bool shorter = true; shorter;) {
     taut_string_.run(grid, best_, Corners::forbid, stop);
     shorter = string_on_cells(grid, taut_string_.path(), poller) && settle_and_keep();

@@ -14,8 +14,7 @@
 namespace lasius {
 
 /// Finds the shortest path of a polyline's homotopy class, as `pull_taut()` states, with buffers
-/// that are reused from call to call. One per thread. The spans it returns hold until the next
-/// call.
+/// that are reused. One per thread. The spans it returns hold until the next call.
 class TautString {
  public:
   /// Pulls a valid polyline taut; vertices in half cells, at least one.

@@ -1,5 +1,4 @@
-// Angles in a quadrant from IEEE operations only, so that every machine and compiler agrees bit for
-// bit.
+// Angles in a quadrant from IEEE operations only: every machine and compiler agrees bit for bit.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,4 @@
-// x^a from IEEE operations only, so that every machine, compiler and vector width agrees bit for
-// bit.
+// x^a from IEEE operations only, the same on every machine, compiler and vector width.
 #pragma once
 
 #include <bit>

@@ -36,8 +36,7 @@ struct LaneBody {
   std::vector<LaneBall> inner;  // in it
 };
 
-/// A box or cylinder that stands still, in the middle of its own frame, and what is within `round`
-/// of it.
+/// A box or cylinder at rest, in the middle of its own frame, and what is within `round` of it.
 struct LaneObstacle {
   std::array<float, 9> rotation;
   std::array<float, 3> position, half;  // of a cylinder: radius, nothing, half its length

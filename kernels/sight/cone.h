@@ -46,8 +46,7 @@ struct ConeFrame {
   int lines() const noexcept { return down > 0 ? map.height - line0 : line0; }
 };
 
-/// The frame of a root at (x, y) in half cells, a lattice point or the centre of a cell, for
-/// columns u = S * x.
+/// The frame of a root (x, y) in half cells, a lattice point or a cell's centre, for columns S * x.
 template <int S>
 constexpr ConeFrame frame_at(const BitmapView& map, int x, int y, int down) noexcept {
   return {.map = map,

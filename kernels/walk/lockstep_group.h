@@ -24,8 +24,7 @@ LASIUS_AVX2 [[gnu::always_inline]] inline __m128i four_bytes(
   return _mm_insert_epi8(_mm_insert_epi8(two, *at[2], 2), *at[3], 3);
 }
 
-/// Up to eight ants with rows of four or eight moves. A step is made of the phases below, in their
-/// order.
+/// Up to eight ants with rows of four or eight moves. A step is the phases below in order.
 template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
 class LockstepGroup {
   using DrawOf = LockstepDraw<kMoves, kMixture>;

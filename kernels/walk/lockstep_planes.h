@@ -29,8 +29,7 @@ class LockstepPlanes {
     const __m256i y = _mm256_srli_epi32(at, 16);
     const __m256i offset = _mm256_add_epi32(
         _mm256_mullo_epi32(_mm256_srli_epi32(x, 5), strip_bytes), _mm256_slli_epi32(y, 3));
-    // Bit 4 of x: the cell is in the upper half of its word, and in the lower half of the next
-    // strip's.
+    // Bit 4 of x: the cell is in its word's upper half, and the lower half of the next strip's.
     const __m256i upper = _mm256_srai_epi32(_mm256_slli_epi32(x, 27), 31);
     const __m256i lower_offset = _mm256_add_epi32(offset, _mm256_and_si256(upper, strip_bytes));
     const Wide origin = load_wide(origin_);

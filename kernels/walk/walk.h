@@ -149,8 +149,7 @@ struct WalkSlot {
   std::uint64_t* word = nullptr;  ///< of `visited` around that cell
   std::uint32_t random_used = kNumbers;
   std::uint32_t random_block = 0;  ///< the next one
-  /// Numbers to come; for Draw::discard the random times that they give at weight 1, as the bits of
-  /// floats.
+  /// Numbers to come; for Draw::discard the random times they give at weight 1, as floats' bits.
   alignas(64) std::array<std::uint32_t, kNumbers> random;
 
   /// Puts a new ant at its start. Random numbers left of the ant before are dropped.

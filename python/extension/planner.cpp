@@ -15,8 +15,7 @@
 namespace lasius::python {
 namespace {
 
-/// Scratch memory that Python keeps, with the sign that it is in use: one call at a time may use
-/// it.
+/// Scratch memory that Python keeps, with the sign that it is in use, by one call at a time.
 class SharedWorkspace {
  public:
   /// Uses it for as long as it lives. @throws std::runtime_error if another call does.

@@ -20,8 +20,7 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Ends the fuzzer unless the error names the file, no offset behind its `size` bytes, and a
-/// remedy.
+/// Ends the fuzzer unless the error names the file, no offset past its `size` bytes, and a remedy.
 inline void require_named(const Error& error, std::size_t size) {
   require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
   require(error.place().offset <= static_cast<std::int64_t>(size));

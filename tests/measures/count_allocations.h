@@ -1,6 +1,5 @@
 // Counts what a test program allocates, and lets an allocation fail; with count_allocations.cpp
-// among the program's sources. Arrays that grow by realloc count, too, where no sanitizer has its
-// own.
+// among the program's sources. Growth by realloc counts, too, where no sanitizer has its own.
 #pragma once
 
 #include <atomic>

@@ -28,8 +28,7 @@ inline double near_clearance(const Grid& grid, Point a, Point b, double most) {
     for (int j = row - reach; j <= row + reach; ++j) {
       for (int i = column - reach; i <= column + reach; ++i) {
         if (grid.free({i, j})) continue;
-        // Of a segment outside a square an end is nearest to it, or one of its corners to the
-        // segment.
+        // Outside a square an end of a segment is nearest to it, or a corner of it to the segment.
         const auto from = [&](Point p) {
           return std::hypot(p.x - std::clamp<double>(p.x, i, i + 1),
                             p.y - std::clamp<double>(p.y, j, j + 1));

@@ -34,13 +34,11 @@ class VisibilityGraph {
   }
   static constexpr int kUnit = 1 << 12;  ///< of a cell's side
 
-  /// Length of a shortest path of king's moves that cut no corner (a bound from above), or
-  /// infinity.
+  /// Length of a shortest path of king's moves that cut no corner (an upper bound), or infinity.
   double octile(Cell start, Cell goal) const;
 
  private:
-  /// A point in 1 / kUnit of a cell; for a corner also the direction (+-1, +-1) of its blocked
-  /// cell.
+  /// A point in 1 / kUnit of a cell; for a corner also the way (+-1, +-1) to its blocked cell.
   struct Node {
     std::int64_t x;
     std::int64_t y;

@@ -35,8 +35,7 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
 /// The inflation that is asked for, in cells.
 std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_unit, double radius);
 
-/// What a result tells of costs: `layers` among what was found, `inflation` and `moves` among the
-/// parameters.
+/// What a result tells of costs: `layers` in what was found, `inflation` and `moves` in parameters.
 void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);
 /// @throws Error(file_broken) where a layer is not the one that the result records.
 void check_layers(const LoadedCosts& costs, const Json& result);

@@ -66,8 +66,7 @@ Json end_findings(const MapEnds& ends);
 
 /// {file, hash, width, height}
 Json map_json(const LoadedMap& map);
-/// [x, y] of a start or goal, whole: the cell; of a point with decimals, which in metres is told
-/// beside.
+/// [x, y] of a start or goal, whole: the cell; with decimals a point, in metres told beside.
 Json cell_json(const Place& place, bool in_metres = false);
 
 /// The options of the question that a result answers. @throws UsageError, Error

@@ -34,8 +34,7 @@ struct LoadedMap {
   std::optional<LoadedCosts> costs{};
   double read_ms = 0;   ///< reading
   double ready_ms = 0;  ///< making the planner, growing obstacles
-  /// Made when reasons.h first needs them: of the map, with 4 and 8 neighbours; with the unknown
-  /// cells free.
+  /// Made when reasons.h needs them: of the map, with 4 and 8 neighbours; with unknown cells free.
   std::array<std::optional<WidestRadius>, 2> widest{};
   std::optional<Planner> with_unknown_free{};
 

@@ -44,8 +44,7 @@ Obstruction obstruction_of(const LoadedMap& map, const Place& place, bool curved
 /// As in " is outside the map", to follow a place.
 std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstruction& why);
 
-/// Where the numbers of a cell would be in metres, if that is a free cell: they may have been
-/// meant.
+/// Where a cell's numbers would be in metres, if that is a free cell: they may have been meant.
 std::string metres_hint(const LoadedMap& map, Frame frame, const Place& place);
 
 /// What would join a start and a goal that lie in different regions.
@@ -62,8 +61,7 @@ double metres_within(const LoadedMap& map, double cells);
 /// Of free cells of the map as it was read. What it makes of the map stays with that.
 Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token);
-/// The widest radius alone; nothing where no radius joins them, the map is too large, or an end
-/// outside.
+/// The widest radius alone; nothing where none joins them, the map is too large, or an end outside.
 Remedy widest_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token);
 /// As in "; the widest radius that joins them is 0.371 m", or empty.

@@ -25,8 +25,7 @@ class Crew {
     std::string key = {};
     int at_a_time = 1;          ///< items that a rank takes at once
     std::stop_token stop = {};  ///< the leader's: nothing more is given out
-    /// Of any rank: does items, and tells of each what became of it, not empty; empty: it was
-    /// stopped.
+    /// Of any rank: does items, and tells of each what became of it, not empty; empty: stopped.
     std::function<std::vector<std::string>(std::span<const int> items)> act = {};
     /// Of the leader, on the thread that shares: what became of an item, in no order.
     std::function<void(int item, std::string text)> receive = {};

@@ -18,8 +18,7 @@ inline Clock::time_point deadline_after(const std::optional<double>& seconds) {
   return seconds ? deadline_in(std::chrono::duration<double>(*seconds)) : Clock::time_point::max();
 }
 
-/// What a search that comes after one under `stop` may take: `seconds` from now, where that one had
-/// a deadline.
+/// What a search after one under `stop` may take: `seconds` from now, if that one had a deadline.
 inline StopCondition again(const StopCondition& stop, const std::optional<double>& seconds) {
   const bool limited = stop.deadline != Clock::time_point::max();
   return {.token = stop.token, .deadline = deadline_after(limited ? seconds : std::nullopt)};

@@ -59,8 +59,7 @@ inline bool is_point(std::string_view coordinates) {
 /// "WxH". @throws UsageError.
 Cell size_value(std::string_view option, std::string_view text);
 
-/// "a,b,c": at most 20 whole numbers from 1, returned in rising order without repeats. @throws
-/// UsageError.
+/// "a,b,c": at most 20 whole numbers from 1, in rising order without repeats. @throws UsageError.
 std::vector<int> list_value(std::string_view option, std::string_view text);
 
 /// "a,b,c": `least` to `most` finite numbers. @throws UsageError.

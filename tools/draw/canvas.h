@@ -44,8 +44,7 @@ class Canvas {
   void unclip();
   /// A filled circle with a white rim.
   void disc(Point at, double radius, Colour colour);
-  /// A circle and a square on its corner, as coloured lines with white rims: what is inside stays
-  /// visible.
+  /// A circle and a square on its corner, as coloured lines with white rims: the inside shows.
   void ring(Point at, double radius, Colour colour);
   void diamond(Point at, double radius, Colour colour);
   /// One colour a pixel, stretched over a box without smoothing where a pixel grows.

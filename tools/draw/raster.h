@@ -33,8 +33,7 @@ struct Span {
   int to = 0;
 };
 
-/// The value of a raster of so many cells a pixel that `better` prefers over some cells; NaN is
-/// never preferred.
+/// The value of a raster of so many cells a pixel that `better` prefers over some cells, never NaN.
 template <class T, class Better>
 T chosen(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows,
          const Better& better) {

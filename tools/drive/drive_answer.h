@@ -36,8 +36,7 @@ struct DriveAnswer {
   }
 };
 
-/// The map of what is there. @throws Error(file_broken) unless it is as large as the map, and lies
-/// where that does.
+/// The map of what is there. @throws Error(file_broken) unless it has the map's size and place.
 LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMap& map);
 
 /// The world with its changes up to a tick, without moving obstacles; those that were put off too.

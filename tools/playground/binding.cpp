@@ -197,8 +197,7 @@ val result_object(const Result& result) {
 }
 
 /// trail: by pixel the largest pheromone, or least terminal index, NaN where no cell is free;
-/// tracks: the ants' cells of the iteration. Pixel (x, y) holds the cells (x, y) * cells_a_pixel
-/// on.
+/// tracks: the ants' cells of the iteration. Pixel (x, y) holds cells from (x, y) * cells_a_pixel.
 val frame_object(const GridProgress& progress, const PictureRecorder& rasters) {
   const auto& trail = rasters.pheromone().values;
   val object = val::object();

@@ -49,8 +49,7 @@ struct PolygonAnswer {
 /// What ran on what.
 std::string polygon_title(const LoadedWorld& world, const polygon::Params& parameters);
 
-/// The answer to `asked`, whose start and goal are given; `elapsed` with the search for the
-/// optimum.
+/// The answer to `asked`, with start and goal; `elapsed` with the search for the optimum.
 PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Request& asked,
                         polygon::Result result, std::chrono::duration<double, std::milli> elapsed);
 

@@ -11,8 +11,7 @@
 
 namespace lasius::tool {
 
-/// The value at some keys of a result, as in "map/file". @throws UsageError naming the first key
-/// that is missing.
+/// The value at some keys of a result, as in "map/file". @throws UsageError naming a missing key.
 const Json& value_at(const Json& result, const std::string& keys);
 
 /// The same as a value of C++. @throws UsageError, also where it is of another type.

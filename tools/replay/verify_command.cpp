@@ -18,7 +18,6 @@
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
 #include "tools/record/problem.h"
-#include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 #include "tools/record/saved.h"
 
@@ -108,8 +107,7 @@ void forget_effort(Json& result) {
 }
 
 /// The first difference between a result and its replay, or nothing. What may differ is left out;
-/// `missing_optimum` becomes the optimum that is null in the result and found by the replay, if one
-/// is.
+/// `missing_optimum` becomes the optimum that is null in the result and found by the replay.
 std::string difference(Json recorded, Json replay, std::string& missing_optimum) {
   if (recorded.contains("version") && recorded["version"] != replay["version"]) {
     replay["version"] = recorded["version"];

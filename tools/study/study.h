@@ -50,8 +50,7 @@ struct Published {
   double seconds = kUnknown;
 };
 
-/// Starts and goals that are drawn once the map is there: joined cells; equal draws on equal
-/// maps give equal ones.
+/// Starts and goals drawn once the map is there: joined cells; equal draws on equal maps are equal.
 struct Draw {
   int count = 1;
   std::uint64_t seed = 1;
@@ -68,8 +67,7 @@ struct Question {
   int line = 0;                   ///< of the study's file, for messages
   double radius = 0;              ///< by which obstacles grow: cells once draw_questions() is done
   /// Costs from 1 on: layers, files of maps/, and around what is blocked, see Inflation, whose
-  /// lengths are as the radius. What contenders find is then told by its cost, wherever a length
-  /// is.
+  /// lengths are as the radius. What contenders find is then told by cost, not length.
   std::vector<tool::CostLayers::Layer> layers = {};
   std::optional<Inflation> inflation = {};
   /// Until then radius, start and goal may be in metres of the map's frame.

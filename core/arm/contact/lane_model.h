@@ -10,8 +10,7 @@
 
 namespace lasius::arm {
 
-/// What moves with each joint, in the order of the joints, and the part of it that each outer ball
-/// is around.
+/// What moves with each joint, in their order, and the part of it that each outer ball is around.
 struct LaneModel {
   kernels::LaneRobot robot;
   std::vector<std::vector<const Shape*>> nodes;

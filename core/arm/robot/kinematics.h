@@ -18,8 +18,7 @@ std::string joint_name(const Robot& robot, int joint);
 /// @throws Error(invalid_parameter) unless `q` holds a number for each joint, none beyond `most`.
 void check_values(const Robot& robot, std::span<const double> q, double most = 1e6);
 
-/// As `validate`, but for the corners of meshes, of which there may be many and only a sensor
-/// knows.
+/// As `validate`, but for the corners of meshes, which may be many and only a sensor knows.
 void validate_but_corners(const Robot& robot);
 
 /// No point of what moves with joint `body` - 1 is further than this from its origin.

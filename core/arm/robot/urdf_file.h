@@ -42,8 +42,7 @@ class UrdfFile {
 
   std::string file_;
   Lines links_, joints_;
-  // Of the robot's tag, where that is at fault; of materials, links and joints: what urdfdom reads
-  // in turn.
+  // Of the robot's tag, if that is at fault; of materials, links and joints, as urdfdom reads them.
   std::vector<std::int64_t> part_lines_;
   std::int64_t broken_line_ = -1;  // of the XML
   urdf::ModelInterfaceSharedPtr model_;

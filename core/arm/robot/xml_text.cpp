@@ -10,8 +10,7 @@
 namespace lasius::arm {
 namespace {
 
-/// The end of the tag that the text begins with, what stands in quotes left out; npos where it has
-/// none.
+/// The end of the tag that the text begins with, what stands in quotes left out; npos for none.
 std::size_t end_of_tag(std::string_view text) {
   auto at = text.find_first_of("\"'>");
   while (at != text.npos && text[at] != '>') {

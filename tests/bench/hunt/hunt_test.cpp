@@ -1,5 +1,4 @@
-// The hunt's judges find nothing in what is right, and what it finds gets small. What a hunt has
-// found comes here.
+// The hunt's judges find nothing in what is right; what it finds gets small, and comes here.
 #include "bench/hunt/hunt.h"
 
 #include <gtest/gtest.h>

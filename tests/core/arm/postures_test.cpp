@@ -87,8 +87,7 @@ TEST(ArmPostures, ReachesWhateverJointValuesReach) {
   }
 }
 
-// Elbow up and elbow down: the source's one posture does not get to the goal, which touches a ball
-// in it.
+// Elbow up and elbow down: the source's one posture at the goal touches a ball, and is not reached.
 TEST(ArmPostures, ChangesToThePostureThatIsFree) {
   const Robot robot = two_links();
   const JointVector start = joints({0.3, 1.2}), goal = joints({1, -1.2});

@@ -1,5 +1,4 @@
-// Colonies with a caller's own rules: what computes the same as a built-in rule gives the same
-// plan, bit for bit.
+// Colonies with a caller's own rules: what computes as a built-in rule gives its plan, bit for bit.
 #include "lasius/own_rules.h"
 
 #include <gtest/gtest.h>

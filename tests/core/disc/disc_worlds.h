@@ -6,7 +6,6 @@
 #include <optional>
 #include <random>
 
-#include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
 #include "tests/worlds/grids.h"
 
@@ -32,8 +31,7 @@ inline double random_radius(double most, std::mt19937& random) {
   return radius;
 }
 
-/// Rows or columns of walls, each with a door as wide as the disc where it is a whole number of
-/// cells.
+/// Rows or columns of walls, each with a door as wide as the disc where that is whole.
 inline Grid walls(int width, int height, double radius, std::mt19937& random) {
   Grid grid(width, height);
   const bool upright = random_in(0, 1, random) == 0;

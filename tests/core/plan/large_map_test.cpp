@@ -53,8 +53,7 @@ TEST_F(LargeMap, IsPlannedOnEditedAndProvenUnreachable) {
   EXPECT_EQ(planner.plan(request).length, best.length);
 }
 
-// Ants stay where they can go, whatever the map's size: what they do there is what they do on a
-// small map.
+// Ants stay where they can go, whatever the map's size: they do there what they do on a small map.
 TEST_F(LargeMap, AntsPlanInACornerOfIt) {
   const Grid small = lasius::blobs(300, 200);
   const Request request = far_apart(Planner(small));

@@ -1,5 +1,4 @@
-// What a plan allocates. Apart from the other tests of plans: the thread sanitizer has an allocator
-// of its own.
+// What a plan allocates. Apart from other tests: the thread sanitizer has an allocator of its own.
 #include <gtest/gtest.h>
 
 #include <bit>

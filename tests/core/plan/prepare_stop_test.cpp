@@ -27,8 +27,7 @@ const Grid& noise() {
   return grid;
 }
 
-/// Work that can be stopped. `run` is true when it was done, with what it makes without a
-/// condition.
+/// Work that can be stopped. `run` is true when all was done as without a condition.
 struct Work {
   std::string name;
   std::int64_t words;  ///< that it scans

@@ -128,8 +128,7 @@ TEST(Margin, AMitreThatClosesAPassageSaysSo) {
   EXPECT_EQ(Planner(world, {.margin = {}, .join = Join::mitre}).plan().note, "");
 }
 
-// Lines are drawn among corners that reach farther than the margin: beside one a path goes straight
-// to them.
+// Lines are drawn among corners that reach beyond the margin: beside one paths go straight to them.
 TEST(Margin, StartsAndGoalsBesideAnArcAreFree) {
   World world = empty_world(40, 40);
   world.obstacles = {{{{10, 10}, {30, 10}, {30, 30}, {10, 30}}, {}}};

@@ -78,8 +78,7 @@ TEST_P(EveryDraw, RouletteDrawsEachMoveInProportionToItsWeight) {
 }
 
 TEST_P(EveryDraw, MixesTheRulesAsTheirShares) {
-  // Pheromone allows move 0 or 1 alike, distance prefers move 0 by 3 to 1; the greedy rule and the
-  // product, too.
+  // Pheromone allows move 0 or 1 alike; distance, greedy rule and product prefer move 0, by 3 to 1.
   const WalkShape shape{4, true, false, Draw::roulette};
   const WalkWorld world = wheel(false);
   alignas(32) const float row[8] = {1, 1, 0, 0, 0.75f, 0.25f, 0, 0};

@@ -1,5 +1,4 @@
-// The walks of the kernels against the rule that they state, and every instruction set against the
-// scalar reference.
+// The kernels' walks against the rule that they state, every instruction set against the scalar.
 #include "kernels/walk/walk.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Studies as data: YAML or JSON, those that the program holds (tools/study/sources) and those of
-// users alike.
+// Studies as data: YAML or JSON, those of the program (tools/study/sources) and of users alike.
 #pragma once
 
 #include <string>

@@ -23,8 +23,7 @@ class StopTours final : public Domain {
 };
 
 /// Takes out of a study of tours the questions whose file is not among the maps, the experiments
-/// that have none then, and says of claims that have none that they are not repeated. Returns the
-/// files.
+/// that have none then, and says that claims that have none are not repeated. Returns the files.
 std::vector<std::string> leave_out_absent(Study& study, const std::filesystem::path& maps);
 
 }  // namespace lasius::study
