@@ -1,4 +1,5 @@
-// The walk with AVX2: in lock-step with at most eight moves; else interleaved, a row in registers.
+// The walk with AVX2: in lock-step where there are at most eight moves; else interleaved, a row in
+// registers.
 
 #include "kernels/walk/walk_tables.h"
 
