@@ -20,7 +20,6 @@ void run_colony(const ColonyOptions& options) {
                             " rounds in turns; steps in processor time, one thread.",
                         options.markdown);
   table.add(measure_steps(options.rounds));
-  table.add(measure_powers(options.rounds));
   table.add(measure_variants(options.rounds));
   table.add(measure_threads(options.rounds));
   table.add(measure_area(options.rounds, options.side));

@@ -23,9 +23,6 @@ const Course& fan_course();
 /// neighbours and `fan2004`, in turns; medians over the rounds.
 std::vector<Figure> measure_steps(int rounds);
 
-/// Powers a second, of which rows of weights are made, by libm and by our own.
-std::vector<Figure> measure_powers(int rounds);
-
 /// Ant steps a second of every colony, in walks alone and in unpolished plans, as a ratio to
 /// fan2004's in the same round.
 std::vector<Figure> measure_variants(int rounds);

@@ -1,5 +1,3 @@
-#include <array>
-#include <cmath>
 #include <functional>
 #include <span>
 
@@ -13,7 +11,6 @@
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
 #include "core/plan/workspace.h"
-#include "kernels/base/raise.h"
 #include "lasius/map_io.h"
 #include "lasius/schedule.h"
 
@@ -39,22 +36,6 @@ double ceiling_rate(peers::RowCeiling::Path path, int walkers) {
   for (; watch.seconds() < 0.05; steps += kSteps) sum += ceiling.walk(path, walkers, kSteps);
   const double rate = static_cast<double>(steps) / watch.seconds();
   return sum == 0 ? 0 : rate;  // the sum keeps the walk from being optimised away
-}
-
-void raise_with_libm(double* values, int count, double exponent) noexcept {
-  for (int i = 0; i < count; ++i) values[i] = std::pow(values[i], exponent);
-}
-
-double power_rate(kernels::RaiseFn raise) {
-  std::array<double, 256> values{};
-  double share = 1;
-  std::int64_t powers = 0;
-  const ProcessorStopwatch watch;
-  for (; watch.seconds() < 0.05; powers += std::ssize(values)) {
-    for (double& value : values) value = share *= share < 1e-30 ? 1e30 : 0.83;
-    raise(values.data(), static_cast<int>(values.size()), 1.8);
-  }
-  return static_cast<double>(powers) / watch.seconds();
 }
 
 // The walks of a colony alone, tabu and tracks included, on its first rows of weights.
@@ -173,16 +154,6 @@ std::vector<Figure> measure_steps(int rounds) {
   figures.push_back({"walks of `as` / ceiling, 8 walkers", ratio(1, 4), ">= 0.5"});
   figures.push_back({"walks of `as` / ceiling, 1 walker", ratio(1, 5), ""});
   return figures;
-}
-
-std::vector<Figure> measure_powers(int rounds) {
-  std::vector<double> libm, own;
-  for (int round = 0; round < rounds; ++round) {
-    libm.push_back(power_rate(raise_with_libm));
-    own.push_back(power_rate(kernels::raise_row(chosen_isa())));
-  }
-  return {{"powers/s by libm", short_number(median(libm) / 1e6) + " M", ""},
-          {"powers/s by ours", short_number(median(own) / 1e6) + " M", ""}};
 }
 
 std::vector<Figure> measure_variants(int rounds) {

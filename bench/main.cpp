@@ -1,10 +1,25 @@
-// lasius_bench: measurements, and comparisons of planners.
+// lasius_bench: micro benchmarks (Google Benchmark) and comparisons of planners.
+#include <benchmark/benchmark.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 #include "bench/commands.h"
 #include "lasius/version.h"
+
+namespace {
+
+int run_benchmarks(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace
 
 void lasius::bench::add_commands(CLI::App& app) {
   add_queries_command(app);
@@ -46,7 +61,11 @@ void lasius::bench::add_commands(CLI::App& app) {
 }
 
 int main(int argc, char** argv) {
-  CLI::App app("Benchmarks of lasius.");
+  // Google Benchmark has the command line to itself unless a subcommand comes first.
+  if (argc < 2 || std::string_view(argv[1]).starts_with("--benchmark_")) {
+    return run_benchmarks(argc, argv);
+  }
+  CLI::App app("Benchmarks of lasius. Without a subcommand: micro benchmarks, --benchmark_...");
   app.set_version_flag("--version", LASIUS_VERSION);
   app.require_subcommand(1);
   lasius::bench::add_commands(app);
