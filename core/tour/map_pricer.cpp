@@ -28,6 +28,15 @@ Cost grains(double length, double scale) noexcept {
   return static_cast<Cost>(std::min<double>(kLargest, std::floor(length * (1 - 1e-9) * scale)));
 }
 
+double scale_of(std::span<const double> lengths) {
+  double most = 0;
+  for (const double length : lengths) most = std::max(most, length);
+  if (most == 0) return 1;
+  int exponent = 0;
+  std::frexp(0.5 * kLargest / most, &exponent);
+  return std::ldexp(1, exponent - 1);
+}
+
 MapPricer::MapPricer(const Planner& planner, std::span<const Point> stops,
                      const StopCondition& stop, Cost largest)
     : planner_(planner), stops_(stops), largest_(largest), stop_(stop) {

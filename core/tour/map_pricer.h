@@ -16,6 +16,9 @@ constexpr double kGrains = 1000;  ///< a cell
 /// A length in whole grains: rounded down, by what lengths may be off too, so that sums bound
 /// tours.
 Cost grains(double length, double scale = kGrains) noexcept;
+/// As many grains of a length as the longest allows, a power of two: what is planned does not
+/// depend on the world's unit.
+double scale_of(std::span<const double> lengths);
 
 /// The planner, prepared where that pays for so many stops: for a point, 30 and more.
 Planner prepared_for(const Planner& planner, int stops, int threads, const StopCondition& stop);

@@ -42,7 +42,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   const bool own_bounds = &lower != &costs;
   const auto bound_of = [&](const RoutesFound& found) {
     if (found.optimal && !own_bounds && !costs.priced_late()) return found.cost;
-    return own_bounds ? least_cost(problem, lower, lower, request.open, found.cost, poller)
+    return own_bounds ? least_cost(problem, lower, request.open, found.cost, poller)
                       : routes_bound(problem, lower, found.cost, poller);
   };
   const auto answer = [&](RoutesFound&& found, std::int64_t bound) {

@@ -45,16 +45,6 @@ class Priced {
   std::vector<Cost> matrix_;
 };
 
-// Grains of a length, a power of two of them: what is planned does not depend on the world's unit.
-double scale_of(std::span<const double> lengths) {
-  double most = 0;
-  for (const double length : lengths) most = std::max(most, length);
-  if (most == 0) return 1;
-  int exponent = 0;
-  std::frexp(0.5 * tour::kLargest / most, &exponent);
-  return std::ldexp(1, exponent - 1);
-}
-
 // The order, its legs' ends, and the bound, but where it is the tour's own length: then true.
 bool order_stops(const TourStops& stops, const Costs& costs, const Priced& priced,
                  const TourRequest& request, const TourObserver& observer, TourResult& tour) {
@@ -148,7 +138,7 @@ TourResult plan_tour(const TourWorld& world, const TourRequest& request,
     tour.status = Status::interrupted;
     return tour;
   }
-  const double scale = scale_of(*lengths);
+  const double scale = tour::scale_of(*lengths);
   const Priced priced(std::move(*lengths), scale);
   const bool proven = order_stops(stops, priced.costs(n), priced, request, observer, tour);
   parallel_for(static_cast<int>(tour.legs.size()), thread_count(request.threads), [&](int i, int) {

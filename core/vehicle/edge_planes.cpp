@@ -1,21 +1,11 @@
 #include "core/vehicle/edge_planes.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
 
 namespace lasius::vehicle {
-namespace {
-
-constexpr int kSpreads = 7;  ///< over 1, 2, ... 64 columns: a mask's word has no longer run
-
-/// A row of a mask: whether columns first .. first + 2^spread - 1, from its cell, are blocked.
-struct Part {
-  int y, first, spread;
-};
-
-std::vector<Part> parts_of(const Masks& masks, const Masks::Mask& mask) {
+std::vector<MaskRows::Part> MaskRows::parts_of(const Masks& masks, const Masks::Mask& mask) {
   std::vector<Part> parts;
   for (const Masks::Row& run : masks.rows(mask)) {
     const int length = run.last - run.first + 1;
@@ -26,43 +16,49 @@ std::vector<Part> parts_of(const Masks& masks, const Masks::Mask& mask) {
   return parts;
 }
 
-/// A map whose rows have ones around them, its blocked cells spread to the left.
-class SpreadMap {
- public:
-  SpreadMap(const Space::Impl& space, int beside, int above)
-      : above_(above),
-        left_((beside / 64 + 1) * 64),
-        height_(space.height() + 2 * above),
-        words_((2 * left_ + space.width()) / 64 + 2) {
-    for (std::vector<std::uint64_t>& plane : planes_)
-      plane.assign(static_cast<std::size_t>(height_) * words_, ~std::uint64_t{0});
-    for (int y = 0; y < space.height(); ++y) {
-      std::uint64_t* to = row(0, y, 0);
-      for (int x = 0; x < space.width(); ++x) {
-        if (space.field().squared_half_cells[static_cast<std::size_t>(y) * space.width() + x] != 0)
-          to[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
-      }
-    }
-    for (int k = 1; k < kSpreads; ++k) {
-      const int by = 1 << (k - 1);
-      const std::vector<std::uint64_t>& from = planes_[k - 1];
-      for (std::size_t i = 0; i + 1 < from.size(); ++i)
-        planes_[k][i] = from[i] | (from[i] >> by) | (from[i + 1] << (64 - by));
+MaskRows::MaskRows(const Space::Impl& space, const Masks& masks, std::span<const Masks::Mask> of)
+    : width_(space.width()) {
+  int beside = 0, most = 0;
+  parts_.reserve(of.size());
+  for (const Masks::Mask& mask : of) {
+    parts_.push_back(parts_of(masks, mask));
+    for (const Part& part : parts_.back()) {
+      beside = std::max(beside, std::abs(part.first) + 64);
+      above_ = std::max(above_, std::abs(part.y));
+      most = std::max(most, part.spread);
     }
   }
-
-  /// The words from column x, a multiple of 64, on.
-  std::uint64_t* row(int spread, int y, int x) {
-    return planes_[spread].data() + static_cast<std::ptrdiff_t>(y + above_) * words_ +
-           ((x + left_) >> 6);
+  left_ = (beside / 64 + 1) * 64;
+  stride_ = (2 * left_ + width_) / 64 + 2;
+  const auto size = static_cast<std::size_t>(space.height() + 2 * above_) * stride_;
+  planes_[0].assign(size, ~std::uint64_t{0});
+  for (int y = 0; y < space.height(); ++y) {
+    std::uint64_t* to = planes_[0].data() + at(y, 0);
+    for (int w = 0; w < words(); ++w) to[w] = *space.bits().from(64 * w, y);
+    to[words() - 1] |= ~(~std::uint64_t{0} >> (64 * words() - width_));
   }
+  for (int k = 1; k <= most; ++k) {
+    const int by = 1 << (k - 1);
+    const std::vector<std::uint64_t>& from = planes_[k - 1];
+    planes_[k].resize(size, ~std::uint64_t{0});
+    for (std::size_t i = 0; i + 1 < size; ++i)
+      planes_[k][i] = from[i] | (from[i] >> by) | (from[i + 1] << (64 - by));
+  }
+}
 
- private:
-  int above_, left_, height_, words_;
-  std::array<std::vector<std::uint64_t>, kSpreads> planes_;
-};
-
-}  // namespace
+void MaskRows::free(int mask, int y, int first, int last, std::uint64_t* to) const {
+  const int count = last - first;
+  std::fill_n(to, count, 0);
+  for (const Part& part : parts_[mask]) {
+    const std::uint64_t* from =
+        planes_[part.spread].data() + at(y + part.y, (part.first & ~63) + 64 * first);
+    const int shift = part.first & 63;
+    for (int w = 0; w < count; ++w)
+      to[w] |= (from[w] >> shift) | ((from[w + 1] << 1) << (63 - shift));
+  }
+  for (int w = 0; w < count; ++w) to[w] = ~to[w];
+  if (last == words()) to[count - 1] &= ~std::uint64_t{0} >> (64 * words() - width_);
+}
 
 std::int64_t EdgePlanes::bytes(const Space::Impl& space, const Lattice& lattice) noexcept {
   return static_cast<std::int64_t>(lattice.edges().size()) * space.height() *
@@ -72,33 +68,16 @@ std::int64_t EdgePlanes::bytes(const Space::Impl& space, const Lattice& lattice)
 std::optional<EdgePlanes> EdgePlanes::make(const Space::Impl& space, const Lattice& lattice,
                                            Poller& poller) {
   const std::vector<Edge>& edges = lattice.edges();
-  std::vector<std::vector<Part>> parts;
-  int beside = 0;
-  int above = 0;
-  for (const Edge& edge : edges) {
-    parts.push_back(parts_of(lattice.masks(), edge.mask));
-    for (const Part& part : parts.back()) {
-      beside = std::max(beside, std::abs(part.first) + 64);
-      above = std::max(above, std::abs(part.y));
-    }
-  }
-  SpreadMap map(space, beside, above);
-  const int words = (space.width() + 63) / 64;
-  const std::uint64_t last = ~std::uint64_t{0} >> (64 * words - space.width());
-  EdgePlanes made(space.height(), words, edges.size());
+  std::vector<Masks::Mask> masks;
+  masks.reserve(edges.size());
+  for (const Edge& edge : edges) masks.push_back(edge.mask);
+  const MaskRows rows(space, lattice.masks(), masks);
+  EdgePlanes made(space.height(), rows.words(), edges.size());
   std::uint64_t* to = made.bits_.data();
-  for (const std::vector<Part>& edge : parts) {
-    for (int y = 0; y < space.height(); ++y, to += words) {
-      if (poller.stop_after(static_cast<std::int64_t>(edge.size()) * words / 8 + 1))
-        return std::nullopt;
-      for (const Part& part : edge) {
-        const std::uint64_t* from = map.row(part.spread, y + part.y, part.first & ~63);
-        const int shift = part.first & 63;
-        for (int w = 0; w < words; ++w)
-          to[w] |= (from[w] >> shift) | ((from[w + 1] << 1) << (63 - shift));
-      }
-      for (int w = 0; w < words; ++w) to[w] = ~to[w];
-      to[words - 1] &= last;
+  for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+    for (int y = 0; y < space.height(); ++y, to += rows.words()) {
+      if (poller.stop_after(rows.parts(e) * rows.words() / 8 + 1)) return std::nullopt;
+      rows.free(e, y, 0, rows.words(), to);
     }
   }
   return made;

@@ -206,9 +206,7 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
                                bool towards, bool creeps, const ConnectorReach& reach,
                                std::int64_t& checked, Poller& poller) {
   std::vector<Connector> made;
-  if (!creeps && space.free_at(pose, kRoom)) return made;
-  Escape escape(space, towards, creeps, checked);
-  for (const int at : escape.run(pose, poller)) {
+  const auto from = [&](const Escape& escape, int at) {
     const std::vector<Segment> way = escape.motions(at);
     for (Connector& c :
          connectors(space, lattice, escape.places()[at].pose, towards, reach, checked, poller)) {
@@ -226,6 +224,11 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
         c.gear = towards ? first->gear : last->gear;
       made.push_back(std::move(c));
     }
+  };
+  for (const bool small : {false, true}) {
+    if (small ? !creeps : creeps != space.free_at(pose, kRoom)) continue;
+    Escape escape(space, towards, small, checked);
+    for (const int at : escape.run(pose, poller)) from(escape, at);
   }
   return made;
 }

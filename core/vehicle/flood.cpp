@@ -1,7 +1,10 @@
 #include "core/vehicle/flood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/vehicle/edge_planes.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -9,31 +12,56 @@ namespace {
 constexpr int kStepX[8] = {1, 1, 0, -1, -1, -1, 0, 1};
 constexpr int kStepY[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 
+/// Of each byte its bits, one a cell.
+constexpr auto kBitsOfByte = [] {
+  std::array<std::array<std::uint16_t, 8>, 256> bits{};
+  for (unsigned byte = 0; byte < 256; ++byte)
+    for (unsigned i = 0; i < 8; ++i) bits[byte][i] = static_cast<std::uint16_t>(byte >> i & 1);
+  return bits;
+}();
+
+/// Bits of 64 cells, as bit h of each.
+void add_heading(std::uint64_t free, int h, std::array<std::uint16_t, 64>& cells) {
+  for (int byte = 0; byte < 8; ++byte) {
+    const std::array<std::uint16_t, 8>& bits = kBitsOfByte[free >> (8 * byte) & 0xff];
+    for (int i = 0; i < 8; ++i)
+      cells[8 * byte + i] = static_cast<std::uint16_t>(cells[8 * byte + i] | bits[i] << h);
+  }
+}
+
 }  // namespace
 
 FreeHeadings::FreeHeadings(const Space::Impl& space, const Lattice& lattice, Poller& poller)
-    : width_(space.width()) {
+    : width_(space.width()), bits_(static_cast<std::size_t>(width_) * space.height()) {
   const double around = space.outline().around() + 1e-6;
-  const double inside = space.outline().inside() - 1e-6;
-  // In half cells.
+  // From there on in half cells all headings are free.
   const auto all = static_cast<std::int32_t>(4 * around * around) + 1;
-  const auto none = static_cast<std::int32_t>(std::max(0.0, 4 * inside * inside));
-  bits_.resize(static_cast<std::size_t>(width_) * space.height());
+  std::array<Masks::Mask, Lattice::kHeadings> footprints;
+  for (int h = 0; h < Lattice::kHeadings; ++h) footprints[h] = lattice.footprint(h);
+  const MaskRows rows(space, lattice.masks(), footprints);
+  std::vector<std::uint64_t> free(static_cast<std::size_t>(rows.words()) * Lattice::kHeadings);
   for (int y = 0; y < space.height(); ++y) {
     if (poller.stop_after(width_)) return;
     const std::size_t row = static_cast<std::size_t>(y) * width_;
-    for (int x = 0; x < width_; ++x) {
-      const std::int32_t squared = space.field().squared_half_cells[row + x];
-      if (squared == 0 || squared < none) continue;
-      if (squared >= all) {
-        bits_[row + x] = 0xffff;
-        continue;
-      }
-      unsigned bits = 0;
-      for (int h = 0; h < Lattice::kHeadings; ++h) {
-        if (lattice.masks().free(lattice.footprint(h), space.bits(), x, y)) bits |= 1u << h;
-      }
-      bits_[row + x] = static_cast<std::uint16_t>(bits);
+    const std::int32_t* clear = space.field().squared_half_cells.data() + row;
+    int first = rows.words(), last = 0;  // words where a heading may be free, and another not
+    for (int w = 0; w < rows.words(); ++w) {
+      const auto [least, most] =
+          std::minmax_element(clear + 64 * w, clear + std::min(width_, 64 * w + 64));
+      if (*least >= all)
+        std::fill_n(bits_.data() + row + 64 * w, std::min(width_ - 64 * w, 64), 0xffff);
+      if (*least >= all || *most == 0) continue;
+      first = std::min(first, w);
+      last = w + 1;
+    }
+    if (first >= last) continue;
+    for (int h = 0; h < Lattice::kHeadings; ++h)
+      rows.free(h, y, first, last, free.data() + h * rows.words());
+    for (int w = first; w < last; ++w) {
+      std::array<std::uint16_t, 64> cells{};
+      for (int h = 0; h < Lattice::kHeadings; ++h)
+        add_heading(free[h * rows.words() + w - first], h, cells);
+      std::copy_n(cells.begin(), std::min(width_ - 64 * w, 64), bits_.begin() + row + 64 * w);
     }
   }
 }

@@ -47,6 +47,17 @@ class Planner::Impl {
     spare.push_back(std::move(memory));
   }
 
+  /// The rounds of a search, each for longer ways than the one before, as long as none is found.
+  Found look(const Request& request, const std::vector<Goal>& goals, Result& counts,
+             Poller& poller) const;
+  /// The path that was found, shortened, with all that is told of it; false where it does not hold.
+  bool take_path(const Request& request, const Found& found, Result& result, Poller& poller) const;
+  /// Why there is no path.
+  void tell_none(const Request& request, bool full, Result& result) const;
+
+  /// What a length of the bound comes to.
+  double unit() const { return over_costs ? prices.unit() : 1; }
+
   Vehicle asked;  ///< the space's has wider turns where its curvature may change so fast alone
   Space space;
   std::shared_ptr<const Lattice> lattice;  ///< of the vehicle alone
@@ -234,8 +245,70 @@ bool Planner::cut_off(const Request& request) const {
 double Planner::lower_bound(const Request& request, bool around) const {
   check(request);
   if (around && impl_->bound.cut_off(request)) return std::numeric_limits<double>::infinity();
-  const double unit = impl_->over_costs ? impl_->prices.unit() : 1;
-  return unit * impl_->bound.least(request, around);
+  return impl_->unit() * impl_->bound.least(request, around);
+}
+
+Found Planner::Impl::look(const Request& request, const std::vector<Goal>& goals, Result& counts,
+                          Poller& poller) const {
+  const Prepared prepared{space.impl(), *lattice, free, planes, prices, edges ? &*edges : nullptr};
+  SearchOptions options{.weight = request.weight,
+                        .lattice_tolerance = request.goal_tolerance,
+                        .heading_tolerance = request.heading_tolerance,
+                        .wanted = request.goals,
+                        .max_states = request.max_states,
+                        .stop = request.stop};
+  std::unique_ptr<SearchMemory> memory = take();
+  const auto once = [&] {
+    return search(prepared, request.start, goals, options, *memory, counts, poller);
+  };
+  Found found = once();
+  const auto lost = [&] { return found.goal < 0 && !poller.stopped() && !found.full; };
+  options.wide = true;
+  if (lost()) found = once();
+  // What only drives forwards hardly gets out of a pocket, and omni has no need to.
+  options.creeps = !asked.sideways && (asked.reverse || asked.rotate_in_place);
+  if (options.creeps && lost()) found = once();
+  give_back(std::move(memory));
+  return found;
+}
+
+bool Planner::Impl::take_path(const Request& request, const Found& found, Result& result,
+                              Poller& poller) const {
+  std::vector<Segment> path = joined(found.segments);
+  const auto keep = [&](std::vector<Segment>&& segments) {
+    if (!holds(space, asked, request, found.goal, segments)) return;
+    result.goal = found.goal;
+    result.segments = std::move(segments);
+  };
+  // The masks' proof is of motions told another way: all is certified once more.
+  keep(std::move(path));
+  if (result.goal < 0) return false;
+  if (request.smooth && !poller.stopped()) {
+    std::vector<Segment> shorter =
+        joined(smoothed(space.impl(), prices, result.segments, result.checked, poller));
+    if (prices.of(shorter) <= prices.of(result.segments)) keep(std::move(shorter));
+  }
+  if (asked.curvature_rate > 0 && !poller.stopped())
+    keep(blended(space.impl(), asked, result.segments, result.checked, poller));
+  result.length = driven_length(result.segments);
+  result.cost = prices.unit() * prices.of(result.segments);
+  result.cusps = cusps(result.segments);
+  if (asked.curvature_rate > 0) result.corners = corners(result.segments);
+  if (request.bound)
+    result.lower_bound = Bound::told(unit() * bound.least(request),
+                                     over_costs ? result.cost : result.length, prices.weighted());
+  return true;
+}
+
+void Planner::Impl::tell_none(const Request& request, bool full, Result& result) const {
+  if (bound.cut_off(request)) {
+    result.status = Status::unreachable;
+    result.fault = Fault::disconnected;
+    result.error = "no way is wide enough for the disc inside the footprint";
+    return;
+  }
+  result.error = full ? "none was found before max_states states were entered"
+                      : "none in the lattice that was searched; another way may exist";
 }
 
 Result Planner::plan(const Request& asked) const {
@@ -263,82 +336,19 @@ Result Planner::plan(const Request& asked) const {
     return result;
   }
   Poller poller(request.stop, Poller::kSteps * 16);
-  const Prices& prices = impl_->prices;
-  const Prepared prepared{space.impl(),  *impl_->lattice, impl_->free,
-                          impl_->planes, prices,          impl_->edges ? &*impl_->edges : nullptr};
-  SearchOptions options{.weight = request.weight,
-                        .lattice_tolerance = request.goal_tolerance,
-                        .heading_tolerance = request.heading_tolerance,
-                        .wanted = request.goals,
-                        .max_states = request.max_states,
-                        .stop = request.stop};
-  std::unique_ptr<SearchMemory> memory = impl_->take();
-  const auto look = [&] {
-    return search(prepared, request.start, goals, options, *memory, result, poller);
-  };
-  Found found = look();
-  const auto lost = [&] { return found.goal < 0 && !poller.stopped() && !found.full; };
-  options.wide = true;
-  if (lost()) found = look();
-  // What only drives forwards hardly gets out of a pocket, and omni has no need to.
-  const Vehicle& vehicle = impl_->asked;
-  options.creeps = !vehicle.sideways && (vehicle.reverse || vehicle.rotate_in_place);
-  if (options.creeps && lost()) found = look();
-  impl_->give_back(std::move(memory));
-  if (found.goal >= 0) {
-    result.segments = joined(found.segments);
-    // The masks' proof is of motions told another way: all is certified once more.
-    if (!holds(space, impl_->asked, request, found.goal, result.segments)) found.goal = -1;
-    if (found.goal >= 0 && request.smooth && !poller.stopped()) {
-      std::vector<Segment> shorter =
-          joined(smoothed(space.impl(), prices, result.segments, result.checked, poller));
-      if (prices.of(shorter) <= prices.of(result.segments) &&
-          holds(space, impl_->asked, request, found.goal, shorter))
-        result.segments = std::move(shorter);
-    }
-    if (found.goal >= 0 && impl_->asked.curvature_rate > 0 && !poller.stopped()) {
-      std::vector<Segment> steady =
-          blended(space.impl(), impl_->asked, result.segments, result.checked, poller);
-      if (holds(space, impl_->asked, request, found.goal, steady))
-        result.segments = std::move(steady);
-    }
-    if (found.goal < 0) result.segments.clear();
-  }
-  if (found.goal >= 0 && request.bound) {
-    const double unit = impl_->over_costs ? prices.unit() : 1;
-    const double reached =
-        impl_->over_costs ? cost(result.segments) : driven_length(result.segments);
-    result.lower_bound =
-        Bound::told(unit * impl_->bound.least(request), reached, prices.weighted());
-  }
+  const Found found = impl_->look(request, goals, result, poller);
+  const bool has_path = found.goal >= 0 && impl_->take_path(request, found, result, poller);
   // What shortens the path, and its bound, may be cut short, too.
   StopCondition::Cause cause = poller.cause();
-  if (cause == StopCondition::Cause::none && found.goal >= 0) cause = request.stop.poll();
-  const bool cut_short = cause != StopCondition::Cause::none;
-  if (cut_short) {
+  if (cause == StopCondition::Cause::none && has_path) cause = request.stop.poll();
+  if (cause != StopCondition::Cause::none)
     result.status = cause == StopCondition::Cause::token ? Status::interrupted : Status::limit;
-  }
-  if (found.goal >= 0) {
-    if (!cut_short) result.status = Status::solved;
-    result.goal = found.goal;
-    result.length = driven_length(result.segments);
-    result.cost = cost(result.segments);
-    result.cusps = cusps(result.segments);
-    if (impl_->asked.curvature_rate > 0) result.corners = corners(result.segments);
-    return result;
-  }
-  if (poller.stopped()) {
+  else if (has_path)
+    result.status = Status::solved;
+  if (!has_path && poller.stopped())
     result.error = "stopped before a path was found";
-    return result;
-  }
-  if (impl_->bound.cut_off(request)) {
-    result.status = Status::unreachable;
-    result.fault = Fault::disconnected;
-    result.error = "no way is wide enough for the disc inside the footprint";
-    return result;
-  }
-  result.error = found.full ? "none was found before max_states states were entered"
-                            : "none in the lattice that was searched; another way may exist";
+  else if (!has_path)
+    impl_->tell_none(request, found.full, result);
   return result;
 }
 

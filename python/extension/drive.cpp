@@ -61,8 +61,8 @@ py::tuple vehicle_driven(const Grid& map, const Grid& truth, const Rows& footpri
                          double turning_radius, bool reverse, double reverse_cost, double cusp_cost,
                          bool rotate_in_place, double rotation_cost, bool sideways,
                          double curvature_rate, const std::array<double, 3>& start,
-                         const Rows& goals, const Changes& changes, double goal_tolerance,
-                         double heading_tolerance, double weight, bool smooth, double sense,
+                         const Rows& goals, const Changes& changes,
+                         const vehicle::NavigatorOptions& navigator, double sense,
                          std::int64_t max_ticks, std::optional<double> seconds_per_tick,
                          std::uint64_t seed, std::optional<double> time_limit,
                          const py::object& callback) {
@@ -70,10 +70,6 @@ py::tuple vehicle_driven(const Grid& map, const Grid& truth, const Rows& footpri
   const vehicle::Vehicle driver =
       vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost, rotate_in_place,
                    rotation_cost, sideways, curvature_rate);
-  const vehicle::NavigatorOptions navigator{.goal_tolerance = goal_tolerance,
-                                            .heading_tolerance = heading_tolerance,
-                                            .weight = weight,
-                                            .smooth = smooth};
   const DriveOptions options = drive_options(sense, max_ticks, seconds_per_tick, seed);
   const std::vector<vehicle::Pose> ends = poses_from(goals, "goal");
   const DriveObserver observe = observer<DriveTick>(call, callback);

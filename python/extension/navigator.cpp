@@ -11,6 +11,12 @@
 
 namespace lasius::python {
 
+std::optional<Inflation> inflation_from(const std::optional<InflationNumbers>& numbers) {
+  if (!numbers) return std::nullopt;
+  const auto [reach, scaling, weight, inscribed] = *numbers;
+  return Inflation{reach, scaling, weight, inscribed};
+}
+
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
                                    double target_gap, bool search_on, double goal_tolerance,
                                    int doubt_after, const CostField* costs,
@@ -20,13 +26,10 @@ NavigatorOptions navigator_options(const Params& params, double radius, bool pre
                            .target_gap = target_gap,
                            .search_on = search_on,
                            .goal_tolerance = goal_tolerance,
+                           .inflation = inflation_from(inflation),
                            .doubt_after = doubt_after};
   if (prepare) options.prepare.emplace();
   if (costs != nullptr) options.costs = *costs;
-  if (inflation) {
-    const auto [reach, scaling, weight, inscribed] = *inflation;
-    options.inflation = Inflation{reach, scaling, weight, inscribed};
-  }
   return options;
 }
 

@@ -31,6 +31,8 @@ auto alone(Shared<Owned>& shared, const Use& use) {
 /// Radius, scaling, weight, inscribed radius.
 using InflationNumbers = std::tuple<double, double, double, double>;
 
+std::optional<Inflation> inflation_from(const std::optional<InflationNumbers>& numbers);
+
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
                                    double target_gap, bool search_on, double goal_tolerance,
                                    int doubt_after, const CostField* costs,

@@ -26,6 +26,21 @@ py::tuple step(SharedVehicle& shared, const std::array<double, 3>& robot,
                                                      way.way_out, way.rejoined, way.doubted));
 }
 
+vehicle::NavigatorOptions options_from(double goal_tolerance, double heading_tolerance,
+                                       double weight, bool smooth, std::int64_t max_states,
+                                       int doubt_after, const CostField* costs,
+                                       const std::optional<InflationNumbers>& inflation) {
+  vehicle::NavigatorOptions options{.goal_tolerance = goal_tolerance,
+                                    .heading_tolerance = heading_tolerance,
+                                    .weight = weight,
+                                    .smooth = smooth,
+                                    .max_states = max_states,
+                                    .inflation = inflation_from(inflation),
+                                    .doubt_after = doubt_after};
+  if (costs != nullptr) options.costs = *costs;
+  return options;
+}
+
 py::tuple cells_of(const vehicle::SeenCells& seen) {
   return py::make_tuple(to_array(std::span<const Cell>(seen.free)),
                         to_array(std::span<const Cell>(seen.blocked)));
@@ -34,21 +49,17 @@ py::tuple cells_of(const vehicle::SeenCells& seen) {
 }  // namespace
 
 void bind_vehicle_navigator(py::module_& module) {
+  py::class_<vehicle::NavigatorOptions>(module, "VehicleNavigatorOptions")
+      .def(py::init(&options_from));
   py::class_<SharedVehicle>(module, "VehicleNavigator")
       .def(py::init([](const Grid& map, const Rows& footprint, double turning_radius, bool reverse,
                        double reverse_cost, double cusp_cost, bool rotate_in_place,
                        double rotation_cost, bool sideways, double curvature_rate,
-                       const Rows& goals, double goal_tolerance, double heading_tolerance,
-                       double weight, bool smooth, int doubt_after) {
+                       const Rows& goals, const vehicle::NavigatorOptions& options) {
         const auto vehicle =
             vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
                          rotate_in_place, rotation_cost, sideways, curvature_rate);
         auto poses = poses_from(goals, "goal");
-        const vehicle::NavigatorOptions options{.goal_tolerance = goal_tolerance,
-                                                .heading_tolerance = heading_tolerance,
-                                                .weight = weight,
-                                                .smooth = smooth,
-                                                .doubt_after = doubt_after};
         const py::gil_scoped_release released;
         return std::make_unique<SharedVehicle>(
             vehicle::Navigator(map, vehicle, std::move(poses), options));

@@ -249,6 +249,19 @@ class NavigatorOptions:
         inflation: Optional[Tuple[float, float, float, float]],
     ) -> None: ...
 
+class VehicleNavigatorOptions:
+    def __init__(
+        self,
+        goal_tolerance: float,
+        heading_tolerance: float,
+        weight: float,
+        smooth: bool,
+        max_states: int,
+        doubt_after: int,
+        costs: Optional[CostField],
+        inflation: Optional[Tuple[float, float, float, float]],
+    ) -> None: ...
+
 class Changes:
     def __init__(self) -> None: ...
     def add_change(self, tick: int, x: int, y: int, width: int, height: int, blocked: bool) -> None: ...
@@ -300,10 +313,7 @@ def drive_vehicle(
     start: Sequence[float],
     goals: npt.NDArray[np.float64],
     changes: Changes,
-    goal_tolerance: float,
-    heading_tolerance: float,
-    weight: float,
-    smooth: bool,
+    options: VehicleNavigatorOptions,
     sense: float,
     max_ticks: int,
     seconds_per_tick: Optional[float],
@@ -381,11 +391,7 @@ class VehicleNavigator:
         sideways: bool,
         curvature_rate: float,
         goals: npt.NDArray[np.float64],
-        goal_tolerance: float,
-        heading_tolerance: float,
-        weight: float,
-        smooth: bool,
-        doubt_after: int,
+        options: VehicleNavigatorOptions,
     ) -> None: ...
     def observe(self, cells: npt.NDArray[np.int32], blocked: bool) -> None: ...
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None: ...

@@ -13,13 +13,13 @@ from ._lasius import DriveTick, Grid, WorldFrame
 from .arguments import explained
 from .arrays import FloatArray, flag_of, int_rows
 from .errors import finish
-from .navigator import Changes, drive_result
+from .navigator import Changes, costs_given, drive_result
 from .parameters import whole
 from .results import DriveResult
 from .vehicle import Pose, Vehicle, VehicleResult, vehicle_values
 
 if TYPE_CHECKING:
-    from .costs import CostField
+    from .costs import CostField, Inflation
 
 
 @dataclass(eq=False, repr=False)
@@ -56,8 +56,11 @@ class VehicleNavigator:
         vehicle: as of VehiclePlanner.
         goal: x, y, yaw, or several, (n, 3), of which one is met.
         goal_tolerance: as of VehiclePlanner.plan, as `heading_tolerance`, `weight` and `smooth`.
+        max_states: of the lattice, 1 to 100 million, in one plan.
         doubt_after: after so many steps without a way walls count as free that were learned, and not
             observed again in these steps; 0: never.
+        costs: of the cells; then ways are the cheapest that are found, see `VehicleWay.cost`.
+        inflation: costs around what is blocked, on top of `costs`; they follow what is observed.
     """
 
     __slots__ = ("_raw",)
@@ -72,12 +75,15 @@ class VehicleNavigator:
         heading_tolerance: float = 0.0,
         weight: float = 1.5,
         smooth: bool = True,
+        max_states: int = 20_000_000,
         doubt_after: int = 16,
+        costs: Optional[CostField] = None,
+        inflation: Optional[Inflation] = None,
     ) -> None:
-        self._raw = _lasius.VehicleNavigator(
-            grid, *vehicle_values(vehicle), goal_rows(goal), goal_tolerance, heading_tolerance, weight, smooth,
-            doubt_after,
+        options = _lasius.VehicleNavigatorOptions(
+            goal_tolerance, heading_tolerance, weight, smooth, max_states, doubt_after, *costs_given(costs, inflation)
         )
+        self._raw = _lasius.VehicleNavigator(grid, *vehicle_values(vehicle), goal_rows(goal), options)
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""
@@ -88,7 +94,8 @@ class VehicleNavigator:
         self._raw.observe_rectangle(x, y, width, height, flag_of(blocked, "blocked"))
 
     def set_costs(self, costs: CostField) -> None:
-        """From the next step on the cheapest way over these is looked for; the one that is kept stays where none is."""
+        """In place of the former costs: from the next step on the cheapest way over these is looked for; the one that is
+        kept stays where none is. Inflation is added to them."""
         self._raw.set_costs(costs._raw)
 
     def step(self, robot: Pose, *, time_limit: Optional[float] = None) -> VehicleWay:
@@ -140,6 +147,9 @@ def drive_vehicle(
     heading_tolerance: float = 0.0,
     weight: float = 1.5,
     smooth: bool = True,
+    max_states: int = 20_000_000,
+    costs: Optional[CostField] = None,
+    inflation: Optional[Inflation] = None,
     seed: int = 1,
     observer: Optional[Callable[[DriveTick], Any]] = None,
 ) -> VehicleDriveResult:
@@ -161,13 +171,17 @@ def drive_vehicle(
         start: x, y, yaw in cells and radians.
         goal: likewise; or several, (n, 3), of which one is met.
         changes: as of drive, as `sense`, `max_ticks`, `seconds_per_tick`, `time_limit` and `observer`.
-        goal_tolerance: as of VehiclePlanner.plan, as `heading_tolerance`, `weight` and `smooth`.
+        goal_tolerance: as of VehicleNavigator, as `heading_tolerance`, `weight`, `smooth`, `max_states`, `costs` and
+            `inflation`.
         seed: draws the motions by which it makes room for moving obstacles.
     """
     happening = (changes if changes is not None else Changes())._raw
+    options = _lasius.VehicleNavigatorOptions(
+        goal_tolerance, heading_tolerance, weight, smooth, max_states, 0, *costs_given(costs, inflation)
+    )
     error, fields, poses, moves = _lasius.drive_vehicle(
-        grid, truth, *vehicle_values(vehicle), tuple(start), goal_rows(goal), happening, goal_tolerance, heading_tolerance,
-        weight, smooth, sense, max_ticks, seconds_per_tick, whole("seed", seed), time_limit, observer,
+        grid, truth, *vehicle_values(vehicle), tuple(start), goal_rows(goal), happening, options, sense, max_ticks,
+        seconds_per_tick, whole("seed", seed), time_limit, observer,
     )
     return finish(error, drive_result(VehicleDriveResult, fields, truth, poses, moves))
 

@@ -11,6 +11,8 @@ const map = (name) => path.join(maps, name);
 const kFan = [map("fan400x200.map"), "--start", "14,14", "--goal", "380,179"];
 const kChanges = "5 30 20 1 40 blocked\n10 move 6 6 0.5 150 60 150 120\n20 200 60 3 60 blocked\n90 200 60 3 30 free\n";
 const kStops = "x\ty\tname\n20\t20\tdoor\n100\t30\tshelf\n200\t100\tdesk\n300\t150\t\n0\t17\tclosed\n";
+const kCar = { footprint: [[-1, -1], [2, -1], [2, 1], [-1, 1]], turning_radius: 3, units: "cells" };
+const kPoses = [[20, 18, 0], [97, 32, 1.5], [61, 82, 3]];
 const kWithArm = process.env.LASIUS_WITH_ARM === "1", kWithPolygon = process.env.LASIUS_WITH_POLYGON === "1";
 
 const kReports = {
@@ -21,6 +23,7 @@ const kReports = {
   drive: ["drive", ...kFan, "--changes", "changes.txt"],
   tour: ["tour", map("fan400x200.map"), "--stops", "stops.tsv", "--start", "14,14", "--start", "380,179"],
   ants: ["tour", map("fan400x200.map"), "--stops", "stops.tsv", "--algorithm", "mmas", "--iterations", "5"],
+  rounds: ["tour", map("fan400x200.map"), "--stops", "poses.json", "--vehicle", "car.json", "--open"],
   ...(kWithPolygon ? { polygon: ["plan", map("maklink200.geojson"), "--algorithm", "maklink-acs", "--iterations", "50"] } : {}),
   ...(kWithArm ? { arm: ["arm", map("arms/industrial6.json"), "--scene", map("arms/cell.json"), "--start", "-0.9,0.3,0.4,0,0.4,0",
                          "--goal", "0.45,0.4,0.5"] } : {}),
@@ -55,6 +58,8 @@ const position = async (tab) => Number(await slider(tab).inputValue());
 before(() => {
   writeFileSync(path.join(folder, "changes.txt"), kChanges);
   writeFileSync(path.join(folder, "stops.tsv"), kStops);
+  writeFileSync(path.join(folder, "car.json"), JSON.stringify(kCar));
+  writeFileSync(path.join(folder, "poses.json"), JSON.stringify(kPoses));
   for (const [kind, words] of Object.entries(kReports)) run(...words, "-q", "-o", file(kind));
 });
 after(end);

@@ -179,20 +179,62 @@ def test_a_navigator_keeps_its_way_and_learns_from_a_scan(yard):
         navigator.step((np.nan, 0, 0))
 
 
-def test_a_navigator_goes_over_costs(yard):
+@pytest.fixture
+def hill(yard):
+    costs = lasius.CostField(yard)
+    weights = np.zeros((60, 80))
+    weights[:40, 36:46] = 1
+    costs.add(weights, 5)
+    return costs
+
+
+SMALL = lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0))
+
+
+def test_a_navigator_goes_over_costs(yard, hill):
     start, goal = (10, 10, 0), (70, 10, 0)
     navigator = lasius.VehicleNavigator(yard, CAR, goal)
     brief = navigator.step(start)
-    costs = lasius.CostField(yard)
-    hill = np.zeros((60, 80))
-    hill[:40, 36:46] = 1
-    costs.add(hill, 5)
-    navigator.set_costs(costs)
+    navigator.set_costs(hill)
     over = navigator.step(start)
     assert over.replanned and over.length > brief.length
-    assert over.cost == plan_vehicle(yard, CAR, start, goal, costs=costs).cost
+    assert over.cost == plan_vehicle(yard, CAR, start, goal, costs=hill).cost
+    assert lasius.VehicleNavigator(yard, CAR, goal, costs=hill).step(start) == over
     with pytest.raises(lasius.InvalidParameter):
-        navigator.set_costs(lasius.CostField(lasius.Grid(np.zeros((5, 5), np.uint8), free=0)))
+        navigator.set_costs(SMALL)
+    for wrong, problem in (({"costs": SMALL}, "costs"), ({"inflation": lasius.Inflation(-1, 1)}, "radius"),
+                           ({"max_states": 0}, "max_states")):
+        with pytest.raises(lasius.InvalidParameter, match=problem):
+            lasius.VehicleNavigator(yard, CAR, goal, **wrong).step(start)
+
+
+def test_inflation_is_added_and_follows_what_is_observed(yard, hill):
+    start, goal, around = (10, 10, 0), (70, 10, 0), lasius.Inflation(8, 0.4)
+    navigator = lasius.VehicleNavigator(yard, CAR, goal, costs=hill, inflation=around)
+    both = lasius.CostField(yard)
+    both.add(hill.weights - 1)
+    both.inflate(yard, 8, 0.4)
+    assert navigator.step(start).cost == plan_vehicle(yard, CAR, start, goal, costs=both).cost
+    navigator.observe_rectangle(56, 48, 3, 3, True)
+    known = navigator.map
+    later = lasius.CostField(yard)
+    later.add(hill.weights - 1)
+    later.inflate(known, *around[:2])
+    navigator.forget()
+    assert navigator.step(start).cost == plan_vehicle(known, CAR, start, goal, costs=later).cost
+
+
+def test_a_drive_over_costs(yard, hill):
+    start, goal = (10, 10, 0), (70, 10, 0)
+    brief = lasius.drive_vehicle(yard, yard, CAR, start, goal)
+    over = lasius.drive_vehicle(yard, yard, CAR, start, goal, costs=hill)
+    wide = lasius.drive_vehicle(yard, yard, CAR, start, goal, inflation=(8, 0.4, 2, 1))
+    assert [run.status for run in (brief, over, wide)] == ["solved"] * 3
+    assert brief.cost == pytest.approx(brief.length) and over.length > brief.length
+    assert over.cost == pytest.approx(plan_vehicle(yard, CAR, start, goal, costs=hill).cost)
+    assert wide.cost > wide.length > brief.length
+    with pytest.raises(lasius.InvalidParameter, match="costs"):
+        lasius.drive_vehicle(yard, yard, CAR, start, goal, costs=SMALL)
 
 
 def test_a_drive(yard):

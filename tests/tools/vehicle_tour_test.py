@@ -1,6 +1,7 @@
 """tour of a vehicle: stops as poses, legs that check-path and verify confirm."""
 import json
 import math
+import re
 import unittest
 
 from program import ProgramTest
@@ -84,6 +85,22 @@ class VehicleTours(ProgramTest):
             self.assertEqual([float(row[key]) for key in ("x", "y", "yaw", "t")], [6.5, 7.5, 1.5, 0])
         self.assertEqual(len(self.rows("one.csv")), 2)  # as of a plan that begins at its goal
         self.assertIn(b"position: {x: 6.5, y: 7.5, z: 0.0}", self.read("one.yaml"))
+
+    def test_a_page_has_the_tour_and_what_is_swept(self):
+        result = self.tour("--json", "-o", "t.html", "-o", "t.csv").json
+        page = self.read("t.html").decode()
+        content = json.loads(re.search(r'<script type="application/json" id="content">(.*?)</script>', page, re.S)[1])
+        self.assertEqual(content["kind"], "tour")
+        self.assertEqual(content["vehicle"]["footprint"], [[-1, -0.6], [1.4, -0.6], [1.4, 0.6], [-1, 0.6]])
+        self.assertEqual((content["result"]["order"], content["result"]["legs"]), (result["order"], result["legs"]))
+        rows = [[float(v) for v in row.values()] for row in self.rows("t.csv")]
+        self.assertEqual(len(rows), len(content["vehicle"]["poses"]))
+        for row, pose in zip(rows, content["vehicle"]["poses"]):
+            for a, b in zip(row, pose):
+                self.assertAlmostEqual(a, b, delta=1e-6)
+        self.write("one.json", "[[6, 7, 1.5]]")
+        self.tour("-o", "one.html", stops="one.json")
+        self.assertIn('"poses":[[6.5,7.5,1.5,', self.read("one.html").decode())
 
     def test_what_is_refused(self):
         self.ended(self.tour("--start", "4,4"), 2)

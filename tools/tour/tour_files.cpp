@@ -91,12 +91,13 @@ void write_robot_table(std::ostream& out, const TourAnswer& answer, bool metres)
 }
 
 void write_tour_page(std::ostream& out, const Record& record, const TourAnswer& answer,
-                     const RunOptions& run) {
+                     const RunOptions& run, const Json& vehicle) {
   std::vector<Cell> cells;
   for (const Place& stop : answer.stops) cells.push_back(stop.cell);
   const LoadedMap& map = answer.map;
   Json content = run_json(record, "tour", "tour, " + map_title(map, run, record.algorithm.name));
   content["map"] = map_view_json(map, shown_of(map, cells));
+  if (!vehicle.is_null()) content["vehicle"] = vehicle;
   write_report_page(out, content);
 }
 

@@ -26,9 +26,10 @@ std::string robots_text(const TourResult& tour);
 /// robot,x,y or robot,x_m,y_m: the paths of several robots, counted from 0.
 void write_robot_table(std::ostream& out, const TourAnswer& answer, bool metres);
 
-/// The page of a tour: a view "tour" with what map_view_json says of the map.
+/// The page of a tour: a view "tour" with what map_view_json says of the map, and what
+/// vehicle_view_json says of a vehicle's legs.
 void write_tour_page(std::ostream& out, const Record& record, const TourAnswer& answer,
-                     const RunOptions& run);
+                     const RunOptions& run, const Json& vehicle = {});
 
 /// The poses along the tour as nav_msgs/Path; of several robots a document each, in their order.
 void write_tour_poses(std::ostream& out, const TourAnswer& answer, const RunOptions& run);

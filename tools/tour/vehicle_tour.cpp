@@ -10,10 +10,10 @@
 #include "tools/bitmap/sheet.h"
 #include "tools/command_line/map_options.h"
 #include "tools/console/values.h"
-#include "tools/draw/page.h"
 #include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
 #include "tools/tour/stops_file.h"
+#include "tools/tour/tour_files.h"
 #include "tools/tour/tour_kind.h"
 #include "tools/tour/tour_picture.h"
 #include "tools/tour/tour_problem.h"
@@ -33,7 +33,12 @@ class VehicleTour final : public TourProblem {
     return {
         .csv = [&](std::ostream& out) { write_timed_poses(out, *on_, *command_.vehicle, legs_); },
         .picture = [&](auto& file) { write_picture(file, run.algorithm.name); },
-        .yaml = [&](std::ostream& out) { write_ros_poses(out, *on_, *command_.vehicle, legs_); }};
+        .yaml = [&](std::ostream& out) { write_ros_poses(out, *on_, *command_.vehicle, legs_); },
+        .page =
+            [&](std::ostream& out) {
+              write_tour_page(out, run, answer_, command_.run,
+                              vehicle_view_json(*on_, *command_.vehicle, legs_));
+            }};
   }
 
  private:
@@ -189,11 +194,6 @@ void take_vehicle(const OptionTable& table, TourCommand& tour, const VehicleComm
   if (starts.size() > 1)
     throw UsageError("--start is given " + std::to_string(starts.size()) +
                      " times, and one vehicle goes; give one --start");
-  if (const auto page = std::ranges::find_if(tour.run.outputs, is_page);
-      page != tour.run.outputs.end())
-    throw UsageError("-o " + *page +
-                     ": pages are of tours of points and discs; give .json, .csv, "
-                     ".svg, .png or .yaml");
   tour.vehicle = vehicle;
   tour.run.inputs.push_back(vehicle.file);
   if (!starts.empty()) tour.start = pose_value("--start", starts.front(), tour.run.frame);

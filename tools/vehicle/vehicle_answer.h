@@ -81,8 +81,11 @@ vehicle::Pose pose_in_frame(const VehicleMap& on, const VehicleCommand& command,
 Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
                       const VehicleAnswer& answer);
 
-/// The page of a plan: a view "vehicle" with what map_view_json says of the map, footprint and
-/// poses [x, y, yaw, kappa, v, t, gear] in cells, at most some thousand of them.
+/// What a page shows of plans one after another: {footprint, poses [[x, y, yaw, kappa, v, t, gear],
+/// ...]} in cells, at most some thousand of them.
+Json vehicle_view_json(const VehicleMap& on, const VehicleCommand& command,
+                       std::span<const VehicleAnswer> answers);
+/// The page of a plan: a view "vehicle" with what map_view_json says of the map, and `vehicle`.
 void write_vehicle_page(std::ostream& out, const Record& record, const VehicleMap& on,
                         const VehicleCommand& command, const VehicleAnswer& answer);
 

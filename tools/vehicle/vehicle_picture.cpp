@@ -90,30 +90,39 @@ void draw_sweep(Canvas& canvas, const Axes& axes, const vehicle::Vehicle& vehicl
     canvas.area(footprint_at(axes, vehicle, end), kSweep, kEnd);
 }
 
-void write_vehicle_page(std::ostream& out, const Record& record, const VehicleMap& on,
-                        const VehicleCommand& command, const VehicleAnswer& answer) {
+Json vehicle_view_json(const VehicleMap& on, const VehicleCommand& command,
+                       std::span<const VehicleAnswer> answers) {
   constexpr double kMostPoses = 3000;
-  Json content = run_json(record, "vehicle", title_of(on));
-  const Window window = shown_of(on.map, {answer.start.place.cell, answer.goal().place.cell});
-  content["map"] = map_view_json(on.map, window);
-  if (on.map.costs)
-    content["map"]["weights"] = weights_view_json(on.map.costs->field, on.map.as_read(), window);
+  double length = 0, begun = 0;
+  for (const VehicleAnswer& answer : answers)
+    length += answer.has_path() ? answer.result.length : 0;
+  const double spacing = std::max(spacing_of(on.map, command.run), length / kMostPoses);
   Json poses = Json::array();
-  if (answer.has_path()) {
-    const double spacing =
-        std::max(spacing_of(on.map, command.run), answer.result.length / kMostPoses);
+  for (const VehicleAnswer& answer : answers) {
+    if (!answer.has_path()) continue;
     const vehicle::Profile profile(answer.result.segments, on.vehicle.speeds);
     for (const vehicle::TimedPose& timed : profile.samples(spacing)) {
       const vehicle::PathPose& at = timed.at;
       Json row = Json::array();
       for (const double value :
-           {at.pose.x, at.pose.y, at.pose.yaw, at.curvature, timed.speed, timed.time})
+           {at.pose.x, at.pose.y, at.pose.yaw, at.curvature, timed.speed, begun + timed.time})
         row.push_back(std::round(1e6 * value) / 1e6);
       row.push_back(at.gear);
       poses.push_back(std::move(row));
     }
+    begun += profile.duration();
   }
-  content["vehicle"] = {{"footprint", points(on.vehicle.vehicle.footprint)}, {"poses", poses}};
+  return {{"footprint", points(on.vehicle.vehicle.footprint)}, {"poses", std::move(poses)}};
+}
+
+void write_vehicle_page(std::ostream& out, const Record& record, const VehicleMap& on,
+                        const VehicleCommand& command, const VehicleAnswer& answer) {
+  Json content = run_json(record, "vehicle", title_of(on));
+  const Window window = shown_of(on.map, {answer.start.place.cell, answer.goal().place.cell});
+  content["map"] = map_view_json(on.map, window);
+  if (on.map.costs)
+    content["map"]["weights"] = weights_view_json(on.map.costs->field, on.map.as_read(), window);
+  content["vehicle"] = vehicle_view_json(on, command, {&answer, 1});
   write_report_page(out, content);
 }
 

@@ -245,11 +245,11 @@ std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::
   return std::max(bound, walk_bound(problem, costs, upper, poller));
 }
 
-std::int64_t least_cost(const RouteProblem& problem, const Costs& costs, const Costs& either_way,
-                        bool open, std::int64_t upper, Poller& poller) {
+std::int64_t least_cost(const RouteProblem& problem, const Costs& costs, bool open,
+                        std::int64_t upper, Poller& poller) {
   if (const auto orders = exact_routes(problem, costs, poller))
     return cost_of(costs, *orders, open);
-  return routes_bound(problem, either_way, upper, poller);
+  return routes_bound(problem, costs, upper, poller);
 }
 
 }  // namespace lasius::tour

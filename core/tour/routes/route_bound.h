@@ -18,9 +18,8 @@ namespace lasius::tour {
 std::int64_t routes_bound(const RouteProblem& problem, const Costs& costs, std::int64_t upper,
                           Poller& poller);
 
-/// The same of `open` routes or rings, the least cost itself where exact_routes finds it. `costs`
-/// may differ by direction there; `either_way` are none above them that do not.
-std::int64_t least_cost(const RouteProblem& problem, const Costs& costs, const Costs& either_way,
-                        bool open, std::int64_t upper, Poller& poller);
+/// The same of `open` routes or rings, the least cost itself where exact_routes finds it.
+std::int64_t least_cost(const RouteProblem& problem, const Costs& costs, bool open,
+                        std::int64_t upper, Poller& poller);
 
 }  // namespace lasius::tour

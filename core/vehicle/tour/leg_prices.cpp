@@ -1,10 +1,13 @@
 #include "core/vehicle/tour/leg_prices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/base/parallel.h"
 #include "core/tour/map_pricer.h"
+#include "core/tour/routes/exact_routes.h"
+#include "core/tour/routes/route_bound.h"
 #include "core/vehicle/bound.h"
 
 namespace lasius::vehicle {
@@ -15,6 +18,15 @@ constexpr tour::Cost kDead = tour::kLargest / 2;  // where no plan was found
 constexpr tour::Cost kDearest = kDead / 8;        // of others, by far
 
 }  // namespace
+
+std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders, bool open) {
+  std::vector<PosePair> legs;
+  for (const std::vector<int>& order : orders) {
+    const std::size_t n = order.size(), count = n < 2 ? 0 : open ? n - 1 : n;
+    for (std::size_t i = 0; i < count; ++i) legs.emplace_back(order[i], order[(i + 1) % n]);
+  }
+  return legs;
+}
 
 LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int threads,
                      const StopCondition& stop)
@@ -50,17 +62,28 @@ LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int th
   double most = 1;
   for (const double bound : bounds_) most = std::max(most, bound);
   scale_ = std::min(tour::kGrains, kLongest / most);
-  lower_.reserve(bounds_.size());
-  for (const double bound : bounds_) lower_.push_back(tour::grains(bound, scale_));
-  costs_ = lower_;
+  costs_.reserve(bounds_.size());
+  for (const double bound : bounds_) costs_.push_back(tour::grains(bound, scale_));
 }
 
-std::vector<tour::Cost> LegPrices::lower_both_ways() const {
-  std::vector<tour::Cost> both = lower_;
+double LegPrices::lower_bound(const tour::RouteProblem& problem, bool open, double upper,
+                              Poller& poller) const {
+  constexpr double kRounding = 1e-13;  // of a sum of so few
+  if (const auto orders = tour::exact_routes(problem, size(), bounds_, poller)) {
+    double least = 0;
+    for (const PosePair& leg : legs_of(*orders, open)) least += bounds_[index(leg)];
+    return least * (1 - kRounding);
+  }
+  const double scale = tour::scale_of(bounds_);
+  std::vector<tour::Cost> either_way;
+  either_way.reserve(bounds_.size());
   for (int a = 0; a < size(); ++a)
     for (int b = 0; b < size(); ++b)
-      both[index({a, b})] = std::min(lower_[index({a, b})], lower_[index({b, a})]);
-  return both;
+      either_way.push_back(
+          tour::grains(std::min(bounds_[index({a, b})], bounds_[index({b, a})]), scale));
+  const auto most = static_cast<std::int64_t>(std::ceil(upper * scale));
+  const std::int64_t least = tour::routes_bound(problem, {size(), either_way.data()}, most, poller);
+  return static_cast<double>(least) / scale;
 }
 
 void LegPrices::price(std::span<const PosePair> legs, int threads, const StopCondition& stop) {

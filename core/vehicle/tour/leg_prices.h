@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/tour/order/costs.h"
+#include "core/base/poller.h"
+#include "core/tour/routes/routes.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
@@ -21,6 +22,9 @@ struct TourPose {
 /// From one such pose, by its index, to another.
 using PosePair = std::pair<int, int>;
 
+/// Of routes over poses, as add_legs has them.
+std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders, bool open);
+
 /// Between all poses of a tour, either way.
 class LegPrices {
  public:
@@ -31,9 +35,10 @@ class LegPrices {
 
   const TourPose& at(int pose) const { return poses_[pose]; }
   tour::Costs costs() const { return {size(), costs_.data()}; }
-  /// Bounds, each way or the lower of both ways.
-  tour::Costs lower() const { return {size(), lower_.data()}; }
-  std::vector<tour::Cost> lower_both_ways() const;
+  /// What no routes are below that the problem allows, over these poses as stops; rounded down. Not
+  /// by whole numbers where exact_routes knows them. `upper`: the length of some.
+  double lower_bound(const tour::RouteProblem& problem, bool open, double upper,
+                     Poller& poller) const;
   double scale() const noexcept { return scale_; }  ///< grains of a length, or over costs of a cost
 
   /// Plans legs that are not known. A stopped plan is none.
@@ -56,7 +61,7 @@ class LegPrices {
   std::vector<TourPose> poses_;
   double scale_ = 1;
   std::vector<double> bounds_;
-  std::vector<tour::Cost> costs_, lower_;
+  std::vector<tour::Cost> costs_;
   std::map<PosePair, Result> plans_;
 };
 

@@ -11,7 +11,6 @@
 #include "core/tour/order/search.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/find_routes.h"
-#include "core/tour/routes/route_bound.h"
 #include "core/vehicle/bound.h"
 #include "core/vehicle/sweep.h"
 #include "core/vehicle/tour/leg_prices.h"
@@ -157,16 +156,9 @@ class TourSearch {
     tour_.priced += static_cast<std::int64_t>(legs.size());
   }
 
-  // As add_legs has them.
   std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders) const {
-    std::vector<PosePair> legs;
-    for (const std::vector<int>& order : orders) {
-      const std::size_t n = order.size(), count = n < 2 ? 0 : request_.open ? n - 1 : n;
-      for (std::size_t i = 0; i < count; ++i) legs.emplace_back(order[i], order[(i + 1) % n]);
-    }
-    return legs;
+    return vehicle::legs_of(orders, request_.open);
   }
-
   // Takes orders all of whose legs are known, if they have ways and are cheaper.
   bool offer(const std::vector<std::vector<int>>& orders, const std::vector<PosePair>& legs) {
     std::int64_t cost = 0;
@@ -187,7 +179,7 @@ class TourSearch {
         for (const int a : order) told.push_back(stops_.indices[legs_.at(a).place]);
       if (!observer_(told, static_cast<double>(best_cost_) / legs_.scale())) return false;
     }
-    return request_.target_gap <= 0 || best_cost_ > target_of(bound(), request_.target_gap);
+    return request_.target_gap <= 0 || length() > bound() * (1 + request_.target_gap);
   }
 
   struct Unjoined {
@@ -295,14 +287,18 @@ class TourSearch {
     tour_.left_out.push_back(std::move(out));
   }
 
-  std::int64_t bound() {
-    if (bound_) return *bound_;
-    Poller poller(request_.stop);
-    const std::vector<tour::Cost> either_way = legs_.lower_both_ways();
-    const tour::Costs directed = legs_.lower();
-    bound_ = tour::least_cost(to_bound_, directed, {directed.size(), either_way.data()},
-                              request_.open, best_cost_, poller);
+  double bound() {
+    if (!bound_) {
+      Poller poller(request_.stop);
+      bound_ = legs_.lower_bound(to_bound_, request_.open, length(), poller);
+    }
     return *bound_;
+  }
+  // Of the best; over costs what it costs.
+  double length() const {
+    double sum = 0;
+    for (const PosePair& leg : legs_of(best_)) sum += LegPrices::value(legs_.plan(leg));
+    return sum;
   }
 
   void conclude() {
@@ -333,8 +329,7 @@ class TourSearch {
     }
     sum_up(tour_);
     const double sum = tour_.cost.value_or(tour_.length);
-    tour_.lower_bound =
-        Bound::told(static_cast<double>(bound()) / legs_.scale(), sum, tour_.cost.has_value());
+    tour_.lower_bound = Bound::told(bound(), sum, tour_.cost.has_value());
     if (tour_.lower_bound && *tour_.lower_bound <= 0 && sum > 0) tour_.lower_bound.reset();
     settle_optimal(tour_);
   }
@@ -349,7 +344,7 @@ class TourSearch {
   tour::RouteProblem to_bound_;       // the same tasks, with all their poses
   std::vector<std::vector<int>> best_;
   std::int64_t best_cost_ = 0;
-  std::optional<std::int64_t> bound_;
+  std::optional<double> bound_;
   std::set<int> left_out_;  // places
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 };

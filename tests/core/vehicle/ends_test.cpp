@@ -62,6 +62,19 @@ TEST(VehicleEnds, BesideTheBorder) {
   }
 }
 
+// It has room for motions of the lattice, but none of these is as gentle as it needs.
+TEST(VehicleEnds, ALongVehicleWithSomeRoom) {
+  const Grid grid(200, 140);
+  const Vehicle truck = car(rectangle(12, 12, 8), 8);
+  const Planner planner(grid, truck);
+  const Pose beside{80.3, 8.6, 0}, inside{150.2, 80.7, 0.4};
+  for (const auto& [start, goal] : {std::pair(beside, inside), std::pair(inside, beside)}) {
+    const Result result = planner.plan({.start = start, .goals = {goal}});
+    ASSERT_EQ(result.status, Status::solved) << result.error;
+    EXPECT_FALSE(oracle::FootprintJudge(grid, truck.footprint).first_touch(path_of(result)));
+  }
+}
+
 /// A room, and a corridor into it along an arc about (60, 35), whose headings and cells hardly any
 /// motion of the lattice has.
 Grid bent_pocket() {

@@ -11,6 +11,7 @@
 
 #include "core/vehicle/angle.h"
 #include "core/vehicle/edge_planes.h"
+#include "core/vehicle/flood.h"
 #include "core/vehicle/sweep.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/core/vehicle/dense_check.h"
@@ -52,6 +53,22 @@ TEST(EdgePlanes, SayWhatMasksSay) {
     const StopCondition stopped{.deadline = Clock::time_point::min()};
     Poller stops(stopped, 1);
     EXPECT_FALSE(EdgePlanes::make(space.impl(), lattice, stops));
+  }
+}
+
+TEST(FreeHeadings, SayWhatMasksSay) {
+  const Grid grid = blobs(3, 60);
+  for (const Vehicle& vehicle : flooded()) {
+    const Space space(grid, vehicle);
+    const Lattice lattice(vehicle, space.impl().outline());
+    Poller poller(kGoesOn);
+    const FreeHeadings free(space.impl(), lattice, poller);
+    for (int y = 0; y < grid.height(); ++y)
+      for (int x = 0; x < grid.width(); ++x)
+        for (int h = 0; h < Lattice::kHeadings; ++h)
+          ASSERT_EQ((free.at(x, y) >> h & 1) != 0,
+                    lattice.masks().free(lattice.footprint(h), space.impl().bits(), x, y))
+              << x << " " << y << " " << h;
   }
 }
 

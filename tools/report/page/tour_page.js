@@ -8,6 +8,7 @@ import { MapView } from "./map_view.js";
 import { PathHover } from "./path_hover.js";
 import { Sheet, percentText, swatches } from "./sheet.js";
 import { dataTable } from "./table.js";
+import { VehicleMotion, kMotionKeys } from "./vehicle_motion.js";
 
 const kMostNumbered = 150, kMostKeys = 8;
 const kColours = ["--path", "--tour-mean", "--tour-mean-cut", "--tour-cut", "--tour-raw", "--own-optimum"];
@@ -41,6 +42,8 @@ export async function showTour(content) {
     ["stops", String(result.order?.length ?? 0)],
     ["robots", result.tours ? `${tours.filter(({ legs }) => legs.length).length} of ${tours.length}` : null],
     ["left out", result.left_out.length ? String(result.left_out.length) : null],
+    ["duration", isNumber(result.duration) ? `${numberText(result.duration, 2)} s` : null],
+    ["cusps", isNumber(result.cusps) ? String(result.cusps) : null],
     ["time", `${numberText(result.elapsed_ms, 1)} ms`],
   ]);
   await new TourStage(sheet, tours).begin();
@@ -80,12 +83,13 @@ class TourStage {
       const path = legs.flatMap((i, place) => content.result.legs[i].path.slice(place ? 1 : 0));
       return new PathHover(path, { name: "tour", place: (at) => placeText(content.map, at), length: (value) => sheet.length(value) });
     });
+    this.motion = content.vehicle && new VehicleMotion(sheet, this.card, () => this.pointed(null));
     this.readout = element("div", { class: "hover", role: "status" });
   }
 
   async begin() {
     const { content, card } = this, { map, result } = content, [x, y, width, height] = map.window;
-    const tools = element("div", { class: "row" }, pictureButton("tour.png", () => this.view)), host = element("div");
+    const tools = element("div", { class: "row" }, ...(this.motion?.buttons() ?? []), pictureButton("tour.png", () => this.view)), host = element("div");
     card.append(tools, host, this.readout);
     this.view = new MapView(host, { low: [x, y], high: [x + width, y + height], label: `Map with a tour of ${result.order?.length ?? 0} stops`, tools,
                                     onHover: (px, py) => this.pointed(px, py) });
@@ -97,15 +101,17 @@ class TourStage {
     }, (context, view) => this.drawTour(context, view)];
     const several = result.tours?.slice(0, kMostKeys).map((_, robot) => [`robot ${robot + 1}`, colourOf(robot), "line"]);
     card.append(swatches([...(result.start || result.starts ? [["start", "--start"]] : []), ...(result.goal ? [["goal", "--goal"]] : []),
-                          ["blocked", "--wall"], ...(several ?? [["tour", "--path", "line"]]), ["stop", "--tour-mean", "dot"],
+                          ["blocked", "--wall"], ...(several ?? (this.motion ? kMotionKeys : [["tour", "--path", "line"]])), ["stop", "--tour-mean", "dot"],
                           ...(result.left_out.length ? [["stop left out", "--no-data", "dot"]] : [])]));
+    this.motion?.play();
     onTheme(() => this.view.draw());
     this.pointed(null);
   }
 
   drawTour(context, view) {
     const { result } = this.content, rim = themeColour("--mark-rim"), at = (stop) => this.places[stop];
-    this.tours.forEach(({ legs }, robot) => {
+    this.motion?.drawPath(context, view);
+    if (!this.motion) this.tours.forEach(({ legs }, robot) => {
       for (const i of legs) {
         view.line(context, result.legs[i].path, themeColour("--path-rim"), 6);
         view.line(context, result.legs[i].path, themeColour(colourOf(robot)), 3);
@@ -126,6 +132,7 @@ class TourStage {
         context.fillStyle = themeColour("--ink");
         context.fillText(String(place + 1), px + 6, py - 5);
       });
+    this.motion?.drawVehicle(context, view);
     if (this.hovered) view.disc(context, this.hovered.at, 5, themeColour(colourOf(this.hovered.robot)), rim);
   }
 
@@ -136,7 +143,9 @@ class TourStage {
         const near = hover.path.length > 1 && hover.near(x, y, 12 / this.view.scale);
         if (near && !(this.hovered?.distance <= near.distance)) this.hovered = { ...near, robot };
       });
-    this.readout.textContent = this.hovered ? this.hovers[this.hovered.robot].text(this.hovered)
+    const pose = this.motion && (x == null ? this.motion.index : this.motion.near(x, y, 12 / this.view.scale));
+    this.readout.textContent = pose != null ? this.motion.text(pose)
+                               : this.hovered ? this.hovers[this.hovered.robot].text(this.hovered)
                                : x == null ? "Point at the tour for coordinates and length." : placeText(this.content.map, [x, y]);
     this.view.draw();
   }
