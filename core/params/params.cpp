@@ -308,10 +308,26 @@ void reset_unread(Params& params) {
   params = reset;
 }
 
-namespace {
+void validate(const Params& params) { validate(params, OwnParts{}); }
 
-/// Numbers that together mean nothing.
-void check_amounts(const Params& params) {
+void validate(const Params& params, const OwnParts& own) {
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
+  Params published(algorithm.name);
+  published.seed = params.seed;
+  published.threads = params.threads;
+  check_seed(params.seed);
+  check_threads(params.threads);
+  if (params == published) return;  // valid; saves time on short queries
+  kTable.check(params);
+  kTable.check_unread(params, published, algorithm);
+  find_waiting(params, published, own, [&](const Entry& e) {
+    const std::string name =
+        e.info.name == kPersistence ? "persistence (1 - evaporation)" : std::string(e.info.name);
+    throw invalid_parameter(
+        name + " is " + kTable.get(params, e.info.name) + ", but " +
+            why_unread(params, e.info.name),
+        "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
+  });
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
@@ -337,10 +353,6 @@ void check_amounts(const Params& params) {
                                 std::to_string(params.critical_time),
                             "set it to more, or to 0 for a share that stays");
   }
-}
-
-/// Words that do not go together.
-void check_choices(const Params& params, const Algorithm& algorithm) {
   const bool mixture = mixes_rules(params);
   const bool inverse = params.selection == Selection::inverse_roulette;
   const bool index = params.update == Update::terminal_index;
@@ -371,32 +383,6 @@ void check_choices(const Params& params, const Algorithm& algorithm) {
     throw invalid_parameter(params.algorithm() + " knows moves to 4 or 8 neighbours only",
                             "set neighbours to 4 or 8");
   }
-}
-
-}  // namespace
-
-void validate(const Params& params) { validate(params, OwnParts{}); }
-
-void validate(const Params& params, const OwnParts& own) {
-  const Algorithm& algorithm = find_algorithm(params.algorithm());
-  Params published(algorithm.name);
-  published.seed = params.seed;
-  published.threads = params.threads;
-  check_seed(params.seed);
-  check_threads(params.threads);
-  if (params == published) return;  // valid; saves time on short queries
-  kTable.check(params);
-  kTable.check_unread(params, published, algorithm);
-  find_waiting(params, published, own, [&](const Entry& e) {
-    const std::string name =
-        e.info.name == kPersistence ? "persistence (1 - evaporation)" : std::string(e.info.name);
-    throw invalid_parameter(
-        name + " is " + kTable.get(params, e.info.name) + ", but " +
-            why_unread(params, e.info.name),
-        "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
-  });
-  check_amounts(params);
-  check_choices(params, algorithm);
 }
 
 }  // namespace lasius
