@@ -24,13 +24,13 @@ constexpr const char* kLines[] = {
     "quality --seeds 1 --blobs 1 --no-fan",
     "validity --random 20 --side 96",
 #ifdef LASIUS_HAVE_POLYGON
-    "polygons --rounds 2 --worlds 10 --scaled 2",
+    "polygons --rounds 1 --worlds 4 --scaled 1",
 #endif
 #ifdef LASIUS_HAVE_OMPL
     "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
 #endif
 #ifdef LASIUS_HAVE_ARM
-    "arm --rounds 1 --scenes 2 --seeds 2 --goals 2",
+    "arm --rounds 1 --scenes 1 --seeds 1 --goals 1",
 #endif
 #if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
     "arm-peers --queries 1 --obstacles 2 --cap 0.05",

@@ -9,8 +9,8 @@
 #include "core/cost/goal_field.h"
 #include "core/cost/terrain.h"
 #include "core/disc/disc_space.h"
-#include "core/drive/changed_parts.h"
 #include "core/drive/edited_map.h"
+#include "core/drive/pending_parts.h"
 #include "lasius/cost_field.h"
 #include "lasius/request.h"
 #include "lasius/result.h"
@@ -61,7 +61,7 @@ class LiveCosts {
   std::optional<Inflation> inflation_;
   cost::Terrain terrain_;
   bool squeezes_;
-  ChangedParts edited_;
+  PendingParts edited_;
   std::vector<Cell> changed_;
   std::optional<cost::GoalField> field_;
   std::vector<Cell> walk_;

@@ -7,7 +7,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/colony/colony.h"
-#include "core/drive/changed_parts.h"
+#include "core/drive/pending_parts.h"
 #include "core/grid/components.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -73,7 +73,7 @@ class LiveColony {
   SurvivingColony colony_;
   Cell goal_;
   int iterations_;
-  ChangedParts changed_;
+  PendingParts changed_;
 };
 
 }  // namespace lasius

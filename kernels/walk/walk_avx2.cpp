@@ -14,6 +14,9 @@
 namespace lasius::kernels {
 
 const WalkTable& avx2_walk_table() noexcept { return kTable; }
+#if defined(LASIUS_WITHOUT_AVX512)
+const WalkTable& avx512_walk_table() noexcept { return kTable; }
+#endif
 
 }  // namespace lasius::kernels
 

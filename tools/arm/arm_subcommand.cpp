@@ -111,6 +111,31 @@ void add_tip_options(OptionTable& table, ArmCommand& to) {
              "the start");
 }
 
+/// What the motion keeps to, and how it is told.
+void add_motion_options(OptionTable& table, ArmCommand& to, bool& plain) {
+  add_parameter(table, "--objective", to,
+                "What is made short: moves of the lattice times pitch, joint travel, or time at "
+                "full speed (default length)",
+                "length|joint|duration");
+  add_parameter(table, "--max-questions", to,
+                "Ask the sensor at most so often (default 0, as often as needed)", "N");
+  add_parameter(table, "--pitch", to,
+                "Distance of lattice points (default a twentieth of the reach)", "METRES");
+  add_parameter(table, "--side", to, "Lattice points a side (default all in reach)", "N");
+  table.real("--clearance", to.clearance, ArmCommand::kLeastClearance, ArmCommand::kMostClearance,
+             "Distance that is kept from everything (default 0.002)", "METRES");
+  table.flag("--no-shortcut", plain, "Keep every lattice point of the path");
+  table.real("--duration", to.duration, ArmCommand::kLeastDuration, ArmCommand::kMostDuration,
+             "Time that the motion is to take; more where the joints' limits ask for it (default "
+             "as little as they allow)",
+             "SECONDS");
+  table.real("--rate", to.rate, ArmCommand::kLeastRate, ArmCommand::kMostRate,
+             "Samples of the trajectory a second (default 100)", "HZ");
+  table.integer("--recheck", to.recheck, 1, ArmCommand::kMostRecheck,
+                "Look at the trajectory again at N instants and between, and say what is found",
+                "N");
+}
+
 /// Notes options that say nothing to what is asked in place of a plan.
 void note_idle(const OptionTable& table, ArmCommand& to) {
   const std::string asked = to.straight        ? "with --straight"
@@ -197,28 +222,8 @@ Subcommand add_arm(CLI::App& app) {
                   "questions\n"
                   ".html  one page with the arm moving in space, to be turned",
        .endings = kArmEndings});
-  add_parameter(table, "--objective", *to,
-                "What is made short: moves of the lattice times pitch, joint travel, or time at "
-                "full speed (default length)",
-                "length|joint|duration");
-  add_parameter(table, "--max-questions", *to,
-                "Ask the sensor at most so often (default 0, as often as needed)", "N");
-  add_parameter(table, "--pitch", *to,
-                "Distance of lattice points (default a twentieth of the reach)", "METRES");
-  add_parameter(table, "--side", *to, "Lattice points a side (default all in reach)", "N");
-  table.real("--clearance", to->clearance, ArmCommand::kLeastClearance, ArmCommand::kMostClearance,
-             "Distance that is kept from everything (default 0.002)", "METRES");
   auto plain = std::make_shared<bool>(false);
-  table.flag("--no-shortcut", *plain, "Keep every lattice point of the path");
-  table.real("--duration", to->duration, ArmCommand::kLeastDuration, ArmCommand::kMostDuration,
-             "Time that the motion is to take; more where the joints' limits ask for it (default "
-             "as little as they allow)",
-             "SECONDS");
-  table.real("--rate", to->rate, ArmCommand::kLeastRate, ArmCommand::kMostRate,
-             "Samples of the trajectory a second (default 100)", "HZ");
-  table.integer("--recheck", to->recheck, 1, ArmCommand::kMostRecheck,
-                "Look at the trajectory again at N instants and between, and say what is found",
-                "N");
+  add_motion_options(table, *to, *plain);
   return table.command(
       {.examples = {{"lasius arm maps/arms/industrial6.json --scene maps/arms/cell.json "
                      "--start -0.9,0.3,0.4,0,0.4,0 --goal 0.45,0.4,0.5 -o motion.csv",

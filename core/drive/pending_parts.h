@@ -11,7 +11,7 @@
 namespace lasius {
 
 /// Rectangles in which cells changed; those beside each other become one.
-class ChangedParts {
+class PendingParts {
  public:
   void add(const Rectangle& part) {
     if (!parts_.empty()) {
