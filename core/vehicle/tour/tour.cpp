@@ -1,7 +1,9 @@
 #include "lasius/vehicle/tour.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <set>
@@ -25,8 +27,9 @@ using tour::RoutesFound;
 constexpr std::size_t kMostPoses = 2000;
 constexpr int kIdle = 10;   // searches for an order without a shorter tour, where it is not proven
 constexpr int kEffort = 5;  // the share of generations that each such search has
-constexpr int kUnjoined = 3;      // places to which no way was found that make a stop one left out
-constexpr double kSpacing = 0.5;  // cells, of a leg's path
+constexpr int kUnjoined = 3;  // places to which no way was found that make a stop one left out
+constexpr std::chrono::duration<double> kSoon{0.7};  // after a signal
+constexpr double kSpacing = 0.5;                     // cells, of a leg's path
 
 std::optional<double> yaw_of(const TourRequest& request, int stop) {
   return request.yaws.empty() ? std::nullopt : request.yaws[static_cast<std::size_t>(stop)];
@@ -124,6 +127,7 @@ class TourSearch {
       const bool better = all_known && offer(found.orders, order);
       if (better && !tell()) break;
       cause_ = request_.stop.poll();
+      if (cause_ == StopCondition::Cause::token && best_.empty()) join_soon(found.orders);
       if (cause_ == StopCondition::Cause::token) break;
       if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
       const bool in_vain = missing.empty() && best_.empty();
@@ -155,6 +159,18 @@ class TourSearch {
   void price(const std::vector<PosePair>& legs, const StopCondition& stop) {
     legs_.price(legs, request_.threads, stop);
     tour_.priced += static_cast<std::int64_t>(legs.size());
+  }
+
+  // A signal leaves the order at hand its legs, where these are soon planned.
+  void join_soon(const std::vector<std::vector<int>>& orders) {
+    const StopCondition soon{.deadline = deadline_in(kSoon, request_.stop.now()),
+                             .time = request_.stop.time};
+    const std::vector<PosePair> legs = legs_of(orders);
+    const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
+    std::vector<PosePair> missing;
+    std::remove_copy_if(legs.begin(), legs.end(), std::back_inserter(missing), known);
+    price(missing, soon);
+    if (std::all_of(legs.begin(), legs.end(), known)) offer(orders, legs);
   }
 
   // As add_legs has them.
@@ -359,6 +375,7 @@ class TourSearch {
 TourResult plan_tour(const Planner& planner, const TourRequest& request,
                      const TourObserver& observer) {
   TourResult tour;
+  const bool stopped = request.stop.token.stop_requested();
   const std::vector<Point> points = points_of(request);
   check_tour(request, static_cast<int>(points.size()));
   std::vector<std::vector<Pose>> poses;
@@ -375,7 +392,7 @@ TourResult plan_tour(const Planner& planner, const TourRequest& request,
   if (stops.size() > 0 && !is_routed(request)) add_routes(request, stops, tour);
   if (stops.size() == 0) return tour;
   tour.status = Status::interrupted;
-  if (request.stop.token.stop_requested()) return tour;
+  if (stopped) return tour;
   TourSearch(planner, request, observer, std::move(stops), poses, tour).run();
   return tour;
 }
