@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 #include <set>
@@ -118,13 +117,9 @@ class TourSearch {
                        .stop = at_hand ? request_.stop : stop});
       const std::vector<PosePair> order = legs_of(found.orders);
       if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
-      std::vector<PosePair> missing;
-      for (const PosePair& leg : order)
-        if (!legs_.known(leg)) missing.push_back(leg);
+      const std::vector<PosePair> missing = legs_.unknown(order);
       price(missing, stop);
-      const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
-      const bool all_known = std::all_of(order.begin(), order.end(), known);
-      const bool better = all_known && offer(found.orders, order);
+      const bool better = legs_.unknown(order).empty() && offer(found.orders, order);
       if (better && !tell()) break;
       cause_ = request_.stop.poll();
       if (cause_ == StopCondition::Cause::token && best_.empty()) join_soon(found.orders);
@@ -163,14 +158,10 @@ class TourSearch {
 
   // A signal leaves the order at hand its legs, where these are soon planned.
   void join_soon(const std::vector<std::vector<int>>& orders) {
-    const StopCondition soon{.deadline = deadline_in(kSoon, request_.stop.now()),
-                             .time = request_.stop.time};
     const std::vector<PosePair> legs = legs_of(orders);
-    const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
-    std::vector<PosePair> missing;
-    std::remove_copy_if(legs.begin(), legs.end(), std::back_inserter(missing), known);
-    price(missing, soon);
-    if (std::all_of(legs.begin(), legs.end(), known)) offer(orders, legs);
+    price(legs_.unknown(legs),
+          {.deadline = deadline_in(kSoon, request_.stop.now()), .time = request_.stop.time});
+    if (legs_.unknown(legs).empty()) offer(orders, legs);
   }
 
   // As add_legs has them.
