@@ -64,7 +64,7 @@ void Delivery::write(const std::function<void(const std::string& file)>& write) 
   const auto quick = [](const std::string& file) {
     return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
   };
-  if (std::ranges::none_of(left, is_stream)) std::ranges::stable_partition(left, quick);
+  if (std::ranges::none_of(left, is_stream)) std::stable_partition(left.begin(), left.end(), quick);
   for (; !left.empty(); left.erase(left.begin())) {
     std::string names;
     for (const auto& file : left) names += (names.empty() ? "" : ", ") + file;
