@@ -67,6 +67,8 @@ class LASIUS_EXPORT CostPlanner {
   CostPlanner& operator=(CostPlanner&&) noexcept;
 
   const Planner& planner() const noexcept;  ///< of the map
+  /// Of the free cells (1 where none is): no path costs less than its length times this.
+  double least_weight() const noexcept;
 
   /// Answers one request, deterministic as Planner::plan. Of any angle: a path soon, then better
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%

@@ -178,6 +178,9 @@ CostPlanner::CostPlanner(CostPlanner&&) noexcept = default;
 CostPlanner& CostPlanner::operator=(CostPlanner&&) noexcept = default;
 
 const Planner& CostPlanner::planner() const noexcept { return impl_->planner; }
+double CostPlanner::least_weight() const noexcept {
+  return (impl_->whole ? *impl_->whole : impl_->terrain).least();
+}
 
 // Searches go from a point inside a cell to another: one on its border is moved inside, a colony's
 // to its centre. What a straight piece there costs is taken off the bound.

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/grid/distance.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/route_tour.h"
 #include "lasius/error.h"
@@ -56,6 +57,8 @@ class LegsOverCosts {
     cut_ = cut || stop.poll() != StopCondition::Cause::none;
     double most = 1;
     for (const Leg& leg : legs_) most = std::max(most, leg.cost);
+    for (int a = 0; a < n_; ++a)
+      for (int b = a + 1; b < n_; ++b) most = std::max(most, least(a, b));
     scale_ = std::min(tour::kGrains, 0.5 * tour::kLargest / most);
     matrix_.assign(legs_.size(), 0);
     lower_ = matrix_;
@@ -87,12 +90,13 @@ class LegsOverCosts {
   void set_costs(int a, int b) {
     const Leg& leg = legs_[index(a, b)];
     // Those that are not priced are dear, the longer the dearer.
-    const double apart = std::sqrt((places_[a].x - places_[b].x) * (places_[a].x - places_[b].x) +
-                                   (places_[a].y - places_[b].y) * (places_[a].y - places_[b].y));
-    const Cost cost = leg.known ? grains(leg.cost) : tour::kLargest / 2 + tour::grains(apart);
+    const Cost cost = leg.known ? grains(leg.cost) : tour::kLargest / 2 + tour::grains(apart(a, b));
     matrix_[index(a, b)] = matrix_[index(b, a)] = cost;
-    lower_[index(a, b)] = lower_[index(b, a)] = leg.known ? grains(leg.lower) : 0;
+    lower_[index(a, b)] = lower_[index(b, a)] = grains(std::max(leg.lower, least(a, b)));
   }
+  double apart(int a, int b) const { return distance(places_[a], places_[b]); }
+  /// What the straight way costs at the least weight.
+  double least(int a, int b) const { return planner_.least_weight() * apart(a, b); }
 
   std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * n_ + b; }
   /// Rounded down, by what costs may be off too.

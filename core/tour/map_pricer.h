@@ -45,6 +45,11 @@ class MapPricer final : public Pricer {
   Cost lower(int a, int b) const override;
   Cost largest() const override { return largest_; }
   std::int64_t priced() const noexcept { return priced_; }
+  /// Prices again, until another condition holds.
+  void price_until(const StopCondition& stop) {
+    stop_ = stop;
+    stopped_ = false;
+  }
 
  private:
   static constexpr Cost kNone = -1;

@@ -165,7 +165,9 @@ class Tip(ProgramTest):
         self.assertEqual(near["start"], near["end"])
         self.assertGreater(near["start"]["distance"], 0)
         self.replayed("near.json")
-        self.assertIn("at the start: ", self.ended(self.arm("--nearest"), 0).err)
+        alone = self.ended(self.arm("--nearest"), 0)
+        self.assertIn("at the start: ", alone.err)
+        self.assertNotIn("at the end: ", alone.err)
         self.refused(self.arm(), 2, "a goal is required")
 
 

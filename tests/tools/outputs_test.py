@@ -306,6 +306,38 @@ class Ends(ProgramTest):
             elif not twice:
                 self.assertGreater(min(self.png_size("r.png")), 100)
 
+    def ended_while_it_draws(self, *numbers):
+        """Exit code and messages of a plan that gets signals once its JSON and CSV are written."""
+        process = self.start_program("plan", FAN, "--start", "14,14", "--goal", "380,179", "--iterations", "20",
+                                     "-v", "-o", "r.html", "-o", "r.svg", "-o", "r.json", "-o", "r.csv")
+        err = b""
+        while b"wrote r.csv" not in err:
+            line = process.stderr.readline()
+            self.assertTrue(line, err)
+            err += line
+        self.assertLess(err.index(b"wrote r.json"), err.index(b"wrote r.csv"))
+        for number in numbers:
+            process.send_signal(number)
+        err += process.communicate(timeout=60)[1]
+        self.assertIn(process.returncode, (0, 130))  # 0: it had ended before
+        self.assertTrue(self.read("r.json").endswith(b"}\n"))
+        return process.returncode, err.decode()
+
+    def test_a_signal_among_outputs_loses_none(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            _, err = self.ended_while_it_draws(number)
+            self.assertNotIn("not written", err)
+            self.assertTrue(self.read("r.html").endswith(b"</html>\n"))
+            self.assertTrue(self.read("r.svg").endswith(b"</svg>\n"))
+            for name in ("r.html", "r.svg"):
+                os.unlink(self.path(name))
+
+    def test_a_second_signal_names_what_is_not_written(self):
+        _, err = self.ended_while_it_draws(signal.SIGTERM, signal.SIGTERM)
+        lost = [name for name in ("r.html", "r.svg") if not os.path.exists(self.path(name))]
+        if lost:
+            self.assertIn("interrupted: not written: " + ", ".join(lost) + "\n", err)
+
     def test_a_hang_up_that_was_ignored_stays_so(self):
         process = self.start_program(
             *self.LONG, "r.png", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))

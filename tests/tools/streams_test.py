@@ -199,13 +199,16 @@ class Signals(ProgramTest):
 
     def test_a_map_half_prepared_is_no_map(self):
         corner = f"{self.SIDE - 1},{self.SIDE - 1}"
-        for more in ([], ["--radius", "1"], ["--algorithm", "exact", "--prepare"]):
+        for more in ([], ["--radius", "1"], ["--algorithm", "exact", "--prepare"],
+                     ["--algorithm", "exact", "--prepared", "p"]):
             with self.subTest(more=more):
                 run = self.interrupt_while_read(
                     "plan", "pipe.map", "--start", "1,1", "--goal", corner, "--json", "-v", "-o",
                     "r.json", "-o", "r.png", *more)
                 self.ended(run, 130, "interrupted")
                 self.assertNotIn("ready after", run.err)
+                self.assertEqual("p is not written: its preparation was interrupted" in run.err, "p" in more)
+                self.assertFalse(os.path.exists(self.path("p")))
                 self.assertEqual((run.json["status"], run.json["path"], run.json["length"]),
                                  ("interrupted", None, None))
                 self.assertEqual((run.json["best"], run.json["error"]), ([], None))

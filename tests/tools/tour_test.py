@@ -123,6 +123,8 @@ class Tour(ProgramTest):
                 ("a.tsv", "x y\n1 2\n1\n", ["line 3", "1 field, but the first line has 2"]),
                 ("a.tsv", "x y\n1 2\n1 b\n", ["line 3", "y is 'b'", "finite number"]),
                 ("a.tsv", "x y\n1 2\n1 nan\n", ["line 3", "y is 'nan'"]), ("a.tsv", "1\n", ["has no y"]),
+                ("a.tsv", "1 2 0.5\n", ["line 1", "more than x y", "--vehicle"]),
+                ("a.json", "[[1, 2],\n [3, 4, 0.5]]", ["line 2", "[1] is no [x, y]", "--vehicle"]),
                 ("a.json", "[[1, 2],\n [3]]", ["line 2", "[1] is no [x, y]"]),
                 ("a.json", "[[1, 2],\n3}", ["line 2: this is not JSON, in or behind stop 1"]), ("a.json", "[]", ["holds no stop"]),
                 ("a.json", "[[1, 2],\n[3, 4]\n[5, 6]]", ["line 3: this is not JSON, in or behind stop 1"]),

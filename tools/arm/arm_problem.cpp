@@ -99,8 +99,10 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
     say("the recheck was interrupted");
   if (found.recheck && !command.json) say(recheck_text(*found.recheck));
   if (command.json) return remarks;
-  for (std::size_t i = 0; i < found.nearest.size(); ++i)
-    say((i == 0 ? "at the start: " : "at the end: ") + nearest_text(found.nearest[i]));
+  const bool moved =
+      !motion.trajectory.empty() && motion.trajectory.knots().back().q != found.start;
+  if (!found.nearest.empty()) say("at the start: " + nearest_text(found.nearest.front()));
+  if (moved && found.nearest.size() > 1) say("at the end: " + nearest_text(found.nearest.back()));
   for (std::size_t i = 0; i < found.inverse.size(); ++i)
     say("joint values " + std::to_string(i + 1) + ": " +
         (found.inverse[i].free ? "free, " : "not free, ") + nearest_text(found.inverse[i].nearest));

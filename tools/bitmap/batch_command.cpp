@@ -146,7 +146,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   check_radius(map, run);
   QueryFile file = queries_of(command, map);
   keep_part(file.queries, command.queries, run.part);
-  note_map(map, run);
+  note_map(map, run, signals.token());
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](const Batch::Part& asked, const BatchOptions& how,
                                const Batch::Take& take) {

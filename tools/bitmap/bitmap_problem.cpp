@@ -189,7 +189,9 @@ void note_files(const LoadedMap& map, SearchOptions& options) {
     options.inputs.insert(options.inputs.end(), map.costs->images.begin(), map.costs->images.end());
 }
 
-void note_map(const LoadedMap& map, RunOptions& run) {
+void note_map(const LoadedMap& map, RunOptions& run, const std::stop_token& token) {
+  if (token.stop_requested() && !map.prepared.empty() && !std::filesystem::exists(map.prepared))
+    run.notes.push_back(map.prepared + " is not written: its preparation was interrupted");
   const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
   const std::string option = map.prepared.empty() ? "--prepare" : "--prepared";
   if (prepared.state == Preparation::State::too_large)
@@ -281,7 +283,7 @@ std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   if (!given && map_->prepare && map_->planner &&
       (kept || is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token)))
     prepare(*map_, run.threads, token);
-  note_map(*map_, run);
+  note_map(*map_, run, token);
   return most_iterations(find_algorithm(run.params.algorithm()), run.params.iterations);
 }
 

@@ -17,8 +17,9 @@ const ProblemKind& bitmap_kind();
 /// Of results of bitmaps and drives, why a replay would come out other.
 std::string unlike_radius(const Json& result);
 
-/// What -v says of a map that was read, and in how far --prepare has no effect.
-void note_map(const LoadedMap& map, RunOptions& run);
+/// What -v says of a map that was read, in how far --prepare has no effect, and what --prepared
+/// names where a stop left it unwritten.
+void note_map(const LoadedMap& map, RunOptions& run, const std::stop_token& token);
 
 /// The files that the map and its costs name, among the inputs.
 void note_files(const LoadedMap& map, SearchOptions& options);

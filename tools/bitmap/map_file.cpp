@@ -9,6 +9,7 @@
 #include "lasius/io.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/signals.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
@@ -87,6 +88,8 @@ void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
     map.planner = map.planner->load_preparation(map.prepared);
     map.labels = map.planner->preparation().labels.state == Preparation::State::ready;
   } else {
+    std::optional<LastWords> unwritten;
+    if (!map.prepared.empty()) unwritten.emplace("interrupted: not written: " + map.prepared);
     map.planner =
         map.planner->prepared({.threads = threads, .stop = {.token = token}, .labels = map.labels});
     // Where labels take too much the graph is kept alone.

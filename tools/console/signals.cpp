@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <system_error>
 
 #include "core/base/opening_pipe.h"
 #include "core/base/output.h"
+#include "core/base/printable.h"
 #include "tools/console/exit_code.h"
 
 namespace lasius::tool {
@@ -20,11 +22,16 @@ constexpr char kQuit = 'q';
 volatile std::sig_atomic_t write_end = -1;
 volatile std::sig_atomic_t signals_seen = 0;
 volatile std::sig_atomic_t nobody_polls = 0;
+std::atomic<const std::string*> last_words = nullptr;
+static_assert(decltype(last_words)::is_always_lock_free, "signal handlers read it");
 
 /// Ends the program, with no half-written file left behind; by SIGQUIT as the system does, which
 /// may save its memory for a debugger.
 void end_at_once(int number) {
   abandon_outputs();
+  if (const std::string* words = last_words) {
+    [[maybe_unused]] const auto said = ::write(STDERR_FILENO, words->data(), words->size());
+  }
   if (number != SIGQUIT) ::_exit(kInterrupted);
   std::signal(SIGQUIT, SIG_DFL);
   ::raise(SIGQUIT);  // comes when the handler returns
@@ -86,5 +93,10 @@ bool SignalWatcher::interrupted() const noexcept { return signals_seen != 0; }
 
 EndAtOnce::EndAtOnce() noexcept { nobody_polls = 1; }
 EndAtOnce::~EndAtOnce() { nobody_polls = 0; }
+
+LastWords::LastWords(const std::string& text) : line_("lasius: " + printable(text) + "\n") {
+  last_words = &line_;
+}
+LastWords::~LastWords() { last_words = nullptr; }
 
 }  // namespace lasius::tool

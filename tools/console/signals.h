@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace lasius::tool {
@@ -40,6 +41,19 @@ class EndAtOnce {
   ~EndAtOnce();
   EndAtOnce(const EndAtOnce&) = delete;
   EndAtOnce& operator=(const EndAtOnce&) = delete;
+};
+
+/// While the last one made lives, a signal that ends the program at once has it say "lasius: TEXT"
+/// on standard error: what it then leaves undone.
+class LastWords {
+ public:
+  explicit LastWords(const std::string& text);
+  ~LastWords();
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+ private:
+  std::string line_;
 };
 
 }  // namespace lasius::tool

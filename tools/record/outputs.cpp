@@ -1,6 +1,6 @@
 #include "tools/record/outputs.h"
 
-#include <optional>
+#include <algorithm>
 
 #include "core/base/output.h"
 #include "lasius/error.h"
@@ -60,11 +60,17 @@ void Delivery::print(const std::string& text) {
 }
 
 void Delivery::write(const std::function<void(const std::string& file)>& write) {
-  for (const auto& file : files_) {
-    std::optional<EndAtOnce> whole_or_not_there;
-    if (!is_stream(file)) whole_or_not_there.emplace();
+  std::vector<std::string> left = files_;
+  const auto quick = [](const std::string& file) {
+    return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
+  };
+  if (std::ranges::none_of(left, is_stream)) std::stable_partition(left.begin(), left.end(), quick);
+  for (; !left.empty(); left.erase(left.begin())) {
+    std::string names;
+    for (const auto& file : left) names += (names.empty() ? "" : ", ") + file;
+    const LastWords unwritten("interrupted: not written: " + names);
     try {
-      write(file);
+      write(left.front());
     } catch (const Error& error) {
       if (fault_)
         message(error.what());

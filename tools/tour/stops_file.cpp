@@ -29,6 +29,9 @@ constexpr const char* kForms =
 constexpr const char* kPoses =
     "give x, y and, where it has one, the yaw; other members by their names";
 
+constexpr const char* kNoPoses =
+    "give x and y; a third number is the yaw of a vehicle's stop, with --vehicle";
+
 // Where something is in the file: a line, or the path of a JSON value.
 struct At {
   std::int64_t line = 1;
@@ -139,8 +142,11 @@ class Reader {
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
-        if (poses_ && header.size() > 3)
-          fail(at, "names no columns, and has more than x y yaw", kPoses);
+        if (header.size() > (poses_ ? 3 : 2))
+          fail(at,
+               poses_ ? "names no columns, and has more than x y yaw"
+                      : "names no columns, and has more than x y",
+               poses_ ? kPoses : kNoPoses);
         if (poses_ && header.size() == 3) yaw = 2;
       }
       if (fields.size() != header.size())
@@ -226,8 +232,10 @@ class Reader {
       return both(pair["x"], pair["y"], details_of(pair, path));
     const bool long_enough = pair.is_array() && pair.size() >= 2;
     Details more = details;
-    if (poses_ && text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array()) {
-      if (pair.size() > 3) fail({.path = path}, path + " is no [x, y, yaw]", kPoses);
+    if (text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array()) {  // no GeoJSON
+      if (pair.size() > (poses_ ? 3 : 2))
+        fail({.path = path}, path + (poses_ ? " is no [x, y, yaw]" : " is no [x, y]"),
+             poses_ ? kPoses : kNoPoses);
       if (pair.size() == 3) more.yaw = yaw_of(pair[2], path);
     }
     both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), std::move(more));

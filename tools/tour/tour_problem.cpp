@@ -39,7 +39,7 @@ void TourProblem::read_world(const std::stop_token& token) {
   note_files(answer_.map, run);
   check_radius(answer_.map, run);
   if (!command_.stops_file.empty()) command_.stops = read_stops(command_.stops_file, run.frame);
-  note_map(answer_.map, run);
+  note_map(answer_.map, run, token);
 }
 
 Place TourProblem::to_place(const End& end) const {

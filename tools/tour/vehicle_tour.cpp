@@ -50,7 +50,7 @@ class VehicleTour final : public TourProblem {
     answer_.map = on_->map;
     if (!command_.stops_file.empty())
       command_.stops = read_stops(command_.stops_file, run.frame, true);
-    note_map(answer_.map, run);
+    note_map(answer_.map, run, token);
   }
 
   TourResult tour_of(const TourRequest& request, const Watch& watch) override {

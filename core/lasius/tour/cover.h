@@ -22,8 +22,8 @@ struct CoverRequest {
   std::uint64_t seed = 1;           ///< of the search for the order
   int generations = 20;             ///< as TourRequest::generations, of more than 6 swaths
   int threads = 0;                  ///< never changes the tour
-  /// As TourRequest::stop. Out of time, directions that were not tried yet are not; by the token
-  /// likewise, but there is no tour where the first was not tried.
+  /// As TourRequest::stop. Out of time or by the token, directions that were not tried yet are not;
+  /// where the map has more than 1.5 million cells the token leaves no tour before the first was.
   StopCondition stop = {};
 };
 

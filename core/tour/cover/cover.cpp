@@ -33,7 +33,11 @@ constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose ascent takes their square in steps
 constexpr int kRounds = 1;
 // Of the time to a deadline.
-constexpr double kShareOfSwaths = 0.3, kShareOfPreparing = 0.3, kShareOfOrder = 0.6;
+constexpr double kShareOfSwaths = 0.3, kShareOfPreparing = 0.3, kShareOfOrder = 0.6,
+                 kShareOfOrderAlone = 2.0 / 3, kShareOfBound = 0.8;
+constexpr int kSoon = 1'500'000;  // cells, of which the first swaths are laid whatever stops
+
+bool stopped(const StopCondition& stop) { return stop.poll() != StopCondition::Cause::none; }
 
 void check(const Grid& grid, const CoverRequest& request) {
   const int longest = std::max(grid.width(), grid.height());
@@ -94,20 +98,23 @@ std::vector<int> order_by_chains(const std::vector<tour::EndLink>& links, const 
   return order;
 }
 
+// Legs are planned before the bound, which alone needs no more than the time that is left.
 // `between`: a bound of the legs between swaths.
-void order_swaths(const Planner& planner, const CoverRequest& request, double between,
-                  const std::vector<tour::EndLink>& links, CoverResult& result,
-                  const TourObserver& observer) {
+void join_swaths(const Planner& planner, const CoverRequest& request, double between,
+                 const std::vector<tour::EndLink>& links, CoverResult& result,
+                 const TourObserver& observer) {
   const int swaths = result.swaths(), n = static_cast<int>(result.stops.size());
   TourResult& found = result.tour;
-  tour::MapPricer legs(planner, result.stops, request.stop, SwathPricer::kApart);
+  const StopCondition ordering =
+      earlier(request.stop, n <= kMostBound ? kShareOfOrder : kShareOfOrderAlone);
+  tour::MapPricer legs(planner, result.stops, ordering, SwathPricer::kApart);
   std::vector<Cost> matrix;
   if (tour::priced_at_once(planner, n))
     if (const auto lengths =
-            planner.distances(result.stops, result.stops, request.threads, request.stop))
+            planner.distances(result.stops, result.stops, request.threads, ordering))
       for (const double length : *lengths) matrix.push_back(tour::grains(length));
   const bool known = !matrix.empty();
-  if (!known) legs.price_near(request.threads);
+  if (!known && !stopped(request.stop)) legs.price_near(request.threads);
   SwathPricer pricer(swaths, known ? Costs(n, matrix.data()) : Costs(n, legs));
   std::vector<Cost> all;
   for (int a = 0; known && a < n; ++a)
@@ -122,19 +129,23 @@ void order_swaths(const Planner& planner, const CoverRequest& request, double be
   tour::OrderOptions options{.seed = request.seed,
                              .generations = request.generations,
                              .first = order_by_chains(links, result, request.start),
-                             .stop = earlier(request.stop, kShareOfOrder)};
+                             .stop = ordering};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
       return observer(order, cells(cost));
     };
   const tour::OrderFound order = find_order(costs, ends, result.stops, options);
   found.order = whole_swaths(order.order, pricer, request.open);
+  add_legs(found.order, request.open, found);
+  plan_legs(planner, result.stops, request.threads, found);
   if (known && order.optimal) {
     found.lower_bound = cells(order.cost);
   } else {
     found.lower_bound = (result.swept + between) * (1 - 1e-9);  // their roundings
-    Poller poller(request.stop);
-    if (n <= kMostBound && request.stop.poll() == StopCondition::Cause::none)
+    const StopCondition bounding = earlier(request.stop, kShareOfBound);
+    Poller poller(bounding);
+    legs.price_until(bounding);
+    if (n <= kMostBound && !stopped(request.stop))
       found.lower_bound =
           std::max(*found.lower_bound,
                    cells(tour_bound(costs, ends, result.stops, order.cost, kRounds, poller)));
@@ -157,25 +168,24 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
     return result;
   }
   found.status = Status::interrupted;
-  const tour::ToolLines lines(unprepared.grid(), unprepared.robot().radius);
-  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start,
-                                        without_deadline(request.stop));
+  const Grid& grid = unprepared.grid();
+  const bool soon = std::int64_t{grid.width()} * grid.height() <= kSoon;
+  const StopCondition first = soon ? StopCondition{} : without_deadline(request.stop);
+  const tour::ToolLines lines(grid, unprepared.robot().radius);
+  const auto ground = CoverGround::make(unprepared, lines, request.width, request.start, first);
   if (!ground) return result;
   result.resolution = ground->spacing();
   if (ground->free_samples() > 0)
     result.unreachable = 1 - static_cast<double>(ground->wanted_samples()) /
                                  static_cast<double>(ground->free_samples());
   const double radius = lines.radius();
-  const auto clear = radius == 0
-                         ? unprepared.grid()
-                         : grow_obstacles(unprepared.grid(),
-                                          Growth(unprepared.grid(), radius, ClearanceOf::centres),
-                                          without_deadline(request.stop));
+  const auto clear =
+      radius == 0 ? grid : grow_obstacles(grid, Growth(grid, radius, ClearanceOf::centres), first);
   if (!clear) return result;
   std::optional<tour::SwathPlan> plan;
   if (ground->place()) {
     plan = tour::SwathMaker(unprepared, *clear, lines, *ground)
-               .best(request.threads, earlier(request.stop, kShareOfSwaths));
+               .best(request.threads, first, earlier(request.stop, kShareOfSwaths));
     // Another heading's may be fewer, or any at all.
     if (!plan || (plan->cut && (plan->swaths.empty() || plan->too_many()))) {
       if (!request.stop.token.stop_requested()) found.status = Status::limit;
@@ -209,11 +219,9 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
                : unprepared;
   std::vector<Swath> ways = plan->swaths;  // the start is one of no length
   if (request.start) ways.push_back({*request.start, *request.start});
-  order_swaths(planner, request, ways_between(ways, request.open),
-               near_ends(*clear, lines, result.stops), result, observer);
+  if (request.start || plan->links.empty()) plan->links = near_ends(*clear, lines, result.stops);
+  join_swaths(planner, request, ways_between(ways, request.open), plan->links, result, observer);
   if (plan->cut && found.status == Status::solved) found.status = Status::limit;
-  add_legs(found.order, request.open, found);
-  plan_legs(planner, result.stops, request.threads, found);
   for (const TourLeg& leg : found.legs)
     if (leg.path.empty()) return without_path(std::move(result), leg);
   sum_up(found);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/sweep_cells.h"
 #include "core/tour/tour_steps.h"
 
@@ -152,9 +151,8 @@ std::vector<Swath> SwathMaker::anywhere(const Heading& heading, Poller& poller) 
 }
 
 std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
-                                          const StopCondition& stop, bool must) const {
-  const StopCondition token = without_deadline(stop);
-  const StopCondition& laying = must ? token : stop;
+                                          const StopCondition& laying,
+                                          const StopCondition& stop) const {
   Poller lays(laying), fills(stop);
   const auto stopped = [&] { return laying.poll() != StopCondition::Cause::none; };
   if (stopped()) return std::nullopt;
@@ -176,22 +174,26 @@ std::optional<SwathPlan> SwathMaker::plan(const Heading& heading, Laid laid,
   if (stopped()) return std::nullopt;
   cut_back(lines_, ground_, counts, plan.swaths, fills);
   if (stopped()) return std::nullopt;
-  const std::vector<Point> stops = both_ends(plan.swaths);
-  plan.estimate =
-      chained(static_cast<int>(plan.swaths.size()), stops, near_ends(clear_, lines_, stops))
-          .length +
-      kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
-  for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
   plan.cut = fills.stopped();
+  plan.estimate = static_cast<double>(plan.swaths.size());
+  if (plan.too_many() && lines_.radius() == 0) return plan;  // of a disc some may be out of reach
+  const std::vector<Point> stops = both_ends(plan.swaths);
+  plan.links = near_ends(clear_, lines_, stops);
+  if (plan.too_many()) return plan;
+  plan.estimate = chained(static_cast<int>(plan.swaths.size()), stops, plan.links).length +
+                  kDearness * ground_.area(ground_.wanted_samples() - counts.covered()) / width_;
+  for (const Swath& swath : plan.swaths) plan.estimate += swath.length();
   return plan;
 }
 
-std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop) const {
+std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& first,
+                                          const StopCondition& stop) const {
   const std::vector<Heading>& all = headings();
-  const StopCondition laying = earlier(stop, kShareOfPlans);
+  const StopCondition until = earlier(stop, kShareOfPlans);
   std::vector<std::optional<SwathPlan>> plans(2 * all.size());
   parallel_for(static_cast<int>(plans.size()), thread_count(threads), [&](int i, int) {
-    plans[i] = plan(all[i / 2], i % 2 == 0 ? Laid::fitted : Laid::anywhere, laying, i == 0);
+    const Laid laid = i % 2 == 0 ? Laid::fitted : Laid::anywhere;
+    plans[i] = plan(all[i / 2], laid, i == 0 ? first : until, until);
   });
   std::optional<SwathPlan>* least = nullptr;
   const auto rank = [](const SwathPlan& plan) { return std::pair(plan.too_many(), plan.estimate); };
@@ -207,7 +209,8 @@ std::optional<SwathPlan> SwathMaker::best(int threads, const StopCondition& stop
 
 // To each swath the first of those that clear cells join, or straight ways between ends near to
 // each other. Soon done, and what a stopped search can keep: so nothing stops it.
-std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) const {
+std::vector<int> SwathMaker::joined_swaths(const SwathPlan& plan) const {
+  const std::vector<Swath>& swaths = plan.swaths;
   std::vector<int> first(swaths.size());
   std::iota(first.begin(), first.end(), 0);
   const auto root = [&](int i) {
@@ -215,9 +218,7 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
     return i;
   };
   const auto join = [&](int p, int q) { first[std::max(p, q)] = std::min(p, q); };
-  const std::vector<Point> stops = both_ends(swaths);
-  for (const EndLink& link : near_ends(clear_, lines_, stops))
-    join(root(link.a / 2), root(link.b / 2));
+  for (const EndLink& link : plan.links) join(root(link.a / 2), root(link.b / 2));
   std::vector<std::pair<Point, int>> ends;
   for (int i = 0; i < static_cast<int>(swaths.size()); ++i)
     for (const Point end : {swaths[i].from, swaths[i].to}) ends.emplace_back(end, i);
@@ -228,8 +229,9 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
       const auto& [a, one] = ends[i];
       const auto& [b, other] = ends[j];
       if (b.x - a.x > kNearEnds * width_) break;
+      if (distance(a, b) > kNearEnds * width_) continue;
       const int p = root(one), q = root(other);
-      if (p == q || distance(a, b) > kNearEnds * width_ || !lines_.straight_between(a, b)) continue;
+      if (p == q || !lines_.straight_between(a, b)) continue;
       join(p, q);
     }
   for (int i = 0; i < static_cast<int>(first.size()); ++i) first[i] = root(i);
@@ -241,7 +243,7 @@ std::vector<int> SwathMaker::joined_swaths(const std::vector<Swath>& swaths) con
 // looked at whatever stops: until some are kept, the token one of them.
 void SwathMaker::drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const {
   std::vector<Swath>& swaths = plan.swaths;
-  const std::vector<int> first = joined_swaths(swaths);
+  const std::vector<int> first = joined_swaths(plan);
   std::vector<std::pair<int, int>> parts(swaths.size(), {0, 0});  // swaths, less; the first
   for (std::size_t i = 0; i < swaths.size(); ++i)
     parts[i].second = static_cast<int>(i), --parts[first[i]].first;
@@ -268,6 +270,7 @@ void SwathMaker::drop_apart(SwathPlan& plan, int threads, const StopCondition& s
   std::size_t left = 0;
   for (std::size_t i = 0; i < swaths.size(); ++i)
     if (kept[first[i]] != 0) swaths[left++] = swaths[i];
+  if (left < swaths.size()) plan.links.clear();
   swaths.resize(left);
 }
 

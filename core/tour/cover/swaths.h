@@ -8,6 +8,7 @@
 
 #include "core/base/poller.h"
 #include "core/tour/cover/cover_ground.h"
+#include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/tool_lines.h"
 #include "lasius/geometry.h"
 #include "lasius/planner.h"
@@ -30,9 +31,10 @@ struct SwathPlan {
 
   Heading heading;
   std::vector<Swath> swaths;
-  bool cut = false;  ///< not all was looked at in time
+  std::vector<EndLink> links = {};  ///< near_ends of these swaths; none where some were dropped
+  bool cut = false;                 ///< not all was looked at in time
   /// Of the tour: the swaths, the ways between them as chained() has them, and the area that is
-  /// left, as if it took six swaths to cover it. Cells.
+  /// left, as if it took six swaths to cover it. Cells; of too many swaths their number.
   double estimate = 0;
   bool too_many() const noexcept { return swaths.size() > kMost; }
 };
@@ -54,20 +56,20 @@ class SwathMaker {
         ground_(ground),
         width_(2 * ground.half_width()) {}
 
-  /// Empty if stopped. Where it must be made, the deadline leaves gaps as they are.
-  std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& stop,
-                                bool must) const;
+  /// Empty if `laying` stops it; `stop` leaves gaps as they are.
+  std::optional<SwathPlan> plan(const Heading& heading, Laid laid, const StopCondition& laying,
+                                const StopCondition& stop) const;
   /// The plan of least estimate of those that are made in time, on threads that do not matter to
-  /// it; one of too many swaths where all are. The first one is made whatever the deadline; empty
-  /// if stopped by the token before.
-  std::optional<SwathPlan> best(int threads, const StopCondition& stop) const;
+  /// it; one of too many swaths where all are. `first` alone ends the first one; empty if it does.
+  std::optional<SwathPlan> best(int threads, const StopCondition& first,
+                                const StopCondition& stop) const;
 
  private:
   std::vector<Swath> fitted(const Heading& heading, Poller& poller) const;
   std::vector<Swath> anywhere(const Heading& heading, Poller& poller) const;
   void add_line(const Heading& heading, double c, std::vector<Swath>& swaths) const;
   bool reached(const Swath& swath) const;
-  std::vector<int> joined_swaths(const std::vector<Swath>& swaths) const;
+  std::vector<int> joined_swaths(const SwathPlan& plan) const;
   void drop_apart(SwathPlan& plan, int threads, const StopCondition& stop) const;
 
   const Planner& planner_;

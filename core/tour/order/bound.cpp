@@ -36,7 +36,7 @@ class Ascent {
  public:
   Ascent(const Costs& costs, std::span<const Point> places, Poller& poller)
       : costs_(costs),
-        candidates_(costs, places, kBoundCandidates),
+        candidates_(costs, places, kBoundCandidates, poller),
         poller_(poller),
         price_(costs.size(), 0),
         best_(price_),

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/poller.h"
-
 namespace lasius::tour {
 
 namespace {
@@ -42,6 +40,11 @@ int quadrant(const Point& from, const Point& to) {
 Candidates::Candidates(const Costs& costs, std::span<const Point> places, int count,
                        const StopCondition& stop) {
   Poller poller(stop);
+  *this = Candidates(costs, places, count, poller, kMany);
+}
+
+Candidates::Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller,
+                       int many) {
   const int n = costs.size();
   std::array<Nearest, 5> sets;  // of the quadrants, and of all
   for (int q = 0; q < 4; ++q) sets[q].most = places.empty() ? 0 : count / 4;
@@ -51,7 +54,7 @@ Candidates::Candidates(const Costs& costs, std::span<const Point> places, int co
   for (int v = 0; v < n; ++v) {
     for (Nearest& set : sets) set.kept.clear();
     row.clear();
-    const int window = n > kMany && poller.stop_after(n) ? count : n;
+    const int window = n > many && poller.stop_after(n) ? count : n;
     for (int w = std::max(0, v - window); w < std::min(n, v + window + 1); ++w)
       if (w != v) row.push_back({w, costs.lower(v, w)});
     // By rising bound: then few are priced that are not kept.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/tour/order/costs.h"
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
@@ -24,6 +25,9 @@ class Candidates {
   /// those whose numbers are near.
   Candidates(const Costs& costs, std::span<const Point> places, int count,
              const StopCondition& stop = {});
+  /// The same, but once stopped those of any number of stops are as there.
+  Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller)
+      : Candidates(costs, places, count, poller, 0) {}
   static constexpr int kMany = 4000;
 
   std::span<const Leg> of(int stop) const noexcept {
@@ -34,6 +38,9 @@ class Candidates {
   void add(const Costs& costs, std::span<const std::pair<int, int>> more);
 
  private:
+  Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller,
+             int many);
+
   std::vector<int> begin_;
   std::vector<Leg> legs_;
 };

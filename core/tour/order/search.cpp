@@ -211,7 +211,9 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
         first->cost() <= inner.target)
       return result;
   }
-  Candidates candidates(closed, places, kCandidates, options.stop);
+  Poller poller(options.stop);  // once it stops, what is first will do
+  Candidates candidates = first ? Candidates(closed, places, kCandidates, poller)
+                                : Candidates(closed, places, kCandidates, options.stop);
   if (more) candidates.add(closed, legs_of_more);
   Colony colony(closed, candidates, inner, found);
   colony.run(std::move(first));

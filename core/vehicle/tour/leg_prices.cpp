@@ -44,19 +44,20 @@ LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int th
   parallel_for(static_cast<int>(pairs.size()), thread_count(threads), [&](int i, int) {
     const auto [v, w] = pairs[i];
     const StopCondition::Cause cause = stop.poll();
-    if (cause == StopCondition::Cause::token) return;
-    const double around = cause != StopCondition::Cause::none
-                              ? 0
-                              : planner_.lower_bound({.start = at(first[v]).pose,
-                                                      .goals = {at(first[w]).pose},
-                                                      .heading_tolerance = std::numbers::pi,
-                                                      .stop = stop});
+    const bool soon = cause == StopCondition::Cause::token;  // of any heading, then
+    const double around = planner_.lower_bound({.start = at(first[v]).pose,
+                                                .goals = {at(first[w]).pose},
+                                                .heading_tolerance = std::numbers::pi,
+                                                .stop = stop},
+                                               cause == StopCondition::Cause::none);
     for (int a = first[v]; a < first[v + 1]; ++a)
       for (int b = first[w]; b < first[w + 1]; ++b)
         for (const PosePair& leg : {PosePair{a, b}, PosePair{b, a}})
-          bounds_[index(leg)] = std::max(
-              around, planner_.lower_bound(
-                          {.start = at(leg.first).pose, .goals = {at(leg.second).pose}}, false));
+          bounds_[index(leg)] =
+              soon ? around
+                   : std::max(around, planner_.lower_bound({.start = at(leg.first).pose,
+                                                            .goals = {at(leg.second).pose}},
+                                                           false));
   });
   constexpr tour::Cost kLongest = kDearest / 8;  // so that detours are below kDearest, too
   double most = 1;

@@ -43,6 +43,11 @@ class LegPrices {
 
   /// Plans legs that are not known. A stopped plan is none.
   void price(std::span<const PosePair> legs, int threads, const StopCondition& stop);
+  /// Those of `legs` that are not known.
+  std::vector<PosePair> unknown(std::vector<PosePair> legs) const {
+    std::erase_if(legs, [&](const PosePair& leg) { return known(leg); });
+    return legs;
+  }
   bool known(const PosePair& leg) const { return plans_.contains(leg); }
   bool has_way(const PosePair& leg) const { return !plans_.at(leg).segments.empty(); }
   /// Of a known one; without a path where none was found.

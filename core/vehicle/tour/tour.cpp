@@ -1,6 +1,7 @@
 #include "lasius/vehicle/tour.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -24,8 +25,9 @@ using tour::RoutesFound;
 constexpr std::size_t kMostPoses = 2000;
 constexpr int kIdle = 10;   // searches for an order without a shorter tour, where it is not proven
 constexpr int kEffort = 5;  // the share of generations that each such search has
-constexpr int kUnjoined = 3;      // places to which no way was found that make a stop one left out
-constexpr double kSpacing = 0.5;  // cells, of a leg's path
+constexpr int kUnjoined = 3;  // places to which no way was found that make a stop one left out
+constexpr std::chrono::duration<double> kSoon{0.7};  // after a signal
+constexpr double kSpacing = 0.5;                     // cells, of a leg's path
 
 std::optional<double> yaw_of(const TourRequest& request, int stop) {
   return request.yaws.empty() ? std::nullopt : request.yaws[static_cast<std::size_t>(stop)];
@@ -114,15 +116,12 @@ class TourSearch {
                        .stop = at_hand ? request_.stop : stop});
       const std::vector<PosePair> order = legs_of(found.orders);
       if (!best_.empty() && found.cost >= best_cost_ && found.optimal) break;
-      std::vector<PosePair> missing;
-      for (const PosePair& leg : order)
-        if (!legs_.known(leg)) missing.push_back(leg);
+      const std::vector<PosePair> missing = legs_.unknown(order);
       price(missing, stop);
-      const auto known = [&](const PosePair& leg) { return legs_.known(leg); };
-      const bool all_known = std::all_of(order.begin(), order.end(), known);
-      const bool better = all_known && offer(found.orders, order);
+      const bool better = legs_.unknown(order).empty() && offer(found.orders, order);
       if (better && !tell()) break;
       cause_ = request_.stop.poll();
+      if (cause_ == StopCondition::Cause::token && best_.empty()) join_soon(found.orders);
       if (cause_ == StopCondition::Cause::token) break;
       if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
       const bool in_vain = missing.empty() && best_.empty();
@@ -156,9 +155,19 @@ class TourSearch {
     tour_.priced += static_cast<std::int64_t>(legs.size());
   }
 
+  // A signal leaves the order at hand its legs, where these are soon planned.
+  void join_soon(const std::vector<std::vector<int>>& orders) {
+    const std::vector<PosePair> legs = legs_of(orders);
+    price(legs_.unknown(legs),
+          {.deadline = deadline_in(kSoon, request_.stop.now()), .time = request_.stop.time});
+    if (legs_.unknown(legs).empty()) offer(orders, legs);
+  }
+
+  // As add_legs has them.
   std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders) const {
     return vehicle::legs_of(orders, request_.open);
   }
+
   // Takes orders all of whose legs are known, if they have ways and are cheaper.
   bool offer(const std::vector<std::vector<int>>& orders, const std::vector<PosePair>& legs) {
     std::int64_t cost = 0;
@@ -171,6 +180,7 @@ class TourSearch {
     best_cost_ = cost;
     return true;
   }
+
   // False where the observer or the gap ends the search.
   bool tell() {
     if (observer_) {
@@ -354,6 +364,7 @@ class TourSearch {
 TourResult plan_tour(const Planner& planner, const TourRequest& request,
                      const TourObserver& observer) {
   TourResult tour;
+  const bool stopped = request.stop.token.stop_requested();
   const std::vector<Point> points = points_of(request);
   check_tour(request, static_cast<int>(points.size()));
   std::vector<std::vector<Pose>> poses;
@@ -370,7 +381,7 @@ TourResult plan_tour(const Planner& planner, const TourRequest& request,
   if (stops.size() > 0 && !is_routed(request)) add_routes(request, stops, tour);
   if (stops.size() == 0) return tour;
   tour.status = Status::interrupted;
-  if (request.stop.token.stop_requested()) return tour;
+  if (stopped) return tour;
   TourSearch(planner, request, observer, std::move(stops), poses, tour).run();
   return tour;
 }

@@ -108,6 +108,13 @@ TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
   EXPECT_EQ(hurried.order.size(), 20U);
   EXPECT_EQ(hurried.status, Status::limit);
   EXPECT_EQ(hurried.legs.size(), 20U);
+  // Not one leg is priced in time: what straight ways cost at the least weight is a bound.
+  EXPECT_EQ(hurried.priced, 0);
+  ASSERT_TRUE(hurried.gap());
+  request.stop = {};
+  const TourResult whole = plan_tour(planner, request);
+  EXPECT_LE(*hurried.lower_bound, *whole.cost);
+  EXPECT_GE(*hurried.lower_bound, 0.3 * *whole.lower_bound);
   EXPECT_THROW(plan_tour(planner, ask(some_stops(grid, 201))), Error);
 }
 

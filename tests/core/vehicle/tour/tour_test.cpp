@@ -258,6 +258,28 @@ TEST(VehicleTour, TimeEndsTheFirstOrderToo) {
   }
 }
 
+// Whenever a signal comes, the order at hand gets its legs.
+TEST(VehicleTour, ASignalLeavesATour) {
+  const Grid grid(200, 160);
+  const Planner planner(grid, truck());
+  std::mt19937 random(5);
+  for (const int stops : {5, 14}) {
+    TourRequest request = poses_on(grid, planner, stops, random);
+    int interrupted = 0;
+    for (int looks = 0; looks < 1 << 12; looks = 2 * looks + 1) {
+      const FiringTime time(looks);
+      request.stop = time.fires();
+      const TourResult tour = plan_tour(planner, request);
+      if (tour.status == Status::solved) break;
+      ++interrupted;
+      EXPECT_EQ(tour.status, Status::interrupted);
+      ASSERT_EQ(tour.order.size(), request.points.size()) << looks;
+      judge(grid, truck(), request, tour);
+    }
+    EXPECT_GT(interrupted, 2);
+  }
+}
+
 TEST(VehicleTour, RefusesAndStops) {
   const Grid grid(60, 40);
   const Planner planner(grid, truck());
