@@ -101,11 +101,6 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
   return false;
 }
 
-// Is no path of this length wanted?
-bool ExactSearch::too_long(double length) const noexcept {
-  return only_ ? exact::beyond(length, upper_) : length >= upper_;
-}
-
 // Expands corners by the frontier that weighs the distance to the goal more. What it finds enters
 // both frontiers.
 void ExactSearch::search_weighted(std::int64_t steps, Poller& poller) {

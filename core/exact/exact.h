@@ -133,7 +133,8 @@ class ExactSearch {
   // A place in half cells, and the length of the path to it.
   struct Root {
     std::uint32_t index;
-    int x, y;
+    kernels::HalfPoint at;  // of a start that is neither corner nor centre the nearest
+    double x, y;
     double length;
   };
 
@@ -161,12 +162,14 @@ class ExactSearch {
   bool goal_in_cone(const exact::Corner& corner) const noexcept;
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept;
-  double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
-  double reach(std::uint32_t parent, int x, int y, exact::Heading heading, double length);
+  double reach(int x, int y, exact::Heading heading);
   bool is_barren(int x, int y, exact::Heading heading) noexcept;
   template <int S>
   bool is_barren_towards(int x, int y, exact::Heading heading) const noexcept;
-  bool too_long(double length) const noexcept;
+  // Is no path of this length wanted?
+  bool too_long(double length) const noexcept {
+    return only_ ? exact::beyond(length, upper_) : length >= upper_;
+  }
   bool in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint at) const noexcept;
   void note_tie(exact::Corner& corner, std::uint32_t parent, exact::Heading heading) noexcept;
   void offer_goal(std::uint32_t index) noexcept;

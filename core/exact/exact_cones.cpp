@@ -38,7 +38,7 @@ struct ExactSearch::Visitor {
   double corner(int u, int line, Turn turn) {
     const bool back = turn == Turn::back;
     const Heading heading(back ? -S : S, down, turn == Turn::onward);
-    return search.reach(search.root_.index, S * u, line0 + down * line, heading);
+    return search.reach(S * u, line0 + down * line, heading);
   }
 
   bool beaten(const kernels::Rival& rival, Fixed u, int line) const noexcept {
@@ -74,7 +74,7 @@ bool ExactSearch::is_barren_towards(int x, int y, Heading heading) const noexcep
   const auto first = [](std::uint64_t cells) {  // kValid if it is farther
     return cells == 0 ? B::kValid : std::min(B::first(cells), B::kValid);
   };
-  const int dx = S * (2 * x - root_.x), dy = down * (2 * y - root_.y);
+  const int dx = S * (2 * x - root_.at.x), dy = down * (2 * y - root_.at.y);
   if (heading.towards_column()) {
     if (dx == 0) return true;
     const int shut = first(~row(1));
@@ -99,11 +99,8 @@ bool ExactSearch::is_barren_towards(int x, int y, Heading heading) const noexcep
 
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
 // length of a shorter way there, or a negative number.
-double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
-  return reach(parent, x, y, heading, root_.length + distance(root_.x, root_.y, 2 * x, 2 * y));
-}
-
-double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, double length) {
+double ExactSearch::reach(int x, int y, Heading heading) {
+  const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
   std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
@@ -112,7 +109,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, d
     Corner& known = corners_[index];
     if (length >= known.length || (only_ && !exact::beyond(known.length, length))) {
       if (only_ && !exact::beyond(length, known.length)) [[unlikely]]
-        note_tie(known, parent, heading);
+        note_tie(known, root_.index, heading);
       return known.length;
     }
     to_goal = known.to_goal;
@@ -126,7 +123,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading, d
   Corner& corner = corners_[index];
   corner.length = length;
   corner.to_goal = to_goal;
-  corner.parent = parent;
+  corner.parent = root_.index;
   corner.heading = heading;
   corner.expanded = barren;
   corner.tied = false;
@@ -185,8 +182,7 @@ void ExactSearch::offer_goal(std::uint32_t index) noexcept {
 // Where a path over the root in hand can be shorter than the horizon.
 template <int S>
 ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
-  const exact::Ellipse ellipse{
-      {root_.x, root_.y}, goal_.near(), horizon_ - root_.length + goal_.off()};
+  const exact::Ellipse ellipse{root_.at, goal_.near(), horizon_ - root_.length + goal_.off()};
   return exact::limits_around<S>(map_, ellipse, down, line0);
 }
 
@@ -233,8 +229,9 @@ bool ExactSearch::scan_cone(std::uint32_t index) {
   constexpr Fixed kLeastSlope = kernels::kOne >> 12;
   if (corner.parent == CornerTable::kStart && slope < kLeastSlope && start_.off() > 0)
     slope = heading.towards_column() ? kLeastSlope : 0;
-  root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
-  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, heading.down());
+  const kernels::HalfPoint at{corner.x, corner.y};  // corners may move from here on
+  root_ = {index, at, 1.0 * at.x, 1.0 * at.y, corner.length};
+  const ConeFrame cone = frame_at<S>(map_, at.x, at.y, heading.down());
   Visitor<S> visitor{*this, heading.down(), cone.line0};
   if (heading.towards_column()) {
     const bool cut_off =
@@ -243,12 +240,12 @@ bool ExactSearch::scan_cone(std::uint32_t index) {
   }
   kernels::Rival level{-1, 0, 0};
   const auto report = [&](int column, bool above) {
-    const double shorter = reach(index, S * column, cone.line0, Heading(S, above ? -1 : 1, true));
+    const double shorter = reach(S * column, cone.line0, Heading(S, above ? -1 : 1, true));
     if (shorter >= 0 && level.length < 0) level = {shorter, column, 0};
   };
   const auto last_column = [&] { return visitor.limits().last_column; };
   const bool cut_line =
-      kernels::scan_line<S>(map_, cone.line0, S * (root_.x >> 1), last_column, report);
+      kernels::scan_line<S>(map_, cone.line0, S * (at.x >> 1), last_column, report);
   const bool cut_cone = ConeScan<S, Visitor<S>>(cone, stack_, visitor, near_lines_)
                             .from_corner(slope, kernels::kLevelSlope, level);
   return learn_limits(visitor.far_known, cut_line || cut_cone);
@@ -256,14 +253,14 @@ bool ExactSearch::scan_cone(std::uint32_t index) {
 
 template <int S>
 bool ExactSearch::scan_around_start(int down) {
-  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, down);
+  const ConeFrame cone = frame_at<S>(map_, root_.at.x, root_.at.y, down);
   Visitor<S> visitor{*this, down, cone.line0};
   return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
 }
 
 // Looks at what paths up to the horizon may turn at first.
 void ExactSearch::look_around_start() {
-  root_ = {};
+  root_ = {CornerTable::kStart, start_.near(), start_.x, start_.y, 0};
   const auto way = [this](int x, int y) { return distance(start_.x, start_.y, 2 * x, 2 * y); };
   const auto worth = [&](int x, int y) {
     return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < horizon_;
@@ -272,7 +269,7 @@ void ExactSearch::look_around_start() {
     const bool column = seen.side == exact::kColumn;
     const Heading heading(column ? -seen.block_x : seen.block_x,
                           column ? seen.block_y : -seen.block_y, column);
-    reach(CornerTable::kStart, seen.x, seen.y, heading, way(seen.x, seen.y));
+    reach(seen.x, seen.y, heading);
   });
 }
 
@@ -281,8 +278,7 @@ bool ExactSearch::scan_around_start() {
     look_around_start();
     return true;  // what lies behind the horizon was not looked at
   }
-  const Corner& start = corners_[CornerTable::kStart];
-  root_ = {CornerTable::kStart, start.x, start.y, 0};
+  root_ = {CornerTable::kStart, start_.near(), start_.x, start_.y, 0};
   bool cut_off = false;
   for (const int down : {1, -1}) {
     cut_off |= scan_around_start<1>(down);

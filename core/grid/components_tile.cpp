@@ -302,9 +302,9 @@ void TileLabels::label(const Grid& grid, const TileBox& box, bool eight) {
 
 // That of the most cells in some rows, which is the largest as a rule.
 void TileLabels::find_main(int rows) noexcept {
-  constexpr int kBetween = 16;
+  constexpr int kSome = 4;
   const auto for_some = [&](const auto& visit) {
-    for (int row = 0; row < rows; row += kBetween) {
+    for (int row = rows / (2 * kSome); row < rows; row += std::max(rows / kSome, 1)) {
       for (int run = first_[row]; run < first_[row + 1]; ++run) visit(run, find(run));
     }
   };

@@ -24,7 +24,7 @@ struct PrepareOptions {
   /// Labels with more entries a vertex than this, on average, are abandoned.
   int max_label_entries = 128;
   /// And those whose entries would take more than this, 20 bytes each, or the lists of what 8 x 8
-  /// cells see, 16 bytes for each vertex that they do.
+  /// cells see, 8 bytes for each vertex that they do, and 8 more where not all of the free ones do.
   std::int64_t max_label_bytes = std::int64_t{64} << 20;
 };
 

@@ -135,9 +135,9 @@ std::shared_ptr<const CornerLabels> CornerLabels::make(const Grid& grid, const C
     LabelSorter(taut, hubs, threads).run(labels->arrays_);
     hubs = {};
     labels->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
-    const std::int64_t most_seen =
-        std::min(options.max_label_bytes / kTileCornerBytes, kMostPlaces);
-    return list_tiles(grid, taut, most_seen, threads, options.stop, labels->arrays_);
+    const std::int64_t most_bytes =
+        std::min(options.max_label_bytes, kMostPlaces * std::int64_t{sizeof(TileCorner)});
+    return list_tiles(grid, taut, most_bytes, threads, options.stop, labels->arrays_);
   };
   HubsEnd how = HubsEnd::stopped;
   ThreadTeam::lead(threads, [&] { how = run(); });

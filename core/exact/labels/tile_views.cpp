@@ -1,9 +1,13 @@
 #include "core/exact/labels/tile_views.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
@@ -13,15 +17,15 @@
 namespace lasius::exact {
 namespace {
 
-/// The map seen in a mirror: column x is column width - 1 - x.
+/// The map seen in a mirror: column x is column width - 1 - x. Incomplete when stopped.
 class MirroredMap {
  public:
-  explicit MirroredMap(const kernels::BitmapView& map)
+  MirroredMap(const kernels::BitmapView& map, Poller poller)
       : stride_((map.width >> 6) + 3),
         words_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(map.height + 2),
                ~std::uint64_t{0}) {
     view_ = {words_.data() + stride_ + 1, stride_, map.width, map.height};
-    for (int y = 0; y < map.height; ++y) {
+    for (int y = 0; y < map.height && !poller.stop_after(map.width); ++y) {
       std::uint64_t* row = words_.data() + (y + 1) * stride_ + 1;
       for (int x = 0; x < map.width; ++x)
         if (!map.blocked(x, y))
@@ -47,7 +51,7 @@ class TileLister {
   TileLister(const Grid& grid, const TautGraph& graph, std::int64_t most, int threads,
              const StopCondition& stop, LabelArrays& labels)
       : map_(view_of(grid)),
-        mirrored_(map_),
+        mirrored_(map_, Poller(stop)),
         graph_(graph),
         most_(most),
         threads_(threads),
@@ -58,6 +62,12 @@ class TileLister {
 
   HubsEnd run() {
     const std::uint32_t n = graph_.size();
+    Poller poller(stop_);
+    free_.reserve(static_cast<std::size_t>(tiles_));
+    for (std::int64_t t = 0; t < tiles_; ++t) {
+      if (poller.stop_after(8)) return HubsEnd::stopped;
+      free_.push_back(free_cells(t));
+    }
     const auto blocks = static_cast<int>((n + kBlock - 1) / kBlock);
     std::vector<std::vector<Seen>> seen(static_cast<std::size_t>(blocks));
     std::vector<std::unique_ptr<Worker>> team;
@@ -68,20 +78,19 @@ class TileLister {
       Worker& worker = *team[static_cast<std::size_t>(thread)];
       auto& part = seen[static_cast<std::size_t>(block)];
       for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v) {
-        const std::size_t before = part.size();
-        if (pairs_ <= most_) look(v, worker, part);
-        pairs_ += static_cast<std::int64_t>(part.size() - before);
+        if (bytes_ <= most_) bytes_ += look(v, worker, part);
       }
       if (worker.poller.stopped()) stopped_ = true;
     });
     team.clear();
-    if (!stopped_ && pairs_ > most_) return HubsEnd::too_many;
+    if (!stopped_ && bytes_ > most_) return HubsEnd::too_many;
     if (!stopped_) deal_out(seen);
     return stopped_ ? HubsEnd::stopped : HubsEnd::ready;
   }
 
  private:
   static constexpr std::uint32_t kBlock = 64;      // corners that one thread looks from in turn
+  static constexpr std::uint32_t kTiles = 64;      // that one lists in turn
   static constexpr std::size_t kWordsPerSeen = 4;  // of work, for a corner that a tile sees
   struct alignas(64) Worker {
     Worker(std::int64_t tiles, const StopCondition& stop)
@@ -92,9 +101,10 @@ class TileLister {
     std::vector<std::uint32_t> touched;
   };
 
-  void look(std::uint32_t v, Worker& worker, std::vector<Seen>& seen) {
+  // Returns the bytes that what it found takes at most.
+  std::int64_t look(std::uint32_t v, Worker& worker, std::vector<Seen>& seen) {
     const GraphCorner& corner = graph_.corner(v);
-    if (!is_corner(corner)) return;
+    if (!is_corner(corner)) return 0;
     for (const Side side : {kColumn, kLine}) {
       const Quadrant q = corner.quadrant(side);
       const bool mirror = q.right < 0;
@@ -109,11 +119,14 @@ class TileLister {
       worker.poller.stop_after(worker.raster.run(
           mirror ? mirrored_.view() : map_, mirror ? map_.width - q.x : q.x, q.y, q.down, span));
     }
+    std::size_t bytes = 0;
     for (const std::uint32_t tile : worker.touched) {
-      seen.push_back({tile, v, worker.cells[tile]});
-      worker.cells[tile] = 0;
+      const std::uint64_t cells = std::exchange(worker.cells[tile], 0);
+      seen.push_back({tile, v, cells});
+      bytes += sizeof(TileCorner) + (cells == free_[tile] ? 0 : sizeof cells);
     }
     worker.touched.clear();
+    return static_cast<std::int64_t>(bytes);
   }
 
   // Numbers of no corner, after edits, have no block there.
@@ -132,25 +145,31 @@ class TileLister {
     }
   }
 
-  // Can a way over the corner go on from some of these cells?
+  // Can a way over the corner go on from some of these cells? Those of a row lie on one side of it,
+  // and the first or the last of them bends the most.
   bool is_live(const Seen& seen) const noexcept {
     const GraphCorner& corner = graph_.corner(seen.corner);
     const int x0 = static_cast<int>(seen.tile % tiles_across_) * 16 + 1;
     const int y0 = static_cast<int>(seen.tile / tiles_across_) * 16 + 1;
-    for (std::uint64_t left = seen.cells; left != 0; left &= left - 1) {
-      const int place = std::countr_zero(left);
-      const int x = x0 + 2 * (place & 7), y = y0 + 2 * (place >> 3);
-      const Side side = corner.side_from(x, y);
+    for (int row = 0; row < 8; ++row) {
+      const auto cells = static_cast<std::uint8_t>(seen.cells >> (8 * row));
+      if (cells == 0) continue;
+      const int first = x0 + 2 * std::countr_zero(cells), y = y0 + 2 * row;
+      const Side side = corner.side_from(first, y);
       const auto edges = graph_.edges(seen.corner, side);
       if (edges.empty()) continue;
-      const std::int64_t turn = std::int64_t{2 * corner.x() - x} * (edges.front().y - corner.y()) -
-                                std::int64_t{2 * corner.y() - y} * (edges.front().x - corner.x());
-      if (turn * corner.bend(side) >= 0) return true;
+      const int along = edges.front().x - corner.x(), away = edges.front().y - corner.y();
+      const int bend = corner.bend(side);
+      const int x =
+          away * bend > 0 ? first : x0 + 2 * (static_cast<int>(std::bit_width(cells)) - 1);
+      const std::int64_t turn =
+          std::int64_t{2 * corner.x() - x} * away - std::int64_t{2 * corner.y() - y} * along;
+      if (turn * bend >= 0) return true;
     }
     return false;
   }
 
-  std::uint64_t free_cells(std::uint32_t tile) const noexcept {
+  std::uint64_t free_cells(std::int64_t tile) const noexcept {
     const int x0 = static_cast<int>(tile % tiles_across_) * 8;
     const int y0 = static_cast<int>(tile / tiles_across_) * 8;
     std::uint64_t free = 0;
@@ -181,39 +200,65 @@ class TileLister {
       for (const Seen& s : part) sorted[at[s.tile]++] = s;
       part = {};
     }
-    std::vector<char> live(sorted.size());
-    parallel_for(static_cast<int>(tiles_), threads_, [&](int t, int thread) {
-      if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), thread)) return;
-      for (std::uint32_t i = first[t]; i < first[t + 1]; ++i) live[i] = is_live(sorted[i]);
-    });
-    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(tiles_); ++t) {
-      if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), 0)) return;
-      const std::uint64_t all = free_cells(t);
-      Tile tile{};
-      tile.masks = count(labels_.masks);
-      for (const bool is_live : {true, false}) {
-        for (const bool full : {true, false}) {
-          auto& begin = is_live ? (full ? tile.live_full : tile.live_partial)
-                                : (full ? tile.dead_full : tile.dead_partial);
-          begin = is_live ? count(labels_.live) : count(labels_.dead);
-          for (std::uint32_t i = first[t]; i < first[t + 1]; ++i) {
-            const Seen& s = sorted[i];
-            if ((live[i] != 0) != is_live || (s.cells == all) != full) continue;
-            if (is_live)
-              labels_.live.push_back(corner_of(s.corner));
-            else
-              labels_.dead.push_back(s.corner);
-            if (!full) labels_.masks.push_back(s.cells);
-          }
-        }
+    std::vector<LabelArrays> parts(static_cast<std::size_t>((tiles_ + kTiles - 1) / kTiles));
+    parallel_for(static_cast<int>(parts.size()), threads_, [&](int part, int thread) {
+      const auto begin = static_cast<std::uint32_t>(part) * kTiles;
+      for (std::uint32_t t = begin; t < std::min<std::int64_t>(begin + kTiles, tiles_); ++t) {
+        if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), thread)) return;
+        list(t, std::span(sorted).subspan(first[t], first[t + 1] - first[t]),
+             parts[static_cast<std::size_t>(part)]);
       }
-      labels_.tiles.push_back(tile);
+    });
+    if (stopped_) return;
+    std::size_t live = 0, dead = 0, masks = 0;
+    for (const LabelArrays& part : parts) {
+      live += part.live.size();
+      dead += part.dead.size();
+      masks += part.masks.size();
     }
-    const std::uint32_t live_end = count(labels_.live), dead_end = count(labels_.dead);
-    labels_.tiles.push_back({live_end, live_end, dead_end, dead_end, count(labels_.masks)});
-    labels_.live.shrink_to_fit();
-    labels_.dead.shrink_to_fit();
-    labels_.masks.shrink_to_fit();
+    labels_.tiles.reserve(first.size());
+    labels_.live.reserve(live);
+    labels_.dead.reserve(dead);
+    labels_.masks.reserve(masks);
+    for (LabelArrays& part : parts) {
+      add(part);
+      part = {};
+    }
+    labels_.tiles.push_back(end_of(labels_));
+  }
+
+  // A tile with what it sees, in the order of the corners.
+  void list(std::uint32_t t, std::span<const Seen> seen, LabelArrays& part) const {
+    std::array<std::vector<const Seen*>, 4> kinds;
+    for (const Seen& s : seen)
+      kinds[(is_live(s) ? 0 : 2) + (s.cells == free_[t] ? 0 : 1)].push_back(&s);
+    part.tiles.push_back(end_of(part));
+    Tile& tile = part.tiles.back();
+    for (const Seen* s : kinds[0]) part.live.push_back(corner_of(s->corner));
+    tile.live_partial = count(part.live);
+    for (const Seen* s : kinds[1]) part.live.push_back(corner_of(s->corner));
+    for (const Seen* s : kinds[2]) part.dead.push_back(s->corner);
+    tile.dead_partial = count(part.dead);
+    for (const Seen* s : kinds[3]) part.dead.push_back(s->corner);
+    for (const int partial : {1, 3})
+      for (const Seen* s : kinds[static_cast<std::size_t>(partial)]) part.masks.push_back(s->cells);
+  }
+
+  // Where the next tile begins.
+  static Tile end_of(const LabelArrays& part) noexcept {
+    const std::uint32_t live = count(part.live), dead = count(part.dead);
+    return {live, live, dead, dead, count(part.masks)};
+  }
+
+  void add(const LabelArrays& part) {
+    const Tile before = end_of(labels_);
+    for (const Tile& t : part.tiles)
+      labels_.tiles.push_back({before.live_full + t.live_full, before.live_full + t.live_partial,
+                               before.dead_full + t.dead_full, before.dead_full + t.dead_partial,
+                               before.masks + t.masks});
+    labels_.live.insert(labels_.live.end(), part.live.begin(), part.live.end());
+    labels_.dead.insert(labels_.dead.end(), part.dead.begin(), part.dead.end());
+    labels_.masks.insert(labels_.masks.end(), part.masks.begin(), part.masks.end());
   }
 
   template <class T>
@@ -235,7 +280,8 @@ class TileLister {
   const StopCondition& stop_;
   LabelArrays& labels_;
   const std::int64_t tiles_across_, tiles_;
-  std::atomic<std::int64_t> pairs_ = 0;  // of tiles and corners that they see
+  std::vector<std::uint64_t> free_;  // cells, by tile
+  std::atomic<std::int64_t> bytes_ = 0;
   std::atomic<bool> stopped_ = false;
 };
 

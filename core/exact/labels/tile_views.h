@@ -8,11 +8,9 @@
 
 namespace lasius::exact {
 
-/// What a corner that a tile's cells see takes at most, in bytes, once all are listed.
-constexpr std::int64_t kTileCornerBytes = sizeof(TileCorner) + sizeof(std::uint64_t);
-
 /// Fills tiles, live, dead and masks. The same for any number of threads; incomplete when stopped,
-/// and where tiles would see more than `most` corners, all told: then it ends early.
+/// and where they would take more than `most` bytes, 8 for each corner that cells of a tile see and
+/// 8 more where not all free ones do: then it ends early.
 HubsEnd list_tiles(const Grid& grid, const TautGraph& graph, std::int64_t most, int threads,
                    const StopCondition& stop, LabelArrays& labels);
 

@@ -176,5 +176,24 @@ TEST(CornerLabels, AreGivenUpWhereTheyWouldTakeTooMuch) {
   EXPECT_EQ(report.labels.state, Preparation::State::stopped);
 }
 
+// 8 bytes for each corner that cells of a tile see, 8 more where not all of the free ones do.
+TEST(CornerLabels, AreGivenUpByTheBytesOfTheirLists) {
+  const Grid grid = generate(MapKind::open, {256, 256, -1, 3});
+  PrepareOptions options{.threads = 2};
+  Preparation report;
+  const auto graph = exact::CornerGraph::make(grid, options, report);
+  const auto labels = CornerLabels::make(grid, *graph, options, report.labels);
+  ASSERT_NE(labels, nullptr);
+  const auto& lists = labels->arrays();
+  const auto bytes =
+      static_cast<std::int64_t>(8 * (lists.live.size() + lists.dead.size() + lists.masks.size()));
+  ASSERT_GT(bytes, 20 * labels->entry_count());
+  options.max_label_bytes = bytes;
+  EXPECT_NE(CornerLabels::make(grid, *graph, options, report.labels), nullptr);
+  options.max_label_bytes = bytes - 1;
+  EXPECT_EQ(CornerLabels::make(grid, *graph, options, report.labels), nullptr);
+  EXPECT_EQ(report.labels.state, Preparation::State::too_large);
+}
+
 }  // namespace
 }  // namespace lasius
