@@ -1,12 +1,17 @@
-"""What is built or tested for a mutant ends whole when it takes too long."""
+"""What is run for a mutant ends whole when it takes too long; the cases that execute a place."""
 import importlib.machinery
 import importlib.util
+import json
 import os
 import pathlib
+import sys
 import tempfile
 import unittest
 
-SCRIPT = str(pathlib.Path(__file__).resolve().parent.parent.parent / ".ci/mutate")
+FOLDER = pathlib.Path(__file__).resolve().parent.parent.parent / ".ci"
+SCRIPT = str(FOLDER / "mutate")
+sys.path.insert(0, str(FOLDER))
+from executed import Executed  # noqa: E402
 
 
 class Mutate(unittest.TestCase):
@@ -25,6 +30,26 @@ class Mutate(unittest.TestCase):
             self.assertEqual(mutate.run("sh", "-c", "cat never >pipe & wait", seconds=0.2), (None, ""))
             os.set_blocking(reader, True)
             self.assertEqual(os.read(reader, 1), b"")  # waits for whoever could still write
+
+    def test_cases_that_execute_a_place(self):
+        executed = Executed("/tree")
+        functions = {
+            # A function, and a lambda within it; a branch that is not taken.
+            "outer": [[1, 5, 9, 2, 2, 0, 0, 0], [2, 9, 4, 4, 0, 0, 0, 0]],
+            "inner": [[6, 5, 7, 9, 1, 0, 0, 0]],
+        }
+        executed.read_functions(json.dumps({"data": [{"functions": [
+            {"name": name, "filenames": ["/tree/core/grid/a.cpp"], "regions": regions}
+            for name, regions in functions.items()]}]}))
+        names = {regions[0][0]: name for _, _, name, regions in executed.functions["core/grid/a.cpp"]}
+        outer, inner = names[1, 5], names[6, 5]
+        executed.read_cases("p", f"A.a 0.5 ok {outer}\nA.b 0.25 ok {outer} {inner}\nA.c 1 failed {inner}\n")
+        self.assertEqual(executed.seconds, {("p", "A.a"): 0.5, ("p", "A.b"): 0.25})
+        both, one = {("p", "A.a"), ("p", "A.b")}, {("p", "A.b")}
+        for path, place, included_by, cases in (
+                ("a.cpp", (1, 9), (), both), ("a.cpp", (3, 1), (), set()), ("a.cpp", (6, 7), (), one),
+                ("a.cpp", (20, 1), (), both), ("a.h", (1, 1), ["core/grid/a.cpp"], both), ("a.h", (1, 1), (), set())):
+            self.assertEqual(executed.at(f"core/grid/{path}", place, included_by), cases, (path, place))
 
 
 if __name__ == "__main__":

@@ -235,5 +235,15 @@ TEST(TerminalIndex, ForgetsWhatLedThroughBlockedCellsAndNothingElse) {
   EXPECT_GT(kept, 1000);
 }
 
+TEST(SurvivingColony, AgreesAnewAfterAChange) {
+  Params params = few_ants("mmas");
+  params.agreement = 3;
+  const Grid corridor(20, 1);
+  SurvivingColony colony(corridor, {19, 0}, params);
+  EXPECT_EQ(colony.run({0, 0}, 10).best.size(), 3U);
+  colony.changed({5, 0, 1, 1});
+  EXPECT_EQ(colony.run({0, 0}, 10).best.size(), 3U);
+}
+
 }  // namespace
 }  // namespace lasius

@@ -68,5 +68,15 @@ TEST(KeptWay, LeadsBackAcrossACusp) {
   EXPECT_LT(cost(vehicle, way), cost(vehicle, rest) + 5);
 }
 
+// A clothoid of a turn and more, from curvature -0.25 to 0.25 and on.
+TEST(KeptWay, LocatesAPoseOnAClothoid) {
+  const Segment s{.begin = {50, 50, 0}, .curvature = -0.25, .curvature_rate = 0.0125, .length = 60};
+  KeptWay kept(car(kBox, 4));
+  for (double at = 0.5; at < s.length; at += 0.5) {
+    kept.keep({s});
+    EXPECT_LT(kept.locate(s.pose(at)), 1e-3) << at;
+  }
+}
+
 }  // namespace
 }  // namespace lasius::vehicle

@@ -38,6 +38,16 @@ TEST(VehicleProfile, TimesWorkedByHand) {
               kPi, 1e-12);
   EXPECT_DOUBLE_EQ(Profile({{.begin = {}, .gear = 0, .angle = -3}}, {.turn_rate = 1.5}).duration(),
                    2);
+  // Up over both lines' first half and down, 2 s each; then the turn at its own rate, likewise.
+  const Pose far{8, 0, 0};
+  EXPECT_DOUBLE_EQ(
+      Profile(
+          {{.begin = {}, .length = 4},
+           {.begin = {4, 0, 0}, .length = 4},
+           {.begin = far, .gear = 0, .angle = 2}},
+          {.speed = 9, .acceleration = 2, .braking = 2, .turn_rate = 9, .turn_acceleration = 0.5})
+          .duration(),
+      4 + 4);
   EXPECT_EQ(Profile({}, {}).duration(), 0);
   EXPECT_THROW(line(1, {.speed = 0}), Error);
   EXPECT_THROW(line(1, {.speed = INFINITY}), Error);

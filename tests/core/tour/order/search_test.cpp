@@ -104,5 +104,30 @@ TEST(TourOrder, RefusesEndsThatAreNone) {
     EXPECT_THROW(find_order(stops.costs(), ends, {}, {}), Error);
 }
 
+TEST(TourOrder, EndsAtItsTargetOrWhenTheObserverSaysSo) {
+  const Instance stops = random_instance(300, 1, false);
+  std::vector<std::int64_t> told;
+  std::size_t most = 1000;
+  OrderOptions options;
+  options.generations = 2;
+  options.observer = [&](std::span<const int>, std::int64_t cost) {
+    told.push_back(cost);
+    return told.size() < most;
+  };
+  (void)find_order(stops.costs(), kEnds[0], stops.places, options);
+  const std::vector<std::int64_t> costs = told;
+  ASSERT_GT(costs.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const bool by_target : {false, true}) {
+      told.clear();
+      options.target = by_target ? costs[i] : 0;
+      most = by_target ? 1000 : i + 1;
+      (void)find_order(stops.costs(), kEnds[0], stops.places, options);
+      EXPECT_EQ(told, std::vector<std::int64_t>(costs.begin(), costs.begin() + std::ssize(told)));
+      EXPECT_EQ(told.size(), i + 1) << by_target;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lasius::tour
