@@ -163,7 +163,6 @@ class TourSearch {
     if (legs_.unknown(legs).empty()) offer(orders, legs);
   }
 
-  // As add_legs has them.
   std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders) const {
     return vehicle::legs_of(orders, request_.open);
   }
