@@ -1,5 +1,8 @@
 // lasius_bench tours: how far above the best a tour is by time, against textbooks.
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +30,7 @@ struct TourBenchOptions {
   std::vector<std::string> files = {};
   int stops = 200, seeds = 3, groups = 0, spread = 0;
   double seconds = 1;
+  bool bounds = false, whole = false;
 };
 
 struct TourInstance {
@@ -65,21 +69,23 @@ Marks textbook(const TourInstance& instance, peers::TourMethod method, std::uint
   return marks;
 }
 
-// What the best tour is above the bound, which is given the time of a mark.
+// What the best tour is above the bound, which is given so many seconds of processor time.
+double above_bound(const TourInstance& instance, std::int64_t best, double seconds) {
+  constexpr int kRounds = 1000;
+  const TourTime time(seconds);
+  const StopCondition stop = time.stop();
+  Poller poller(stop, 1 << 14);
+  const std::int64_t bound = tour::tour_bound({instance.size(), instance.matrix.data()}, {},
+                                              instance.places, best, kRounds, poller);
+  return bound > 0 ? 100.0 * static_cast<double>(best - bound) / static_cast<double>(bound)
+                   : kUnknown;
+}
+
 void write_bound(const TourInstance& instance, std::int64_t best, const TourBenchOptions& options,
                  Table& table) {
-  constexpr int kRounds = 1000;
   std::vector<double> figures;
-  for (const double share : kShares) {
-    const TourTime time(share * options.seconds);
-    const StopCondition stop = time.stop();
-    Poller poller(stop, 1 << 14);
-    const std::int64_t bound = tour::tour_bound({instance.size(), instance.matrix.data()}, {},
-                                                instance.places, best, kRounds, poller);
-    figures.push_back(bound > 0
-                          ? 100.0 * static_cast<double>(best - bound) / static_cast<double>(bound)
-                          : kUnknown);
-  }
+  for (const double share : kShares)
+    figures.push_back(above_bound(instance, best, share * options.seconds));
   figures.push_back(kUnknown);
   table.row(instance.name + ", the best above the bound", figures);
 }
@@ -156,6 +162,33 @@ Marks from_nothing(const Grid& grid, const std::vector<Cell>& stops, std::uint64
   return marks;
 }
 
+// The bound with costs at hand, of the best tour that a search of `seconds` finds, or the optimum
+// where it is known.
+constexpr std::array<double, 3> kBoundSeconds{0.3, 1, 2};
+void measure_bounds(const TourInstance& instance, const TourBenchOptions& options, Table& table) {
+  const TourTime time(options.seconds);
+  const std::int64_t best =
+      instance.known > 0
+          ? instance.known
+          : searched({instance.size(), instance.matrix.data()}, instance, 1, time).back();
+  std::vector<double> figures;
+  for (const double seconds : kBoundSeconds)
+    figures.push_back(above_bound(instance, best, seconds));
+  table.row(instance.name, figures);
+}
+
+// The start of a map's first query, and random cells that are joined to it.
+std::vector<Cell> random_stops(const QuerySet& set, const Planner& planner,
+                               const TourBenchOptions& options) {
+  kernels::RandomStream random(options.maps.seed, 0, 0, 0x73746f70);
+  std::vector<Cell> stops{set.queries.front().start};
+  while (static_cast<int>(stops.size()) < options.stops) {
+    const int x = random.below(set.grid.width()), y = random.below(set.grid.height());
+    if (set.grid.free({x, y}) && planner.joined(stops.front(), {x, y})) stops.push_back({x, y});
+  }
+  return stops;
+}
+
 // Random stops of a map: lengths from a matrix that is ready, and priced as the search asks.
 void measure_stops(const QuerySource& source, const TourBenchOptions& options, Table& table,
                    std::string& notes) {
@@ -163,19 +196,14 @@ void measure_stops(const QuerySource& source, const TourBenchOptions& options, T
   const Stopwatch preparing;
   const Planner planner = Planner(set.grid).prepared({.threads = 1});
   const double prepared = preparing.seconds();
-  kernels::RandomStream random(options.maps.seed, 0, 0, 0x73746f70);
-  std::vector<Cell> stops{set.queries.front().start};
-  TourInstance instance{set.name, {}, {centre(stops.front())}};
-  while (instance.size() < options.stops) {
-    const Cell cell{random.below(set.grid.width()), random.below(set.grid.height())};
-    if (!set.grid.free(cell) || !planner.joined(stops.front(), cell)) continue;
-    stops.push_back(cell);
-    instance.places.push_back(centre(cell));
-  }
+  const std::vector<Cell> stops = random_stops(set, planner, options);
+  TourInstance instance{set.name, {}, {}};
+  for (const Cell cell : stops) instance.places.push_back(centre(cell));
   const ThreadStopwatch pricing;
   const auto lengths = planner.distances(stops, stops, 1);
   const double priced = pricing.seconds();
   for (const double length : *lengths) instance.matrix.push_back(tour::grains(length));
+  if (options.bounds) return measure_bounds(instance, options, table);
   auto runs = matrix_runs(instance, options);
   runs.emplace_back("lasius, from nothing", std::vector<Marks>{});
   for (int seed = 1; seed <= options.seeds; ++seed)
@@ -234,29 +262,71 @@ void run_groups(const TourBenchOptions& options) {
   for (const QuerySource& source : sources_of(options.maps)) measure_groups(source, options, table);
 }
 
-void run_tours(const TourBenchOptions& options) {
-  if (options.groups > 0) return run_groups(options);
+// The whole of plan_tour within a time limit: its own gap, and the memory of all until then.
+void measure_whole(const QuerySource& source, const TourBenchOptions& options, Table& table) {
+  const QuerySet set = load(source, 1);
+  const Planner planner(set.grid);
+  TourRequest request;
+  request.stops = random_stops(set, planner, options);
+  request.threads = 1;
+  request.generations = std::numeric_limits<int>::max();
+  const TourTime time(options.seconds);
+  request.stop = time.stop();
+  const TourResult tour = plan_tour(planner, request);
+  const double used = time.used();
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  table.row(set.name, {tour.length, 100 * tour.gap().value_or(kUnknown), used,
+                       static_cast<double>(usage.ru_maxrss) / 1024});
+}
+
+Table table_of(const TourBenchOptions& options) {
+  const std::string stops = std::to_string(options.stops), limit = short_number(options.seconds);
+  if (options.whole)
+    return {"Closed tours of " + stops + " stops from nothing, time limit " + limit +
+                " s of processor time of one thread",
+            {"map", "length", "gap, %", "CPU s", "peak of memory, MiB"}};
   std::vector<Table::Column> columns{"closed tours"};
+  if (options.bounds) {
+    for (const double seconds : kBoundSeconds) columns.emplace_back(short_number(seconds) + " s");
+    return {"Per cent that the best tour (of TSPLIB the optimum, else of a search of " + limit +
+                " s over " + stops +
+                " stops) is above the bound, by its processor time of one thread, costs at hand",
+            columns};
+  }
   for (const double share : kShares)
     columns.emplace_back(short_number(share * options.seconds) + " s");
   columns.emplace_back("worst");
-  Table table(
-      "Per cent above the best known (of TSPLIB its optimum, else the best of these runs), mean "
-      "of " +
+  return {
+      "Per cent above the best known (of TSPLIB its optimum, else the best of these runs), "
+      "mean of " +
           std::to_string(options.seeds) +
           " seeds, by processor time of one thread. Matrices are ready before; what they took "
           "stands below.",
-      columns);
+      columns};
+}
+
+void run_tours(const TourBenchOptions& options) {
+  if (options.groups > 0) return run_groups(options);
+  Table table = table_of(options);
   for (const std::string& file : options.files) {
     const TourInstance instance = tsplib_instance(file);
-    write_rows(instance, matrix_runs(instance, options), options, table);
+    if (options.bounds)
+      measure_bounds(instance, options, table);
+    else
+      write_rows(instance, matrix_runs(instance, options), options, table);
   }
   MapOptions maps = options.maps;
   if (options.files.empty() && maps.maps.empty() && maps.sides.empty() && maps.noise.empty())
     maps.sides = {512};
   std::string notes;
   if (!maps.maps.empty() || !maps.sides.empty() || !maps.noise.empty())
-    for (const QuerySource& source : sources_of(maps)) measure_stops(source, options, table, notes);
+    for (const QuerySource& source : sources_of(maps)) {
+      if (options.whole)
+        measure_whole(source, options, table);
+      else
+        measure_stops(source, options, table, notes);
+    }
   if (!notes.empty()) table.close(notes);
 }
 
@@ -273,6 +343,10 @@ void add_tours_command(CLI::App& app) {
              "Instead: so many groups of three stops a map, of which one is visited", 0, 600);
   add_number(command, "--spread", options.spread,
              "Cells around the first stop of a group that its others are in; 0: anywhere", 0, 1000);
+  command.add_flag("--bounds", options.bounds,
+                   "Instead: the bound by its time, of the best tour of one search");
+  command.add_flag("--whole", options.whole,
+                   "Instead, on maps: plan_tour until --seconds, its gap and the memory it took");
   add_number(command, "--seeds", options.seeds, "Runs of each", 1, 1000);
   add_number(command, "--seconds", options.seconds, "Processor time of a run", 0.01, 1000);
 }

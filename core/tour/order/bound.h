@@ -1,5 +1,5 @@
 // What no tour can be cheaper than: the bound of Held & Karp (1970), by ascent over 1-trees, with
-// blossoms.
+// combs.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace lasius::tour {
 
 /// A whole number that no tour with these ends is cheaper than; `upper` is the cost of one. The
 /// ascent is over 6 candidates a stop, each tree that is asserted over all legs, at their lower
-/// bounds where they are not priced: legs that such a tree takes are let in (and priced), blossoms
+/// bounds where they are not priced. Legs that such a tree takes are let in (and priced); of costs
+/// at hand all that would make a tree over the candidates cheaper, and the nearest to that. Combs
 /// that the mean of the last trees exceeds get prices as stops have (Lagrange's), and the ascent
 /// goes on, at most `rounds` times, until stopped, or until the bound meets `upper` or gains
 /// little. Stopped before the first such tree, it is 0. Deterministic but for that.

@@ -33,6 +33,7 @@ class Candidates {
   std::span<const Leg> of(int stop) const noexcept {
     return {legs_.data() + begin_[stop], legs_.data() + begin_[stop + 1]};
   }
+  std::size_t count() const noexcept { return legs_.size(); }  ///< of legs
   int size() const noexcept { return static_cast<int>(begin_.size()) - 1; }
   /// Lets the legs of both directions in, and of `more` (pairs of stops) too.
   void add(const Costs& costs, std::span<const std::pair<int, int>> more);

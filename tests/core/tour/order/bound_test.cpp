@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
-#include "core/tour/order/blossoms.h"
+#include "core/tour/order/combs.h"
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "kernels/base/random_stream.h"
@@ -46,9 +47,9 @@ TEST(TourBound, IsNeverAboveTheOptimumAndNear) {
 
 // Stops along the teeth of a comb, whose legs from tooth to tooth go by its back. Of those only the
 // straight distance is known until they are priced.
-struct Comb final : Pricer {
+struct Spine final : Pricer {
   static constexpr int kTeeth = 9, kDeep = 16, kApart = 4, kGrains = 1000;
-  Comb() : known(kTeeth * kDeep * kTeeth * kDeep, 0) {}
+  Spine() : known(kTeeth * kDeep * kTeeth * kDeep, 0) {}
   static int size() { return kTeeth * kDeep; }
   static Cost leg(int a, int b, bool straight) {
     const int across = kApart * std::abs(a / kDeep - b / kDeep);
@@ -70,10 +71,10 @@ struct Comb final : Pricer {
 TEST(TourBound, IsAsGreatWhereBoundsOfLegsArePoor) {
   // Down each tooth and up again, along the back and home.
   const std::int64_t best =
-      2 * Comb::kGrains * (Comb::kTeeth * Comb::kDeep + Comb::kApart * (Comb::kTeeth - 1));
+      2 * Spine::kGrains * (Spine::kTeeth * Spine::kDeep + Spine::kApart * (Spine::kTeeth - 1));
   Poller poller(kNeverStops);
-  Comb comb;
-  const auto bound = tour_bound({Comb::size(), comb}, {}, {}, best, 4, poller);
+  Spine comb;
+  const auto bound = tour_bound({Spine::size(), comb}, {}, {}, best, 4, poller);
   EXPECT_LE(bound, best);
   EXPECT_GE(100 * bound, 90 * best);
 }
@@ -100,51 +101,79 @@ TEST(TourBound, IsWithinAPerCentInCorridors) {
 
 // Two triangles of halves, joined by three whole legs: a solution of Held & Karp's bound that is no
 // tour. Either triangle is a handle with three teeth: 1.5 + 3 of its legs, where tours take 4.
-TEST(Blossoms, AreFoundWhereTrianglesAreTakenHalf) {
+TEST(Combs, AreFoundWhereTrianglesAreTakenHalf) {
   std::vector<SharedLeg> legs;
   for (int i = 0; i < 3; ++i) {
     legs.push_back({i, (i + 1) % 3, 0.5});
     legs.push_back({3 + i, 3 + (i + 1) % 3, 0.5});
     legs.push_back({i, 3 + i, 1});
   }
-  const std::vector<Blossom> found = blossoms_of(6, legs);
+  const std::vector<Comb> found = combs_of(6, legs);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].handle, (std::vector<int>{0, 1, 2}));
-  EXPECT_EQ(found[0].teeth, (std::vector<std::pair<int, int>>{{0, 3}, {1, 4}, {2, 5}}));
+  EXPECT_EQ(found[0].teeth, (std::vector<std::vector<int>>{{0, 3}, {1, 4}, {2, 5}}));
   EXPECT_EQ(found[0].most(), 4);
 }
 
-TEST(Blossoms, AreKeptByEveryTour) {
-  constexpr int kStops = 7;
+// One of the triangles, and in place of stop 3 a set of three, of which all but a leg is taken.
+std::vector<SharedLeg> legs_of_a_wide_tooth() {
+  std::vector<SharedLeg> legs{{3, 6, 1}, {3, 7, 0.5}, {6, 7, 0.5}, {6, 4, 0.5}, {7, 4, 0.5}};
+  for (int i = 0; i < 3; ++i) {
+    legs.push_back({i, (i + 1) % 3, 0.5});
+    legs.push_back({i, 3 + i, 1});
+  }
+  return legs;
+}
+
+TEST(Combs, HaveTeethOfManyStops) {
+  const Comb comb{{0, 1, 2}, {{0, 3, 6, 7}, {1, 4}, {2, 5}}};
+  const std::vector<Comb> found = combs_of(8, legs_of_a_wide_tooth());
+  EXPECT_NE(std::find(found.begin(), found.end(), comb), found.end());
+  EXPECT_EQ(comb.most(), 3 + 3 + 1 + 1 - 2);
+}
+
+TEST(Combs, AreKeptByEveryTour) {
+  constexpr int kStops = 8;
   kernels::RandomStream random(1, 0, 0, 1);
-  int found = 0;
-  for (int draw = 0; draw < 300; ++draw) {
+  int found = 0, wide = 0;
+  for (int draw = 0; draw < 100; ++draw) {
     std::vector<SharedLeg> legs;
     for (int a = 0; a < kStops; ++a)
       for (int b = a + 1; b < kStops; ++b)
         if (random.below(2) == 0) legs.push_back({a, b, 0.25 * random.below(5)});
-    for (const Blossom& blossom : blossoms_of(kStops, legs)) {
+    if (draw % 2 != 0) {
+      legs = legs_of_a_wide_tooth();
+      for (SharedLeg& leg : legs)
+        if (random.below(4) == 0) leg.share = 0.25 * random.below(5);
+    }
+    for (const Comb& comb : combs_of(kStops, legs)) {
       ++found;
-      std::vector<int> tour{0, 1, 2, 3, 4, 5, 6};
-      const auto in = [&](int v) {
-        return std::count(blossom.handle.begin(), blossom.handle.end(), v) > 0;
-      };
+      std::vector<std::vector<int>> sets = comb.teeth;
+      sets.push_back(comb.handle);
+      wide += std::any_of(sets.begin(), sets.end() - 1, [](const auto& s) { return s.size() > 2; });
+      std::vector<int> tour(kStops);
+      std::iota(tour.begin(), tour.end(), 0);
+      std::vector<unsigned> masks;
+      for (const auto& set : sets) {
+        unsigned mask = 0;
+        for (const int v : set) mask |= 1U << v;
+        masks.push_back(mask);
+      }
       do {
         std::int64_t taken = 0;
         for (int i = 0; i < kStops; ++i) {
-          const std::pair leg(tour[i], tour[(i + 1) % kStops]);
-          taken += in(leg.first) && in(leg.second);
-          for (const auto& tooth : blossom.teeth)
-            taken += tooth == leg || tooth == std::pair(leg.second, leg.first);
+          const unsigned leg = 1U << tour[i] | 1U << tour[(i + 1) % kStops];
+          for (const unsigned mask : masks) taken += (mask & leg) == leg;
         }
-        ASSERT_LE(taken, blossom.most());
+        ASSERT_LE(taken, comb.most());
       } while (std::next_permutation(tour.begin() + 1, tour.end()));
     }
   }
   EXPECT_GT(found, 10);
+  EXPECT_GT(wide, 0);
 }
 
-// What the bound of trees alone leaves of stops in the plane is mostly what blossoms close.
+// What the bound of trees alone leaves of stops in the plane is mostly what combs close.
 TEST(TourBound, IsWithinHalfAPerCentInThePlane) {
   const Instance stops = random_instance(150, 3, false);
   OrderOptions options;
