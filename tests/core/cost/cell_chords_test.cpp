@@ -59,7 +59,14 @@ TEST(CellChords, LoweredValuesObeyEveryChord) {
       }
       if (values == before) continue;
       // What it was before did not obey.
-      EXPECT_GT(chords.excess(before.data(), weight), 1);
+      const double excess = chords.excess(before.data(), weight);
+      EXPECT_GT(excess, 1);
+      const Boundary high{chords, before};
+      for (int c = 0; c < 3000; ++c) {
+        const auto [a, at_a] = high.at(unit(random));
+        const auto [b, at_b] = high.at(unit(random));
+        EXPECT_LE(at_b - at_a, excess * weight * std::hypot(a.x - b.x, a.y - b.y) + 1e-11);
+      }
     }
   }
   EXPECT_GT(lowered, 100);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -288,6 +289,19 @@ TEST(DiscDrives, EndNearAGoalThatNoWalkLeadsTo) {
   const DriveResult there = arrived(25, *near.goal_reached);
   EXPECT_EQ(there.status, Status::solved);
   EXPECT_EQ(there.ticks, 0);
+}
+
+TEST(DiscDrives, AStepStoppedBeforeItPlannedHasNoWay) {
+  Navigator navigator(Grid(600, 600), {590, 590}, {.radius = 2});
+  const Cell robot{5, 5};
+  ASSERT_EQ(navigator.step(robot).status, Status::solved);
+  navigator.observe({100, 0, 300, 550}, true);
+  std::stop_source source;
+  source.request_stop();
+  const Way& way = navigator.step(robot, {.token = source.get_token()});
+  EXPECT_EQ(way.status, Status::interrupted);
+  EXPECT_TRUE(way.path.empty());
+  EXPECT_EQ(navigator.step(robot).status, Status::solved);
 }
 
 }  // namespace

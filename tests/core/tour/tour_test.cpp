@@ -251,6 +251,7 @@ TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
   request.open = true;
   request.start = 1;
   request.goal = 0;
+  request.generations = 0;
   tour = plan_tour(problem, request);
   EXPECT_EQ(tour.length, 11);  // 3 + 5 + 3
   EXPECT_EQ(tour.order.front(), 1);

@@ -110,5 +110,19 @@ TEST(TourLocalSearch, PassesEachCorridorTwice) {
   }
 }
 
+// On the plane savings are some 12% above the shortest tour, ends joined at random far more.
+TEST(TourOrder, BySavingsIsNotMuchLonger) {
+  for (const std::uint32_t seed : {2U, 4U, 6U}) {
+    const Instance stops = random_instance(120, seed, false);
+    const Candidates candidates(stops.costs(), stops.places, 10, {});
+    OrderOptions options;
+    options.generations = 5;
+    const OrderFound best = find_order(stops.costs(), {}, stops.places, options);
+    const auto order = savings_order(stops.costs(), candidates);
+    EXPECT_LT(static_cast<double>(cost_of(stops.costs(), order, false)),
+              1.16 * static_cast<double>(best.cost));
+  }
+}
+
 }  // namespace
 }  // namespace lasius::tour
