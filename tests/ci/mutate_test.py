@@ -1,4 +1,4 @@
-"""What is run for a mutant ends whole when it takes too long; the cases that execute a place."""
+"""What is run for a mutant ends whole when it takes too long, and harms nothing; the cases that execute a place."""
 import importlib.machinery
 import importlib.util
 import json
@@ -14,13 +14,34 @@ sys.path.insert(0, str(FOLDER))
 from executed import Executed  # noqa: E402
 
 
+def script(folder):
+    """.ci/mutate as a module that works in a folder."""
+    loader = importlib.machinery.SourceFileLoader("mutate", SCRIPT)
+    mutate = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate", loader))
+    loader.exec_module(mutate)
+    mutate.TREE = folder
+    return mutate
+
+
 class Mutate(unittest.TestCase):
+    @unittest.skipIf(os.geteuid() != 0, "others than root cannot harm /dev")
+    def test_tests_of_a_mutant_harm_nothing(self):
+        with tempfile.TemporaryDirectory(dir="/tmp") as folder:
+            mutate = script(folder)
+            shield = (*mutate.SHIELD[:-1], folder)
+            if mutate.run(*shield, "true")[0] != 0:
+                self.skipTest("unshare and mount are not allowed here, so that mutate refuses to run")
+            name = os.path.basename(folder)  # of no other file
+            for place in ("/dev", "/"):
+                self.assertNotEqual(mutate.run(*shield, "touch", f"{place}/{name}")[0], 0)
+                self.assertFalse(os.path.exists(f"{place}/{name}"))
+            self.assertEqual(mutate.run(*shield, "sh", "-c", f"echo said >/dev/null; echo >{folder}/made; exit 5"),
+                             (5, ""))
+            self.assertTrue(os.path.exists(f"{folder}/made"))
+
     def test_no_process_is_left(self):
-        loader = importlib.machinery.SourceFileLoader("mutate", SCRIPT)
-        mutate = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate", loader))
-        loader.exec_module(mutate)
         with tempfile.TemporaryDirectory() as folder:
-            mutate.TREE = folder
+            mutate = script(folder)
             self.assertEqual(mutate.run("sh", "-c", "echo said; exit 3"), (3, "said\n"))
             for name in ("never", "pipe"):
                 os.mkfifo(os.path.join(folder, name))
