@@ -316,7 +316,7 @@ TEST_F(HostileFiles, Results) {
 }
 
 TEST_F(HostileFiles, Documents) {
-  const auto read = [](const std::string& name) { (void)tool::read_document(name); };
+  const auto read = [](const std::string& name) { (void)tool::read_document(name, "a preset"); };
   const std::string large(1 << 16, 'x');
   refused(read, "d.yaml", "a: " + large, "larger than 64 kB");
   taken(read, "d.yaml", filled("[", "a,", "a]").substr(0, (1 << 16) - 3) + "a]");

@@ -244,6 +244,7 @@ class Vehicles(ProgramTest):
                 self.write("v.yaml", text)
                 self.refused(self.drive("v.yaml", "5,5,0", "20,20,0"), 3, "v.yaml", *words)
         self.refused(self.drive("none.yaml", "5,5,0", "20,20,0"), 3, "none.yaml")
+        self.refused(self.drive("yard.map", "5,5,0", "20,20,0"), 3, "yard.map: this is a MovingAI map; give a vehicle")
 
     def test_commands_that_make_no_sense(self):
         for options, words in [(["--radius", "2"], "--radius"), (["--ants", "5"], "--ants"), (["--algorithm", "mmas"], "mmas"),

@@ -95,7 +95,7 @@ Vehicle usual_of(const Node& file, double scale, std::vector<Point> footprint) {
 }  // namespace
 
 LoadedVehicle read_vehicle(const std::string& name, const LoadedMap& map, Frame frame) {
-  const Node file = read_document(name);
+  const Node file = read_document(name, "a vehicle in YAML or JSON");
   static const std::vector<std::string_view> kKeys = all_keys();
   file.allow(kKeys);
   const double scale = cells_a_unit(file, map);

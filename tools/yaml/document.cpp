@@ -212,17 +212,20 @@ Node parse_document(const std::string& text, const std::string& file) {
 }
 
 Node read_document(const std::string& file, FileKind kind) {
+  return read_document(file, told(kind), kind);
+}
+
+Node read_document(const std::string& file, const std::string& expected, FileKind kind) {
   std::ifstream in(file, std::ios::binary);
   std::string text(kLargestFile + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad() || (!in && in.gcount() == 0 && !in.eof()))
     throw Error(ErrorCode::file_missing, {.file = file}, "cannot be read", "check the name");
   text.resize(static_cast<std::size_t>(in.gcount()));
-  refuse_other_kinds(text, file, {kind},
-                     "give " + (kind == FileKind::unknown ? "a preset" : told(kind)));
+  refuse_other_kinds(text, file, {kind}, "give " + expected);
   if (text.size() > kLargestFile)
     throw Error(ErrorCode::file_broken, {.file = file, .line = 1}, "is larger than 64 kB",
-                "name a study, a tuning or a preset");
+                "give " + expected);
   return parse_document(text, file);
 }
 

@@ -76,10 +76,13 @@ class Node {
 /// a key that is given again, aliases that make more of it than any document of ours.
 Node parse_document(const std::string& text, const std::string& file);
 
-/// The document of a file of at most 64 kB, which is to be of this kind. @throws
+/// The document of a file of at most 64 kB, which is to be `expected`, "a preset". @throws
 /// Error(file_missing), Error(file_broken), Error(file_unsupported) where it is seen to be of
 /// another kind
-Node read_document(const std::string& file, FileKind kind = FileKind::unknown);
+Node read_document(const std::string& file, const std::string& expected,
+                   FileKind kind = FileKind::unknown);
+/// Of a kind that has a name.
+Node read_document(const std::string& file, FileKind kind);
 
 /// True for files that may be one: .yaml, .yml, .json.
 bool is_document(std::string_view file);

@@ -36,7 +36,7 @@ Params known_params(const std::string& algorithm, Preset preset, const Node& pla
 }
 
 PresetFile read_preset_file(const std::string& file) {
-  const Node root = read_document(file);
+  const Node root = read_document(file, "a preset");
   root.allow({"algorithm", "preset", "set"});
   PresetFile preset{.algorithm = root.at("algorithm").text()};
   const Node* const over = root.find("preset");
