@@ -97,6 +97,9 @@ EndAtOnce::~EndAtOnce() { nobody_polls = 0; }
 LastWords::LastWords(const std::string& text) : line_("lasius: " + printable(text) + "\n") {
   last_words = &line_;
 }
-LastWords::~LastWords() { last_words = nullptr; }
+LastWords::~LastWords() {
+  const std::string* own = &line_;
+  last_words.compare_exchange_strong(own, nullptr);
+}
 
 }  // namespace lasius::tool

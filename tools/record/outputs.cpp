@@ -1,6 +1,7 @@
 #include "tools/record/outputs.h"
 
 #include <algorithm>
+#include <deque>
 
 #include "core/base/output.h"
 #include "lasius/error.h"
@@ -65,10 +66,11 @@ void Delivery::write(const std::function<void(const std::string& file)>& write) 
     return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
   };
   if (std::ranges::none_of(left, is_stream)) std::stable_partition(left.begin(), left.end(), quick);
+  std::deque<LastWords> unwritten;  // all live on: no signal comes between two
   for (; !left.empty(); left.erase(left.begin())) {
     std::string names;
     for (const auto& file : left) names += (names.empty() ? "" : ", ") + file;
-    const LastWords unwritten("interrupted: not written: " + names);
+    unwritten.emplace_back("interrupted: not written: " + names);
     try {
       write(left.front());
     } catch (const Error& error) {
