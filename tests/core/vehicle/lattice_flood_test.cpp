@@ -15,6 +15,7 @@
 #include "core/vehicle/sweep.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/core/vehicle/dense_check.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -57,18 +58,21 @@ TEST(EdgePlanes, SayWhatMasksSay) {
 }
 
 TEST(FreeHeadings, SayWhatMasksSay) {
-  const Grid grid = blobs(3, 60);
-  for (const Vehicle& vehicle : flooded()) {
-    const Space space(grid, vehicle);
-    const Lattice lattice(vehicle, space.impl().outline());
-    Poller poller(kGoesOn);
-    const FreeHeadings free(space.impl(), lattice, poller);
-    for (int y = 0; y < grid.height(); ++y)
-      for (int x = 0; x < grid.width(); ++x)
-        for (int h = 0; h < Lattice::kHeadings; ++h)
-          ASSERT_EQ((free.at(x, y) >> h & 1) != 0,
-                    lattice.masks().free(lattice.footprint(h), space.impl().bits(), x, y))
-              << x << " " << y << " " << h;
+  // Words of the second and third have no free cell, or no blocked one near.
+  for (const Grid& grid : {blobs(3, 60), walled(512, 60, {{0, 0, 140, 60}, {300, 20, 9, 9}}),
+                           walled(530, 9, {{200, 0, 129, 9}, {500, 3, 1, 1}})}) {
+    for (const Vehicle& vehicle : flooded()) {
+      const Space space(grid, vehicle);
+      const Lattice lattice(vehicle, space.impl().outline());
+      Poller poller(kGoesOn);
+      const FreeHeadings free(space.impl(), lattice, poller);
+      for (int y = 0; y < grid.height(); ++y)
+        for (int x = 0; x < grid.width(); ++x)
+          for (int h = 0; h < Lattice::kHeadings; ++h)
+            ASSERT_EQ((free.at(x, y) >> h & 1) != 0,
+                      lattice.masks().free(lattice.footprint(h), space.impl().bits(), x, y))
+                << x << " " << y << " " << h;
+    }
   }
 }
 
