@@ -60,25 +60,34 @@ void Delivery::print(const std::string& text) {
   }
 }
 
-void Delivery::write(const std::function<void(const std::string& file)>& write) {
+void Delivery::write(const std::function<void(const std::string& file)>& write, bool verbose) {
   std::vector<std::string> left = files_;
   const auto quick = [](const std::string& file) {
     return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
   };
   if (std::ranges::none_of(left, is_stream)) std::stable_partition(left.begin(), left.end(), quick);
   std::deque<LastWords> unwritten;  // all live on: no signal comes between two
-  for (; !left.empty(); left.erase(left.begin())) {
+  const auto name_left = [&] {
     std::string names;
     for (const auto& file : left) names += (names.empty() ? "" : ", ") + file;
-    unwritten.emplace_back("interrupted: not written: " + names);
+    if (left.empty())
+      unwritten.clear();
+    else
+      unwritten.emplace_back("interrupted: not written: " + names);
+  };
+  name_left();
+  while (!left.empty()) {
+    const std::string file = left.front();
+    std::string said = verbose ? "wrote " + file : "";
     try {
-      write(left.front());
+      write(file);
     } catch (const Error& error) {
-      if (fault_)
-        message(error.what());
-      else
-        fault_ = std::current_exception();
+      said = fault_ ? error.what() : "";
+      if (!fault_) fault_ = std::current_exception();
     }
+    left.erase(left.begin());
+    name_left();
+    if (!said.empty()) message(said);
   }
   if (fault_) std::rethrow_exception(fault_);
 }

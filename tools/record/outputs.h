@@ -49,9 +49,9 @@ class Delivery {
   void print(const std::string& text);
   /// Calls `write` for each file: pictures, films, pages and proofs, which take long, after the
   /// others, unless a reader of a pipe may wait for one of them. The first signal ends none of it;
-  /// one that ends the program at once names the files that are not written. @throws
-  /// Error(output_failed), the first one of all; further ones are messages.
-  void write(const std::function<void(const std::string& file)>& write);
+  /// one that ends the program at once names the files that are not written. `verbose`: says which
+  /// are. @throws Error(output_failed), the first one of all; further ones are messages.
+  void write(const std::function<void(const std::string& file)>& write, bool verbose = false);
 
  private:
   const std::vector<std::string>& files_;

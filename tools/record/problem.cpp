@@ -27,10 +27,8 @@ void deliver(const Problem& problem, const Record& run) {
   Forms forms = problem.show(run);
   forms.json = [&](auto& out) { out << json_line(run); };
   if (!forms.csv) forms.csv = [&](auto& out) { write_csv(out, run); };
-  delivery.write([&](const std::string& file) {
-    write_output(file, forms);
-    if (options.messages.verbose) message("wrote " + file);
-  });
+  delivery.write([&](const std::string& file) { write_output(file, forms); },
+                 options.messages.verbose);
 }
 
 /// @throws Error(file_broken) where a file's hash is not the one that the result records.
