@@ -61,7 +61,7 @@ made_documents() {
   docs/quote_examples --check
 }
 
-# tidy CHECKS: core/ and kernels/, a module at a time, which halves the time; headers not precompiled. CHECKS are added to those of .clang-tidy.
+# tidy CHECKS: core/ and kernels/, several modules at a time, as each looks through all headers; headers not precompiled. CHECKS are added to those of .clang-tidy.
 tidy() {
   cmake --preset dev-clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DLASIUS_UNITY=ON \
     -DLASIUS_SHORT_BUILD=ON
