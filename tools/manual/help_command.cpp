@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/version.h"
@@ -80,6 +81,8 @@ Blocks note_blocks(const Notes& notes) {
   if (!notes.json.empty()) {
     blocks.push_back(heading("JSON"));
     const auto fields = std::ranges::find(field_names(), notes.json, &FieldNames::heading);
+    if (fields == field_names().end())
+      throw std::logic_error("docs/ have no heading " + std::string(notes.json));
     blocks.push_back(paragraph(std::string(fields->names) + "."));
     blocks.push_back(paragraph("What they mean: `lasius help json`."));
   }
