@@ -20,7 +20,7 @@ class LocalSearch {
   LocalSearch(const Costs& costs, const Candidates& candidates, int depth = kDepth);
 
   /// Exchanges edges until none of that depth is cheaper, beginning at all stops; false if stopped.
-  /// Keeps each: what it wrote would take the memory of thousands of tours.
+  /// Keeps each: what all wrote would take the memory of hundreds of tours.
   bool improve(ArrayTour& tour, Poller& poller);
   /// So often: lets two segments of up to 30 stops change places, beside one another or on both
   /// sides of a third, at a random place, improves there, and goes back where the tour became
