@@ -20,14 +20,14 @@ void LocalSearch::queue(int stop) {
   waiting_.push_back(stop);
 }
 
-bool LocalSearch::run(ArrayTour& tour, Poller& poller) {
+bool LocalSearch::run(ArrayTour& tour, Poller& poller, bool keeps) {
   while (!waiting_.empty()) {
     const int stop = waiting_.back();
     waiting_.pop_back();
     waits_[stop] = 0;
     work_ = 0;
-    while (improve_at(tour, stop)) {
-    }
+    while (improve_at(tour, stop))
+      if (keeps) tour.keep();
     if (poller.stop_after(work_ + 1)) {
       for (const int left : waiting_) waits_[left] = 0;
       waiting_.clear();
@@ -39,7 +39,7 @@ bool LocalSearch::run(ArrayTour& tour, Poller& poller) {
 
 bool LocalSearch::improve(ArrayTour& tour, Poller& poller) {
   for (int p = tour.size(); p-- > 0;) queue(tour.at(p));
-  return run(tour, poller);
+  return run(tour, poller, true);
 }
 
 bool LocalSearch::improve_at(ArrayTour& tour, int stop) {
@@ -168,7 +168,7 @@ bool LocalSearch::kick(ArrayTour& tour, std::int64_t times, kernels::RandomStrea
     for (const int place : exchange.cut_span())
       queue(tour.at(place)), queue(tour.at(tour.after(place)));
     tour.apply(exchange);
-    const bool done = run(tour, poller);
+    const bool done = run(tour, poller, false);
     if (tour.cost() > before)
       tour.undo();
     else

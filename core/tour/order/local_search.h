@@ -20,6 +20,7 @@ class LocalSearch {
   LocalSearch(const Costs& costs, const Candidates& candidates, int depth = kDepth);
 
   /// Exchanges edges until none of that depth is cheaper, beginning at all stops; false if stopped.
+  /// Keeps each: what all wrote would take the memory of hundreds of tours.
   bool improve(ArrayTour& tour, Poller& poller);
   /// So often: lets two segments of up to 30 stops change places, beside one another or on both
   /// sides of a third, at a random place, improves there, and goes back where the tour became
@@ -27,7 +28,7 @@ class LocalSearch {
   bool kick(ArrayTour& tour, std::int64_t times, kernels::RandomStream& random, Poller& poller);
 
  private:
-  bool run(ArrayTour& tour, Poller& poller);
+  bool run(ArrayTour& tour, Poller& poller, bool keeps);
   bool improve_at(ArrayTour& tour, int stop);
   template <bool kForward>
   bool improve_behind(ArrayTour& tour, int stop);

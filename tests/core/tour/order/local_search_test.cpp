@@ -49,6 +49,9 @@ TEST(TourLocalSearch, LeavesNoCheaperExchangeOfThreeEdges) {
       EXPECT_TRUE(search.improve(tour, poller));
     }
     EXPECT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
+    const std::vector<int> order = tour.order();
+    tour.undo();
+    EXPECT_EQ(tour.order(), order);  // kept
     EXPECT_FALSE(cheaper_by_three_edges(costs, tour.order())) << "seed " << seed;
   }
 }
