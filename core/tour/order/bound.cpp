@@ -21,6 +21,9 @@ constexpr int kMostTurns = 300;
 constexpr ClimbPace kQuick{0.1, 10, 0.66};
 constexpr int kSlow = 3, kSlowest = 4;
 constexpr Sum kWide = 25;  // of the tour
+// Among clusters far apart climbs leave it, and plain ascent goes on from there: so many values of
+// one stop without gain.
+constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
 // A round that closes less of the gap is a poor one, and the next ones are slower.
 constexpr Sum kLeastGain = 30;
 constexpr int kMostPoor = 4;
@@ -38,13 +41,17 @@ class Ascent {
   Sum run(Sum upper, int rounds) {
     Sum bound = 0;
     int poor = 0, slow = rounds == 1 ? kSlow : 0;
+    int wide = 0;  // rounds that left a wide gap
     for (int round = 0; round < rounds && poor < kMostPoor && !poller_.stopped(); ++round) {
       const Sum earlier = bound;
       number_legs();
       keep();
-      climb(*this, upper,
-            {kQuick.newest / (1 << std::min(slow, kSlow)),
-             kQuick.patience << std::min(slow, kSlowest), kQuick.fall});
+      if (wide > 1)
+        ascend_plainly(upper);
+      else
+        climb(*this, upper,
+              {kQuick.newest / (1 << std::min(slow, kSlow)),
+               kQuick.patience << std::min(slow, kSlowest), kQuick.fall});
       OneTree::Pairs more;
       bound = asserted(bound, round == 0 ? kNearTree : 0, more);
       const Sum gap = upper - bound;
@@ -52,17 +59,18 @@ class Ascent {
       poor = gap / kLeastGain > bound - earlier ? poor + 1 : 0;
       slow += poor > 0;
       if (gap <= upper / kWide) {
+        wide = 0;
         separate();
-      } else if (slow < kSlow) {
+      } else {
         slow = kSlow;
-        std::fill(trees_.price.begin(), trees_.price.end(), 0);
+        if (++wide < 3) std::fill(trees_.price.begin(), trees_.price.end(), 0);
       }
       if (!more.empty()) trees_.add(more);
     }
     return bound;
   }
 
-  // For climb().
+  // For climb() and ascend().
   Sum value() {
     const Sum tree = trees_.sparse();
     return poller_.stop_after(16 * static_cast<Sum>(costs_.size())) ? kFar : tree - told();
@@ -84,6 +92,7 @@ class Ascent {
       newest_.push_back(static_cast<double>(cut.taken - cut.comb.most()));
     return newest_;
   }
+  double squares() { return squares(subgradient()); }
   double squares(const std::vector<double>& mean) const {
     const std::size_t n = best_.size();
     double sum = 0;
@@ -99,7 +108,20 @@ class Ascent {
       set_price(cuts_[c], std::max<Sum>(0, cuts_[c].best + static_cast<Sum>(step * mean[n + c])));
   }
 
+  // Along the newest subgradient, where there are no cuts yet.
+  bool move(double step) {
+    for (std::size_t v = 0; v < best_.size(); ++v)
+      trees_.price[v] += static_cast<Sum>(step * newest_[v]);
+    return true;
+  }
+
  private:
+  void ascend_plainly(Sum upper) {
+    const double idle = std::clamp(kIdleStops / costs_.size(), kLeastIdle, kMostIdle);
+    ascend(*this, upper, -kFar, {.first = 2, .last = 1e-3, .patience = idle});
+    back();
+  }
+
   // A comb with its price, which its legs cost more, those within handle and tooth twice.
   struct Cut {
     Comb comb;

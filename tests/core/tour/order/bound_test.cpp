@@ -185,5 +185,27 @@ TEST(TourBound, IsWithinHalfAPerCentInThePlane) {
   EXPECT_GE(1000 * bound, 995 * best);
 }
 
+// Prices of whole clusters are what is to be found there, and climbs are slow to.
+TEST(TourBound, IsWithinTwoPerCentAmongClustersFarApart) {
+  constexpr int kSize = 40, kClusters = 4, kApart = 20000;
+  Instance stops = random_instance(kSize, 5, false);
+  for (int v = 0; v < kSize; ++v) {
+    stops.places[v].x += kApart * (v % kClusters / 2);
+    stops.places[v].y += kApart * (v % 2);
+  }
+  for (int a = 0; a < kSize; ++a)
+    for (int b = 0; b < kSize; ++b)
+      stops.matrix[a * kSize + b] =
+          static_cast<Cost>(std::abs(stops.places[a].x - stops.places[b].x) +
+                            std::abs(stops.places[a].y - stops.places[b].y));
+  OrderOptions options;
+  options.generations = 20;
+  const auto best = find_order(stops.costs(), {}, stops.places, options).cost;
+  Poller poller(kNeverStops);
+  const auto bound = tour_bound(stops.costs(), {}, stops.places, best, 40, poller);
+  EXPECT_LE(bound, best);
+  EXPECT_GE(100 * bound, 98 * best);
+}
+
 }  // namespace
 }  // namespace lasius::tour
