@@ -84,7 +84,8 @@ class TourSearch {
  public:
   TourSearch(const Planner& planner, const TourRequest& request, const TourObserver& observer,
              TourStops stops, const std::vector<std::vector<Pose>>& poses, TourResult& tour)
-      : request_(request),
+      : planner_(planner),
+        request_(request),
         observer_(observer),
         stops_(std::move(stops)),
         tour_(tour),
@@ -289,8 +290,10 @@ class TourSearch {
       leg.cost = plan.cost;
       for (const PathPose& along : vehicle::poses(plan.segments, kSpacing))
         leg.path.push_back({along.pose.x, along.pose.y});
-      if (plan.over_costs) tour_.cost = 0;
     }
+    const Pose& first = tour_.poses.front();  // of one stop there are no legs to ask
+    if (planner_.plan({.start = first, .goals = {first}, .bound = false}).over_costs)
+      tour_.cost = 0;
     sum_up(tour_);
     const double sum = tour_.cost.value_or(tour_.length);
     tour_.lower_bound = Bound::told(bound(), sum, tour_.cost.has_value());
@@ -298,6 +301,7 @@ class TourSearch {
     settle_optimal(tour_);
   }
 
+  const Planner& planner_;
   const TourRequest& request_;
   const TourObserver& observer_;
   TourStops stops_;
