@@ -107,6 +107,8 @@ class VehicleTours(ProgramTest):
         self.ended(self.tour("--radius", "2"), 2)
         self.ended(self.tour("--start", "4,4,0", "--start", "8,8,0"), 2)
         self.ended(self.tour("--start", "0,0,0"), 4)
+        self.ended(self.tour("--goal", "0,5,0"), 4, "goal (0.5, 5.5, 0): the footprint reaches out of the map, to cell (-1, 4); "
+                   "the nearest pose of this heading, whole cells away, that meets nothing is (1.5, 5.5, 0)")
         self.write("bad.tsv", "x\ty\tyaw\n4\t4\tnorth\n")
         self.ended(self.tour(stops="bad.tsv"), 3)
         self.write("after.json", json.dumps([{"x": 4, "y": 4, "name": "a"}, {"x": 9, "y": 9, "after": "a"}]))

@@ -41,6 +41,7 @@ class TourProblem : public Problem {
 
   bool in_metres() const { return command_.run.frame == Frame::world; }
   std::string unit() const { return in_metres() ? "m" : ""; }
+  bool is_end(int stop) const;
   const Place& place_at(int stop) const { return answer_.stops[static_cast<std::size_t>(stop)]; }
 
   TourCommand command_;
@@ -51,7 +52,6 @@ class TourProblem : public Problem {
     static const Place kNowhere;
     return end ? place_at(*end) : answer_.stops.empty() ? kNowhere : answer_.stops.front();
   }
-  bool is_end(int stop) const;
   std::optional<int> index_of(const std::optional<PoseEnd>& end);
   std::vector<int> groups() const;
   void check_ends_of_groups() const;

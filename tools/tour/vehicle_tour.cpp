@@ -109,6 +109,10 @@ class VehicleTour final : public TourProblem {
     if (!yaw) pose.yaw = 0;  // the first that was tried, in cells
     const auto cell = on_->planner->space().contact(pose);
     if (!cell) return text + " is blocked";
+    if (yaw && is_end(stop))
+      return name + pose_text(*on_, *command_.vehicle, pose) +
+             touched_text(*on_, *command_.vehicle, *cell,
+                          nearest_free(on_->planner->space(), pose, {}));
     return behind(": the footprint meets cell (" + std::to_string(cell->x) + ", " +
                   std::to_string(cell->y) + ")" +
                   (yaw ? "" : ", and others at the other headings"));

@@ -18,26 +18,6 @@ bool in_metres(const VehicleCommand& command) { return command.run.frame == Fram
 
 bool at_goal(Fault fault) { return fault == Fault::goal_blocked || fault == Fault::goal_outside; }
 
-/// The pose nearest to one that touches something, of the same heading and whole cells away; of
-/// those that are equally near the first by rows.
-std::optional<vehicle::Pose> nearest_free(const vehicle::Space& space, const vehicle::Pose& from,
-                                          const StopCondition& stop) {
-  const int reach = std::min(
-      200, static_cast<int>(std::ceil(3 * vehicle::circumscribed_radius(space.vehicle()))) + 10);
-  std::vector<Cell> steps;
-  for (int y = -reach; y <= reach; ++y)
-    for (int x = -reach; x <= reach; ++x)
-      if (x * x + y * y <= reach * reach) steps.push_back({x, y});
-  std::ranges::stable_sort(steps, {}, [](Cell c) { return c.x * c.x + c.y * c.y; });
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    constexpr std::size_t kPoll = 1024;
-    if (i % kPoll == 0 && stop.poll() != StopCondition::Cause::none) return std::nullopt;
-    const vehicle::Pose pose{from.x + steps[i].x, from.y + steps[i].y, from.yaw};
-    if (space.free(pose)) return pose;
-  }
-  return std::nullopt;
-}
-
 /// Whether a number of an end is beyond all maps, or all turns; then says so.
 bool refuse_numbers(VehicleAnswer& answer) {
   constexpr double kFarthest = 1e5;  // cells
@@ -55,14 +35,6 @@ bool refuse_numbers(VehicleAnswer& answer) {
          std::ranges::any_of(answer.goals, [&](const auto& goal) { return refuse(goal, false); });
 }
 
-/// As in "(1.5, 2, 0.7854)", in the command's frame.
-std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
-                      const vehicle::Pose& cells) {
-  const vehicle::Pose pose = in_metres(command) ? to_world(on.map, cells) : cells;
-  return "(" + rounded_text(pose.x, 4) + ", " + rounded_text(pose.y, 4) + ", " +
-         rounded_text(pose.yaw, 4) + ")";
-}
-
 /// Why an end is refused, and what is near that is not.
 std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
                          const VehicleAnswer& answer) {
@@ -70,17 +42,8 @@ std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
   std::string text = goal ? "goal " : "start ";
   text += pose_text(on, command, (goal ? answer.goal() : answer.start).pose);
   const auto& cell = answer.result.touched;
-  if (!cell)
-    text += ": " + answer.result.error;
-  else
-    text +=
-        (on.map.as_read().contains(*cell) ? ": the footprint meets the blocked cell ("
-                                          : ": the footprint reaches out of the map, to cell (") +
-        std::to_string(cell->x) + ", " + std::to_string(cell->y) + ")";
-  if (answer.nearest_free)
-    text += "; the nearest pose of this heading, whole cells away, that meets nothing is " +
-            pose_text(on, command, *answer.nearest_free);
-  return text;
+  return text + (cell ? touched_text(on, command, *cell, answer.nearest_free)
+                      : ": " + answer.result.error);
 }
 
 /// All that decides the plan.
@@ -191,6 +154,43 @@ void note_files(const VehicleMap& on, RunOptions& run) {
   if (!on.map.costs) return;
   const auto& notes = on.map.costs->notes;
   run.notes.insert(run.notes.end(), notes.begin(), notes.end());
+}
+
+std::optional<vehicle::Pose> nearest_free(const vehicle::Space& space, const vehicle::Pose& from,
+                                          const StopCondition& stop) {
+  const int reach = std::min(
+      200, static_cast<int>(std::ceil(3 * vehicle::circumscribed_radius(space.vehicle()))) + 10);
+  std::vector<Cell> steps;
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x)
+      if (x * x + y * y <= reach * reach) steps.push_back({x, y});
+  std::ranges::stable_sort(steps, {}, [](Cell c) { return c.x * c.x + c.y * c.y; });
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    constexpr std::size_t kPoll = 1024;
+    if (i % kPoll == 0 && stop.poll() != StopCondition::Cause::none) return std::nullopt;
+    const vehicle::Pose pose{from.x + steps[i].x, from.y + steps[i].y, from.yaw};
+    if (space.free(pose)) return pose;
+  }
+  return std::nullopt;
+}
+
+std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
+                      const vehicle::Pose& cells) {
+  const vehicle::Pose pose = in_metres(command) ? to_world(on.map, cells) : cells;
+  return "(" + rounded_text(pose.x, 4) + ", " + rounded_text(pose.y, 4) + ", " +
+         rounded_text(pose.yaw, 4) + ")";
+}
+
+std::string touched_text(const VehicleMap& on, const VehicleCommand& command, Cell cell,
+                         const std::optional<vehicle::Pose>& nearest) {
+  std::string text = on.map.as_read().contains(cell)
+                         ? ": the footprint meets the blocked cell "
+                         : ": the footprint reaches out of the map, to cell ";
+  text += "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
+  if (nearest)
+    text += "; the nearest pose of this heading, whole cells away, that meets nothing is " +
+            pose_text(on, command, *nearest);
+  return text;
 }
 
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame) {

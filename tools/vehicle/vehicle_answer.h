@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lasius/vehicle/planner.h"
@@ -37,6 +38,16 @@ struct VehicleEnd {
   vehicle::Pose pose;  ///< in cells
 };
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
+/// The pose nearest to one that touches something, of the same heading and whole cells away; of
+/// those that are equally near the first by rows. Nothing where none is near, or once stopped.
+std::optional<vehicle::Pose> nearest_free(const vehicle::Space& space, const vehicle::Pose& from,
+                                          const StopCondition& stop);
+/// As in "(1.5, 2, 0.7854)", in the command's frame.
+std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
+                      const vehicle::Pose& cells);
+/// What is said behind a pose that touches a cell, and what is near that does not.
+std::string touched_text(const VehicleMap& on, const VehicleCommand& command, Cell cell,
+                         const std::optional<vehicle::Pose>& nearest);
 /// As it was given.
 Json asked_json(const VehicleEnd& end);
 /// Of several "goals", "goals_world" and "goal_index", null where `met` is -1.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
@@ -15,6 +14,7 @@
 #include "core/vehicle/bound.h"
 #include "core/vehicle/sweep.h"
 #include "core/vehicle/tour/leg_prices.h"
+#include "core/vehicle/tour/unjoined.h"
 
 namespace lasius::vehicle {
 
@@ -25,7 +25,6 @@ using tour::RoutesFound;
 constexpr std::size_t kMostPoses = 2000;
 constexpr int kIdle = 10;   // searches for an order without a shorter tour, where it is not proven
 constexpr int kEffort = 5;  // the share of generations that each such search has
-constexpr int kUnjoined = 3;  // places to which no way was found that make a stop one left out
 constexpr std::chrono::duration<double> kSoon{0.7};  // after a signal
 constexpr double kSpacing = 0.5;                     // cells, of a leg's path
 
@@ -85,22 +84,29 @@ class TourSearch {
  public:
   TourSearch(const Planner& planner, const TourRequest& request, const TourObserver& observer,
              TourStops stops, const std::vector<std::vector<Pose>>& poses, TourResult& tour)
-      : request_(request),
+      : planner_(planner),
+        request_(request),
         observer_(observer),
         stops_(std::move(stops)),
         tour_(tour),
-        legs_(planner, poses_of(stops_, poses), request.threads, request.stop),
-        at_(stops_.indices.size()) {
-    for (int a = 0; a < legs_.costs().size(); ++a) at_[legs_.at(a).place].push_back(a);
+        legs_(planner, poses_of(stops_, poses), request.threads, request.stop) {
+    std::vector<std::vector<int>>& at = places_.at;
+    at.resize(stops_.indices.size());
+    for (int a = 0; a < legs_.costs().size(); ++a) at[legs_.at(a).place].push_back(a);
+    for (int place = 0; place < stops_.size(); ++place) {
+      places_.end.push_back(is_end(place) ? 1 : 0);
+      for (const int side : {0, 1})
+        places_.needs_leg[side].push_back(needs_leg(place, side) ? 1 : 0);
+    }
     problem_ = stops_.routes;
     for (std::vector<int>& task : problem_.tasks) {
       std::vector<int> all;
-      for (const int place : task) all.insert(all.end(), at_[place].begin(), at_[place].end());
+      for (const int place : task) all.insert(all.end(), at[place].begin(), at[place].end());
       task = std::move(all);
     }
     for (tour::Ends& ends : problem_.routes)
       for (int* const end : {&ends.start, &ends.goal})
-        if (*end >= 0) *end = at_[*end].front();
+        if (*end >= 0) *end = at[*end].front();
     to_bound_ = problem_;
   }
 
@@ -129,7 +135,7 @@ class TourSearch {
         at_hand = false;
         continue;
       }
-      const Unjoined lost = unjoined(in_vain ? order : std::vector<PosePair>{});
+      const Unjoined lost = unjoined(legs_, places_, in_vain ? order : std::vector<PosePair>{});
       if (lost.place < 0 && missing.empty()) break;
       if (!lost.untried.empty())
         price(lost.untried, stop);
@@ -191,56 +197,6 @@ class TourSearch {
     return request_.target_gap <= 0 || length() > bound() * (1 + request_.target_gap);
   }
 
-  struct Unjoined {
-    int place = -1;                 // -1: none
-    std::vector<PosePair> untried;  // that may join it all the same
-  };
-  // A place that no way was found to, or from, of several tried; `order`: there is no other one
-  // without such legs, and a place of the first of them is meant.
-  Unjoined unjoined(const std::vector<PosePair>& order) const {
-    const auto places = static_cast<std::size_t>(stops_.size());
-    std::vector<std::set<int>> tried[2]{std::vector<std::set<int>>(places),
-                                        std::vector<std::set<int>>(places)};
-    std::vector<char> live[2]{std::vector<char>(places, 0), std::vector<char>(places, 0)};
-    for (const auto& [leg, plan] : legs_.plans()) {
-      const int ends[2]{legs_.at(leg.first).place, legs_.at(leg.second).place};
-      for (const int side : {0, 1}) {
-        if (left_out_.contains(ends[1 - side])) continue;
-        tried[side][static_cast<std::size_t>(ends[side])].insert(ends[1 - side]);
-        if (!plan.segments.empty()) live[side][static_cast<std::size_t>(ends[side])] = 1;
-      }
-    }
-    const auto left = places - left_out_.size();
-    Unjoined worst;
-    std::size_t most = std::min<std::size_t>(kUnjoined, left - 1);
-    for (std::size_t v = 0; v < places; ++v)
-      for (const int side : {0, 1}) {
-        const auto place = static_cast<int>(v);
-        if (left_out_.contains(place) || !needs_leg(place, side) || live[side][v] != 0) continue;
-        if (tried[side][v].size() < most || tried[side][v].empty()) continue;
-        if (worst.place >= 0 && tried[side][v].size() == most && !is_end(worst.place)) continue;
-        worst = {place, {}};
-        most = tried[side][v].size();
-        for (const int other : tried[side][v])
-          if (worst.untried.empty())
-            worst.untried = side == 0 ? untried(place, other) : untried(other, place);
-      }
-    if (worst.place >= 0) return worst;
-    for (const PosePair& leg : order)
-      if (!legs_.has_way(leg))
-        for (const int a : {leg.second, leg.first})
-          if (worst.place < 0 || is_end(worst.place))
-            worst = {legs_.at(a).place,
-                     untried(legs_.at(leg.first).place, legs_.at(leg.second).place)};
-    return worst;
-  }
-  std::vector<PosePair> untried(int from, int to) const {
-    std::vector<PosePair> legs;
-    for (const int a : at_[from])
-      for (const int b : at_[to])
-        if (!legs_.known({a, b})) legs.emplace_back(a, b);
-    return legs;
-  }
   // Whether each tour over this place has a leg away from it (side 0), or to it.
   bool needs_leg(int place, int side) const {
     if (!request_.robots.empty() && is_end(place)) return false;  // a robot may stay there
@@ -258,7 +214,7 @@ class TourSearch {
   // that no way was found proves nothing.
   bool leave_out(int place) {
     const auto here = [&](int a) { return legs_.at(a).place == place; };
-    left_out_.insert(place);
+    places_.left_out.insert(place);
     bound_.reset();
     for (const auto& order : best_)
       if (std::any_of(order.begin(), order.end(), here)) {
@@ -334,8 +290,10 @@ class TourSearch {
       leg.cost = plan.cost;
       for (const PathPose& along : vehicle::poses(plan.segments, kSpacing))
         leg.path.push_back({along.pose.x, along.pose.y});
-      if (plan.over_costs) tour_.cost = 0;
     }
+    const Pose& first = tour_.poses.front();  // of one stop there are no legs to ask
+    if (planner_.plan({.start = first, .goals = {first}, .bound = false}).over_costs)
+      tour_.cost = 0;
     sum_up(tour_);
     const double sum = tour_.cost.value_or(tour_.length);
     tour_.lower_bound = Bound::told(bound(), sum, tour_.cost.has_value());
@@ -343,18 +301,18 @@ class TourSearch {
     settle_optimal(tour_);
   }
 
+  const Planner& planner_;
   const TourRequest& request_;
   const TourObserver& observer_;
   TourStops stops_;
   TourResult& tour_;
   LegPrices legs_;
-  std::vector<std::vector<int>> at_;  // poses of each place
-  tour::RouteProblem problem_;        // over poses
-  tour::RouteProblem to_bound_;       // the same tasks, with all their poses
+  TourPlaces places_;
+  tour::RouteProblem problem_;   // over poses
+  tour::RouteProblem to_bound_;  // the same tasks, with all their poses
   std::vector<std::vector<int>> best_;
   std::int64_t best_cost_ = 0;
   std::optional<double> bound_;
-  std::set<int> left_out_;  // places
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 };
 

@@ -177,6 +177,10 @@ TEST(VehicleTour, OverCostsIsOfTheCost) {
   EXPECT_DOUBLE_EQ(*tour.cost, cost);
   EXPECT_LE(*tour.lower_bound, *tour.cost);
   EXPECT_GT(*tour.lower_bound, 0);
+  TourRequest one = poses_on(grid, planner, 1, random);
+  const TourResult alone = plan_tour(planner, one);
+  EXPECT_EQ(alone.status, Status::solved);
+  EXPECT_EQ(alone.cost, 0.0);
 }
 
 // Along a line legs are as long as their bounds, whatever their digits.
@@ -236,6 +240,35 @@ TEST(VehicleTour, NamesWhatItLeavesOut) {
   EXPECT_EQ(none.status, Status::no_path);
   EXPECT_EQ(none.error, why(2));
   EXPECT_TRUE(none.order.empty());
+}
+
+// Two poses that touch a cell to within rounding: no motion from there is certified.
+TEST(VehicleTour, LeavesOutTheTrappedWhateverTheSeed) {
+  Grid grid(60, 40);
+  TourRequest request;
+  for (const auto& cell : {Cell{11, 30}, Cell{31, 20}}) {
+    grid.set_blocked(cell, true);
+    request.points.push_back({cell.x - 0.5, cell.y + 1.5});
+    request.yaws.emplace_back(1.57);
+  }
+  for (int i = 0; i < 12; ++i) {
+    request.points.push_back({5.5 + 4 * i, 5.5 + 3 * (i * 5 % 7)});
+    request.yaws.emplace_back(1.0 * (i % 6));
+  }
+  const Vehicle vehicle = differential(rectangle(0.5, 2, 0.5));
+  const Planner planner(grid, vehicle);
+  request.generations = 1;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    request.seed = seed;
+    request.open = seed != 6;  // the same ones stay
+    if (seed == 5) request.generations = 20;
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_EQ(tour.status, Status::solved) << tour.error;
+    ASSERT_EQ(tour.left_out.size(), 2U);
+    EXPECT_EQ(tour.left_out[0].stop, 0);
+    EXPECT_EQ(tour.left_out[1].stop, 1);
+    judge(grid, vehicle, request, tour);
+  }
 }
 
 // Without obstacles legs are as long as their bounds: the first order that is looked for to the end

@@ -1,0 +1,155 @@
+#include "core/vehicle/tour/unjoined.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lasius::vehicle {
+
+namespace {
+
+constexpr int kSeveral = 3;  // places to which no way was found that make a stop one left out
+constexpr int kFew = 20;     // places between all of which there are plans soon
+
+class Ways {
+ public:
+  Ways(const LegPrices& legs, const TourPlaces& places)
+      : legs_(legs), places_(places), n_(static_cast<int>(places.at.size())) {
+    for (int place = 0; place < n_; ++place)
+      if (!places.left_out.contains(place)) kept_.push_back(place);
+    const auto n = static_cast<std::size_t>(n_);
+    ways_.resize(n * n);
+    for (auto& live : live_) live.assign(n, 0);
+    for (const auto& [leg, plan] : legs.plans()) {
+      const int from = legs.at(leg.first).place, to = legs.at(leg.second).place;
+      if (places.left_out.contains(from) || places.left_out.contains(to)) continue;
+      Way& tried = ways_[index(from, to)];
+      ++tried.tried;
+      if (plan.segments.empty()) continue;
+      tried.found = true;
+      live_[0][from] = live_[1][to] = 1;
+    }
+  }
+
+  // One that nothing joins. Legs to places that nothing else is joined to tell nothing.
+  Unjoined alone() const {
+    Unjoined worst;
+    std::size_t most = 0;
+    for (const int place : kept_)
+      for (const int side : {0, 1}) {
+        const bool needed = places_.needs_leg[side][place] != 0;
+        const bool neither = side == 0 && places_.needs_leg[1][place] == 0 && live_[1][place] == 0;
+        if (live_[side][place] != 0 || !(needed || (neither && places_.end[place] == 0))) continue;
+        std::vector<std::pair<int, int>> tried = tried_of(place, side);
+        if (tried.empty()) continue;
+        if (!needed) {
+          const auto back = tried_of(place, 1);
+          if (back.empty()) continue;
+          tried.insert(tried.end(), back.begin(), back.end());
+        }
+        const bool replaces_end = worst.place >= 0 && places_.end[worst.place] != 0;
+        if (tried.size() < most || (tried.size() == most && !replaces_end)) continue;
+        worst = {place, {}};
+        most = tried.size();
+        for (const auto& way : tried)
+          if (worst.untried.empty()) worst.untried = untried(way.first, way.second);
+      }
+    return worst;
+  }
+
+  // The one without ways to most others.
+  Unjoined least_joined(const std::vector<PosePair>& order) const {
+    std::set<int> meant;
+    Unjoined worst;
+    for (const PosePair& leg : order) {
+      if (legs_.has_way(leg)) continue;
+      const int from = legs_.at(leg.first).place, to = legs_.at(leg.second).place;
+      meant.insert({from, to});
+      const std::vector<PosePair> more = untried(from, to);
+      worst.untried.insert(worst.untried.end(), more.begin(), more.end());
+    }
+    if (meant.empty()) return worst;
+    if (kept_.size() <= kFew) meant.insert(kept_.begin(), kept_.end());
+    std::pair<bool, int> most{false, -1};  // no end comes before ends
+    for (const int place : meant) {
+      const std::pair<bool, int> lost{places_.end[place] == 0, count_lost(place, worst.untried)};
+      if (worst.place >= 0 && lost <= most) continue;
+      worst.place = place;
+      most = lost;
+    }
+    std::sort(worst.untried.begin(), worst.untried.end());
+    const auto same = std::unique(worst.untried.begin(), worst.untried.end());
+    worst.untried.erase(same, worst.untried.end());
+    return worst;
+  }
+
+ private:
+  struct Way {
+    std::size_t tried = 0;  // legs
+    bool found = false;
+  };
+
+  std::size_t index(int from, int to) const {
+    return static_cast<std::size_t>(from) * static_cast<std::size_t>(n_) +
+           static_cast<std::size_t>(to);
+  }
+  const Way& way(int from, int to) const { return ways_[index(from, to)]; }
+
+  // Tried ways away from a place (side 0), or to it, if these are enough.
+  std::vector<std::pair<int, int>> tried_of(int place, int side) const {
+    std::vector<std::pair<int, int>> tried;
+    int joined = 0;  // others
+    for (const bool all : {false, true}) {
+      if (joined > 0) break;
+      for (const int other : kept_) {
+        if (other == place || !(all || live_[1 - side][other] != 0)) continue;
+        ++joined;
+        const auto ends = side == 0 ? std::pair{place, other} : std::pair{other, place};
+        if (way(ends.first, ends.second).tried > 0) tried.push_back(ends);
+      }
+    }
+    if (static_cast<int>(tried.size()) < std::min(kSeveral, joined)) tried.clear();
+    return tried;
+  }
+
+  // Ways that are none; adds a leg of each of which that is not known.
+  int count_lost(int place, std::vector<PosePair>& legs) const {
+    int lost = 0;
+    for (const int other : kept_)
+      for (const auto& [from, to] : {std::pair{place, other}, std::pair{other, place}}) {
+        if (other == place || way(from, to).found) continue;
+        const std::vector<PosePair> more = untried(from, to);
+        if (more.empty())
+          ++lost;
+        else
+          legs.push_back(more.front());
+      }
+    return lost;
+  }
+
+  std::vector<PosePair> untried(int from, int to) const {
+    std::vector<PosePair> legs;
+    if (way(from, to).tried == places_.at[from].size() * places_.at[to].size()) return legs;
+    for (const int a : places_.at[from])
+      for (const int b : places_.at[to])
+        if (!legs_.known({a, b})) legs.emplace_back(a, b);
+    return legs;
+  }
+
+  const LegPrices& legs_;
+  const TourPlaces& places_;
+  int n_;
+  std::vector<int> kept_;
+  std::vector<Way> ways_;      // between places
+  std::vector<char> live_[2];  // whether a way leads away from a place, to it
+};
+
+}  // namespace
+
+Unjoined unjoined(const LegPrices& legs, const TourPlaces& places,
+                  const std::vector<PosePair>& order) {
+  const Ways ways(legs, places);
+  Unjoined worst = ways.alone();
+  return worst.place >= 0 ? worst : ways.least_joined(order);
+}
+
+}  // namespace lasius::vehicle
