@@ -107,10 +107,12 @@ Planner Planner::load_preparation(const std::string& file) const {
   if (whole.size() >= sizeof header) std::memcpy(&header, whole.data(), sizeof header);
   if (header.name != kName)
     refuse(file, 0, "is no file of a prepared map", "name another, or remove it");
-  if (header.version != kVersion || header.labels > 1)
+  if (header.version != kVersion)
     refuse(file, 16,
            "is of version " + std::to_string(header.version) + ", this program reads " +
                std::to_string(kVersion));
+  if (header.labels > 1)
+    refuse(file, 20, "is damaged: it says neither that it has labels nor none");
   const Grid& map = impl_->grid;
   if (header.map != map.hash() || header.width != static_cast<std::uint32_t>(map.width()) ||
       header.height != static_cast<std::uint32_t>(map.height()))

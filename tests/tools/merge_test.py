@@ -98,6 +98,17 @@ class Batches(ProgramTest):
         self.refused(self.run_program("merge", one, "."), 2, "one kind")
         self.refused(self.run_program("merge", one, two, three, "-o", "x.png"), 2, ".png")
 
+    def test_no_part_is_written_over(self):
+        self.write_queries(2)
+        one, two = self.parts(2)
+        os.symlink(one, self.path("link.jsonl"))
+        os.link(self.path(two), self.path("hard.json"))
+        before = self.read(one), self.read(two)
+        for output in (one, "./" + two, "link.jsonl", "hard.json"):
+            with self.subTest(output=output):
+                self.refused(self.run_program("merge", one, two, "-o", output), 2, output, "are one file")
+                self.assertEqual((self.read(one), self.read(two)), before)
+
     def test_parts_that_are_none(self):
         self.write_queries(2)
         for text in ("0/2", "3/2", "1", "1/2/3", "a/2", "1/0", "1/1000001", "-1/2", ""):

@@ -341,6 +341,19 @@ class Ends(ProgramTest):
             self.assertIn(told and told[1], (", ".join(lost), "r.html, r.svg"), err)
             self.assertEqual(code, 130)
 
+    def test_an_end_during_the_search_names_what_is_not_written(self):
+        self.write("q.tsv", QUERIES.replace("9\t5", "0\t0") + "0\t0\t9\t5\n")  # the first one is soon answered
+        slow = ("--algorithm", "as", "--iterations", "1000000000", "--progress", "always", "-o", "r.svg", "-o", "r.json")
+        for words in (self.LONG + ("r.svg",), ("batch", "small.map", "q.tsv", *slow)):
+            # Ends at once though it is the first: a second signal would come before, among or after the files.
+            process = self.start_program(*words, preexec_fn=no_core)
+            process.stderr.read(1)
+            process.send_signal(signal.SIGQUIT)
+            err = process.communicate(timeout=60)[1].decode()
+            self.assertEqual(process.returncode, -signal.SIGQUIT)
+            self.assertIn("lasius: interrupted: not written: r.json, r.svg\n", err)
+            self.assertEqual(set(os.listdir(self.folder)), {"small.map", "q.tsv"})
+
     def test_a_hang_up_that_was_ignored_stays_so(self):
         process = self.start_program(
             *self.LONG, "r.png", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))

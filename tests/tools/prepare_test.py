@@ -114,6 +114,8 @@ class Prepare(ProgramTest):
         for name, content, problem in (("short", whole[:-9], "is cut short"),
                                        ("long", whole + b"x", "more than"),
                                        ("damaged", damaged, "its checksum differs"),
+                                       ("newer", whole[:16] + b"\2" + whole[17:], "is of version 2, this program reads 1"),
+                                       ("flags", whole[:20] + b"\7" + whole[21:], "is damaged"),
                                        ("none", b"lasius", "is no file of a prepared map")):
             with open(os.path.join(self.folder, name), "wb") as file:
                 file.write(content)

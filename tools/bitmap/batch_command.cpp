@@ -140,6 +140,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   RunOptions run = command.run;
   check_files(run);
   SignalWatcher signals;
+  Delivery delivery(run.outputs);
   LoadedMap map = load_map(run.map, run.frame, run.params.corners, run.threads, signals.token());
   note_files(map, run);
   check_files(run);
@@ -192,7 +193,7 @@ int run_bitmap_batch(const PlanCommand& command) {
                     .is_plan = command.queries.empty(),
                     .answer = answer_all,
                     .draw = draw},
-                   signals);
+                   signals, delivery);
 }
 
 }  // namespace lasius::tool

@@ -22,16 +22,14 @@ constexpr char kQuit = 'q';
 volatile std::sig_atomic_t write_end = -1;
 volatile std::sig_atomic_t signals_seen = 0;
 volatile std::sig_atomic_t nobody_polls = 0;
-std::atomic<const std::string*> last_words = nullptr;
+std::atomic<const LastWords*> last_words = nullptr;
 static_assert(decltype(last_words)::is_always_lock_free, "signal handlers read it");
 
 /// Ends the program, with no half-written file left behind; by SIGQUIT as the system does, which
 /// may save its memory for a debugger.
 void end_at_once(int number) {
   abandon_outputs();
-  if (const std::string* words = last_words) {
-    [[maybe_unused]] const auto said = ::write(STDERR_FILENO, words->data(), words->size());
-  }
+  if (const LastWords* words = last_words) words->say();
   if (number != SIGQUIT) ::_exit(kInterrupted);
   std::signal(SIGQUIT, SIG_DFL);
   ::raise(SIGQUIT);  // comes when the handler returns
@@ -94,12 +92,21 @@ bool SignalWatcher::interrupted() const noexcept { return signals_seen != 0; }
 EndAtOnce::EndAtOnce() noexcept { nobody_polls = 1; }
 EndAtOnce::~EndAtOnce() { nobody_polls = 0; }
 
-LastWords::LastWords(const std::string& text) : line_("lasius: " + printable(text) + "\n") {
-  last_words = &line_;
+LastWords::LastWords(const std::string& text) : before_(last_words) {
+  change(text);
+  last_words = this;
 }
-LastWords::~LastWords() {
-  const std::string* own = &line_;
-  last_words.compare_exchange_strong(own, nullptr);
+LastWords::~LastWords() { last_words = before_; }
+
+void LastWords::change(const std::string& text) {
+  line_ = text.empty() ? nullptr : &lines_.emplace_back("lasius: " + printable(text) + "\n");
+}
+
+void LastWords::say() const noexcept {
+  for (const LastWords* words = this; words != nullptr; words = words->before_)
+    if (const std::string* line = words->line_) {
+      [[maybe_unused]] const auto said = ::write(STDERR_FILENO, line->data(), line->size());
+    }
 }
 
 }  // namespace lasius::tool

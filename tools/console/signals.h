@@ -1,6 +1,8 @@
 // SIGINT, SIGTERM, SIGHUP and SIGQUIT: the end of the program, or a stop token.
 #pragma once
 
+#include <atomic>
+#include <deque>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -43,17 +45,23 @@ class EndAtOnce {
   EndAtOnce& operator=(const EndAtOnce&) = delete;
 };
 
-/// While the last one made lives, a signal that ends the program at once has it say "lasius: TEXT"
-/// on standard error: what it then leaves undone.
+/// While it lives, a signal that ends the program at once has it say "lasius: TEXT" on standard
+/// error, the last one made first: what it then leaves undone. They end in the order opposite to
+/// that of their making.
 class LastWords {
  public:
-  explicit LastWords(const std::string& text);
+  explicit LastWords(const std::string& text = {});
   ~LastWords();
   LastWords(const LastWords&) = delete;
   LastWords& operator=(const LastWords&) = delete;
 
+  void change(const std::string& text);  ///< nothing is said where it is empty
+  void say() const noexcept;             ///< what signal handlers may call: all that live
+
  private:
-  std::string line_;
+  std::deque<std::string> lines_;  ///< all live on: a signal may come at any moment
+  std::atomic<const std::string*> line_ = nullptr;
+  const LastWords* before_;
 };
 
 }  // namespace lasius::tool

@@ -157,6 +157,7 @@ std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last
 int run_polygon_batch(PolygonCommand plan) {
   check_files(plan);
   SignalWatcher signals;
+  Delivery delivery(plan.outputs);
   auto parameters = make_params<polygon::Params>(plan, polygon_kind());
   const LoadedWorld world = load_world(plan.world);
   note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
@@ -192,7 +193,7 @@ int run_polygon_batch(PolygonCommand plan) {
                     .is_plan = plan.queries.empty(),
                     .answer = answer_all,
                     .draw = draw},
-                   signals);
+                   signals, delivery);
 }
 
 }  // namespace

@@ -99,10 +99,10 @@ Told told_of(const std::string& text) {
 /// Prints answers as they come, and keeps what the files that are asked for need of them.
 class BatchOutput {
  public:
-  explicit BatchOutput(const Batch& batch)
+  BatchOutput(const Batch& batch, Delivery& delivery)
       : batch_(batch),
         total_(static_cast<std::int64_t>(batch.queries) * batch.options.seeds),
-        delivery_(batch.options.outputs),
+        delivery_(delivery),
         bar_(std::in_place, wants_progress(batch.options.messages), total_),
         rows_(header(batch.unit, batch.poses, batch.costs)) {
     for (const auto& file : batch.options.outputs) {
@@ -169,7 +169,7 @@ class BatchOutput {
 
   const Batch& batch_;
   std::int64_t total_;
-  Delivery delivery_;
+  Delivery& delivery_;
   std::optional<ProgressLine> bar_;
   std::int64_t done_ = 0;
   std::map<Status, std::int64_t> answers_;  ///< how many, by their status
@@ -283,13 +283,13 @@ std::string shared_key(const SearchOptions& options, const std::string& more) {
   return hash_text(hash);
 }
 
-int run_batch(const Batch& batch, const SignalWatcher& signals) {
+int run_batch(const Batch& batch, const SignalWatcher& signals, Delivery& delivery) {
   const SearchOptions& options = batch.options;
   if (!options.messages.quiet)
     for (const auto& note : options.notes) message(note);
   BatchOptions how{.threads = options.threads, .token = signals.token(), .seeds = options.seeds};
   if (options.time_limit) how.time_limit = std::chrono::duration<double>(*options.time_limit);
-  BatchOutput output(batch);
+  BatchOutput output(batch, delivery);
   std::optional<SharedBatch> shared;
   bool whole = true;
   if (crew() != nullptr)

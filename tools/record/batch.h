@@ -11,6 +11,7 @@
 #include "lasius/batch_options.h"
 #include "lasius/geometry.h"
 #include "tools/console/signals.h"
+#include "tools/record/outputs.h"
 #include "tools/record/record.h"
 
 namespace lasius::tool {
@@ -42,7 +43,7 @@ struct Batch {
 /// Answers all queries, prints the answers as they come, and writes the files that are asked for.
 /// With a crew chunks of queries, or of one's seeds, are shared, and its leader keeps a journal of
 /// those that are done in the working folder until all are. The program's exit code.
-int run_batch(const Batch& batch, const SignalWatcher& signals);
+int run_batch(const Batch& batch, const SignalWatcher& signals, Delivery& delivery);
 
 /// Tells a command and its input from all others, but not on how many threads it runs. @throws
 /// Error for an input that is read once: it cannot be shared, nor gone on with.

@@ -1,12 +1,10 @@
 #include "tools/record/outputs.h"
 
 #include <algorithm>
-#include <deque>
 
 #include "core/base/output.h"
 #include "lasius/error.h"
 #include "tools/console/crew.h"
-#include "tools/console/signals.h"
 #include "tools/console/streams.h"
 
 namespace lasius::tool {
@@ -46,38 +44,40 @@ void write_output(const std::string& file, const Forms& forms) {
                                                  : forms.json);
 }
 
+Delivery::Delivery(const std::vector<std::string>& files) {
+  if (follows()) return;
+  left_ = files;
+  const auto quick = [](const std::string& file) {
+    return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
+  };
+  if (std::ranges::none_of(left_, is_stream))
+    std::stable_partition(left_.begin(), left_.end(), quick);
+  name_left();
+}
+
+void Delivery::name_left() {
+  std::string names;
+  for (const auto& file : left_) names += (names.empty() ? "" : ", ") + file;
+  unwritten_.change(names.empty() ? names : "interrupted: not written: " + names);
+}
+
 void Delivery::print(const std::string& text) {
   if (closed_) return;
   try {
     tool::print(text);
   } catch (const ClosedOutput&) {
-    if (files_.empty()) throw;
+    if (left_.empty()) throw;
     closed_ = true;
   } catch (const Error&) {
-    if (files_.empty()) throw;
+    if (left_.empty()) throw;
     closed_ = true;
     fault_ = std::current_exception();
   }
 }
 
 void Delivery::write(const std::function<void(const std::string& file)>& write, bool verbose) {
-  std::vector<std::string> left = files_;
-  const auto quick = [](const std::string& file) {
-    return !is_picture(file) && !is_film(file) && !is_page(file) && !is_proof(file);
-  };
-  if (std::ranges::none_of(left, is_stream)) std::stable_partition(left.begin(), left.end(), quick);
-  std::deque<LastWords> unwritten;  // all live on: no signal comes between two
-  const auto name_left = [&] {
-    std::string names;
-    for (const auto& file : left) names += (names.empty() ? "" : ", ") + file;
-    if (left.empty())
-      unwritten.clear();
-    else
-      unwritten.emplace_back("interrupted: not written: " + names);
-  };
-  name_left();
-  while (!left.empty()) {
-    const std::string file = left.front();
+  while (!left_.empty()) {
+    const std::string file = left_.front();
     std::string said = verbose ? "wrote " + file : "";
     try {
       write(file);
@@ -85,7 +85,7 @@ void Delivery::write(const std::function<void(const std::string& file)>& write, 
       said = fault_ ? error.what() : "";
       if (!fault_) fault_ = std::current_exception();
     }
-    left.erase(left.begin());
+    left_.erase(left_.begin());
     name_left();
     if (!said.empty()) message(said);
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/console/signals.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -41,20 +42,23 @@ void write_output(const std::string& file, const Forms& forms);
 /// Standard output and files: what one of them refuses the others still get.
 class Delivery {
  public:
-  /// `files` must outlive it.
-  explicit Delivery(const std::vector<std::string>& files) : files_(files) {}
+  /// From here on a signal that ends the program at once names the files that are not written.
+  explicit Delivery(const std::vector<std::string>& files);
 
   /// Prints data, unless that failed before. Throws ClosedOutput or Error(output_failed) at once
   /// where there are no files.
   void print(const std::string& text);
   /// Calls `write` for each file: pictures, films, pages and proofs, which take long, after the
-  /// others, unless a reader of a pipe may wait for one of them. The first signal ends none of it;
-  /// one that ends the program at once names the files that are not written. `verbose`: says which
-  /// are. @throws Error(output_failed), the first one of all; further ones are messages.
+  /// others, unless a reader of a pipe may wait for one of them. The first signal ends none of it.
+  /// `verbose`: says which are written. @throws Error(output_failed), the first one of all; further
+  /// ones are messages.
   void write(const std::function<void(const std::string& file)>& write, bool verbose = false);
 
  private:
-  const std::vector<std::string>& files_;
+  void name_left();
+
+  std::vector<std::string> left_;  ///< to be written, in this order
+  LastWords unwritten_;
   bool closed_ = false;
   std::exception_ptr fault_;
 };

@@ -16,9 +16,8 @@ namespace lasius::tool {
 namespace {
 
 /// Prints and writes what was asked for.
-void deliver(const Problem& problem, const Record& run) {
+void deliver(const Problem& problem, const Record& run, Delivery& delivery) {
   const SearchOptions& options = run.options;
-  Delivery delivery(options.outputs);
   try {
     delivery.print(options.json ? json_line(run) : plain_text(run));
   } catch (const ClosedOutput&) {
@@ -65,6 +64,7 @@ int run(Problem& problem) {
   };
   check_files(options);
   SignalWatcher signals;
+  Delivery delivery(options.outputs);
   const auto iterations = problem.read(signals.token());
   // Again: by now maps, robots and scenes have named more files.
   check_files(options);
@@ -84,7 +84,7 @@ int run(Problem& problem) {
     message("ended by its own rule after " + counted(done, "iteration") + " of " +
             std::to_string(*iterations));
   say(run.remarks);
-  deliver(problem, run);
+  deliver(problem, run, delivery);
   return signals.interrupted() ? kInterrupted : exit_code(run);  // --gap may be what was cut off
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
@@ -119,6 +120,8 @@ class Answers {
 
 int merge_batch(const MergeCommand& command) {
   if (!command.output.empty()) check_ending(command.output, kLines);
+  const std::vector<std::string> files(command.output.empty() ? 0 : 1, command.output);
+  check_outputs(files, command.parts);
   Answers answers;
   for (const std::string& file : command.parts) {
     auto results = read_results(file);
@@ -126,7 +129,6 @@ int merge_batch(const MergeCommand& command) {
       answers.take(file, i, std::move(results[i].json));
   }
   const std::string lines = answers.lines();
-  const std::vector<std::string> files(command.output.empty() ? 0 : 1, command.output);
   Delivery delivery(files);
   delivery.print(lines);
   delivery.write([&](const std::string& file) {

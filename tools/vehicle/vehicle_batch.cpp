@@ -98,6 +98,7 @@ int run_vehicle_batch(VehicleCommand command) {
   RunOptions& run = command.run;  // that of the records, which tell their part
   check_files(run);
   SignalWatcher signals;
+  Delivery delivery(run.outputs);
   const VehicleMap on = load_vehicle_map(command, {}, signals.token());
   note_files(on, run);
   check_files(run);
@@ -131,7 +132,7 @@ int run_vehicle_batch(VehicleCommand command) {
                     .costs = on.map.costs.has_value(),
                     .answer = answer_all,
                     .draw = draw},
-                   signals);
+                   signals, delivery);
 }
 
 }  // namespace lasius::tool

@@ -29,7 +29,7 @@ struct Vehicle {
   double reverse_cost = 2;       ///< of a cell backwards, at least 1; a cell forwards costs 1
   double cusp_cost = 0;          ///< of each change between forwards and backwards, cells
   bool rotate_in_place = false;  ///< may turn where it stands
-  double rotation_cost = 3;      ///< of a radian in place, cells, above 0
+  double rotation_cost = 3;      ///< of a radian in place, 0.001 to 1e5 cells
   bool sideways =
       false;  ///< drives to any side, its heading kept; a cell costs 1 whatever the side
   /// By how much the curvature may change for each cell driven, 1 / cells^2; 0: without limit.

@@ -83,7 +83,8 @@ export class Sheet {
 
   parameters() {
     const { result } = this.content;
-    const facts = Object.entries({ algorithm: result.algorithm, seed: result.seed, threads: result.threads, ...result.parameters })
+    const { vehicle, speeds, ...others } = result.parameters;
+    const facts = Object.entries({ algorithm: result.algorithm, seed: result.seed, threads: result.threads, ...others, ...vehicle, ...speeds })
       .filter(([, value]) => typeof value !== "object" || value === null || Array.isArray(value))
       .map(([name, value]) => [name.replaceAll("_", " "), text(value)]);
     this.card("rest", "Parameters").append(factTable(facts));

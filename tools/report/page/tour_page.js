@@ -67,10 +67,9 @@ function tables(sheet, tours) {
             ...(isNumber(cost) ? [numberText(cost, 3)] : [])];
   }));
   const columns = [...(several ? ["robot"] : []), "leg", "from", "to", `length, ${unit || "cells"}`, ...(isNumber(result.cost) ? ["cost"] : [])];
-  const card = sheet.card("right", "Legs");
   if (rows.length)
-    card.append(element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCsv("legs.csv", columns, rows) }, "Legs as CSV")),
-                dataTable(columns, rows, "The legs in their order"));
+    sheet.card("right", "Legs").append(element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCsv("legs.csv", columns, rows) }, "Legs as CSV")),
+                                       dataTable(columns, rows, "The legs in their order"));
   if (result.left_out.length)
     sheet.card("rest", "Left out").append(...result.left_out.map(({ why }) => element("p", { class: "note" }, why)));
 }
@@ -109,7 +108,7 @@ class TourStage {
   }
 
   drawTour(context, view) {
-    const { result } = this.content, rim = themeColour("--mark-rim"), at = (stop) => this.places[stop];
+    const { result } = this.content, { names } = result, rim = themeColour("--mark-rim"), at = (stop) => this.places[stop];
     this.motion?.drawPath(context, view);
     if (!this.motion) this.tours.forEach(({ legs }, robot) => {
       for (const i of legs) {
@@ -125,12 +124,12 @@ class TourStage {
     const few = (result.order?.length ?? 0) <= kMostNumbered;
     Object.assign(context, { font: "600 11px system-ui, sans-serif", textAlign: "left", textBaseline: "alphabetic" });
     for (const { order } of this.tours)
-      order.forEach((stop, place) => {
+      order.forEach((stop) => {
         view.disc(context, at(stop), 4, themeColour("--tour-mean"), rim);
         if (!few) return;
         const [px, py] = view.at(...at(stop));
         context.fillStyle = themeColour("--ink");
-        context.fillText(String(place + 1), px + 6, py - 5);
+        context.fillText(names?.[stop] || String(stop), px + 6, py - 5);
       });
     this.motion?.drawVehicle(context, view);
     if (this.hovered) view.disc(context, this.hovered.at, 5, themeColour(colourOf(this.hovered.robot)), rim);
