@@ -182,8 +182,8 @@ TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
   tour.status = status_after(found.cause, request.stop);
   tour.order = std::move(found.order);
   tour.length = static_cast<double>(found.cost);
-  if (!problem.ordered || bound > 0 || found.optimal) tour.lower_bound = static_cast<double>(bound);
   tour.optimal = bound == found.cost;
+  if (bound > 0 || tour.optimal || found.optimal) tour.lower_bound = static_cast<double>(bound);
   return tour;
 }
 

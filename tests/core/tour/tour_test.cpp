@@ -260,6 +260,26 @@ TEST(Tours, OfTsplibHaveItsLengthAndNoLegs) {
   EXPECT_THROW(plan_tour(problem, request), Error);
 }
 
+TEST(Tours, OfTsplibHaveNoBoundBeforeOneIsThere) {
+  constexpr int kCities = 300;
+  Tsplib problem{.name = "line", .size = kCities, .places = {}};
+  for (int a = 0; a < kCities; ++a) problem.places.push_back({static_cast<double>(a), 0});
+  for (int a = 0; a < kCities; ++a)
+    for (int b = 0; b < kCities; ++b) problem.matrix.push_back(std::abs(a - b));
+  TourRequest request;
+  request.stop.deadline = std::chrono::steady_clock::now();
+  TourResult tour = plan_tour(problem, request);
+  EXPECT_EQ(tour.status, Status::limit);
+  EXPECT_EQ(tour.order.size(), kCities);
+  EXPECT_FALSE(tour.lower_bound);
+  EXPECT_FALSE(tour.gap());
+  problem.matrix.assign(problem.matrix.size(), 0);  // no tour is below 0
+  tour = plan_tour(problem, request);
+  EXPECT_EQ(tour.lower_bound, 0);
+  EXPECT_EQ(tour.gap(), 0);
+  EXPECT_TRUE(tour.optimal);
+}
+
 // Legs are the disc's shortest curves, walls that it does not pass part the stops.
 TEST(Tours, OfADiscGoWhereItFits) {
   Grid grid = rooms();
