@@ -1,6 +1,7 @@
 #include "core/vehicle/tour/unjoined.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace lasius::vehicle {
@@ -68,10 +69,15 @@ class Ways {
       worst.untried.insert(worst.untried.end(), more.begin(), more.end());
     }
     if (meant.empty()) return worst;
-    if (kept_.size() <= kFew) meant.insert(kept_.begin(), kept_.end());
-    std::pair<bool, int> most{false, -1};  // no end comes before ends
-    for (const int place : meant) {
-      const std::pair<bool, int> lost{places_.end[place] == 0, count_lost(place, worst.untried)};
+    std::set<int> asked = meant;
+    if (kept_.size() <= kFew) asked.insert(kept_.begin(), kept_.end());
+    // Ways of one pair of poses each say all; of several it counts, too, what the order lacks.
+    const bool exact =
+        std::ranges::all_of(kept_, [&](int place) { return places_.at[place].size() == 1; });
+    std::tuple<bool, int, bool> most;  // no end, ways lost, of a leg without a plan
+    for (const int place : asked) {
+      const std::tuple lost{places_.end[place] == 0, count_lost(place, worst.untried),
+                            !exact && meant.contains(place)};
       if (worst.place >= 0 && lost <= most) continue;
       worst.place = place;
       most = lost;
@@ -94,20 +100,17 @@ class Ways {
   }
   const Way& way(int from, int to) const { return ways_[index(from, to)]; }
 
-  // Tried ways away from a place (side 0), or to it, if these are enough.
+  // Tried ways away from a place (side 0), or to it, if these are enough: all, or several others'.
   std::vector<std::pair<int, int>> tried_of(int place, int side) const {
     std::vector<std::pair<int, int>> tried;
-    int joined = 0;  // others
-    for (const bool all : {false, true}) {
-      if (joined > 0) break;
-      for (const int other : kept_) {
-        if (other == place || !(all || live_[1 - side][other] != 0)) continue;
-        ++joined;
-        const auto ends = side == 0 ? std::pair{place, other} : std::pair{other, place};
-        if (way(ends.first, ends.second).tried > 0) tried.push_back(ends);
-      }
+    int joined = 0;  // others that are
+    for (const int other : kept_) {
+      const auto ends = side == 0 ? std::pair{place, other} : std::pair{other, place};
+      if (other == place || way(ends.first, ends.second).tried == 0) continue;
+      tried.push_back(ends);
+      if (live_[1 - side][other] != 0) ++joined;
     }
-    if (static_cast<int>(tried.size()) < std::min(kSeveral, joined)) tried.clear();
+    if (joined < kSeveral && tried.size() + 1 < kept_.size()) tried.clear();
     return tried;
   }
 

@@ -25,7 +25,7 @@ struct TourPlaces {
 /// A place that no way leads away from, or none to, where each tour needs one, or neither; as told
 /// by legs to several of those that others are joined to. Where there is none: of the places of
 /// few, or of the legs of `order` without plans, the one without a way to, or from, most others.
-/// Ends come last; ties go to the first.
+/// Ends come last; ties go to the first, where places have several poses to the first of such legs.
 /// @param order  legs of a tour, all known; some without plans, as there is none without. Or empty
 Unjoined unjoined(const LegPrices& legs, const TourPlaces& places,
                   const std::vector<PosePair>& order);
