@@ -39,29 +39,32 @@ FreeHeadings::FreeHeadings(const Space::Impl& space, const Lattice& lattice, Pol
   std::array<Masks::Mask, Lattice::kHeadings> footprints;
   for (int h = 0; h < Lattice::kHeadings; ++h) footprints[h] = lattice.footprint(h);
   const MaskRows rows(space, lattice.masks(), footprints);
-  std::vector<std::uint64_t> free(static_cast<std::size_t>(rows.words()) * Lattice::kHeadings);
+  const std::int64_t words = rows.words();
+  std::vector<std::uint64_t> free(words * Lattice::kHeadings);
   for (int y = 0; y < space.height(); ++y) {
     if (poller.stop_after(width_)) return;
     const std::size_t row = static_cast<std::size_t>(y) * width_;
     const std::int32_t* clear = space.field().squared_half_cells.data() + row;
     int first = rows.words(), last = 0;  // words where a heading may be free, and another not
     for (int w = 0; w < rows.words(); ++w) {
-      const auto [least, most] =
-          std::minmax_element(clear + 64 * w, clear + std::min(width_, 64 * w + 64));
-      if (*least >= all)
-        std::fill_n(bits_.data() + row + 64 * w, std::min(width_ - 64 * w, 64), 0xffff);
+      const std::int64_t begin = std::int64_t{64} * w;
+      const std::int64_t end = std::min<std::int64_t>(width_, begin + 64);
+      const auto [least, most] = std::minmax_element(clear + begin, clear + end);
+      if (*least >= all) std::fill_n(bits_.data() + row + begin, end - begin, 0xffff);
       if (*least >= all || *most == 0) continue;
       first = std::min(first, w);
       last = w + 1;
     }
     if (first >= last) continue;
     for (int h = 0; h < Lattice::kHeadings; ++h)
-      rows.free(h, y, first, last, free.data() + h * rows.words());
+      rows.free(h, y, first, last, free.data() + h * words);
     for (int w = first; w < last; ++w) {
       std::array<std::uint16_t, 64> cells{};
       for (int h = 0; h < Lattice::kHeadings; ++h)
-        add_heading(free[h * rows.words() + w - first], h, cells);
-      std::copy_n(cells.begin(), std::min(width_ - 64 * w, 64), bits_.begin() + row + 64 * w);
+        add_heading(free[h * words + w - first], h, cells);
+      const std::int64_t begin = std::int64_t{64} * w;
+      std::copy_n(cells.begin(), std::min<std::int64_t>(width_ - begin, 64),
+                  bits_.data() + row + begin);
     }
   }
 }
