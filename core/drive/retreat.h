@@ -12,7 +12,7 @@
 namespace lasius {
 
 /// A walk by moves to the eight neighbours from a cell to one of the 4096 nearest that it leads to,
-/// drawn by a random word: the last cell first, without the cell itself; empty for no other.
+/// drawn by a random word: last cell first, without the cell itself; empty where there is none.
 std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
                                std::uint32_t word);
 

@@ -206,6 +206,17 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
                                bool towards, bool creeps, const ConnectorReach& reach,
                                std::int64_t& checked, Poller& poller) {
   std::vector<Connector> made;
+  const auto driven = [](const Segment& s) { return s.gear != 0; };
+  const auto lengthen = [&](Connector& c, const std::vector<Segment>& way) {
+    c.motions.insert(towards ? c.motions.end() : c.motions.begin(), way.begin(), way.end());
+    c.cost = cost(space.vehicle(), c.motions);
+    const auto first = std::ranges::find_if(c.motions, driven);
+    const auto last = std::ranges::find_if(c.motions.rbegin(), c.motions.rend(), driven);
+    if (first == c.motions.end())
+      c.gear = 0;
+    else
+      c.gear = towards ? first->gear : last->gear;
+  };
   for (const bool small : {false, true}) {
     // Where it creeps gentle motions of an end without room were looked at in the round before.
     const bool wanted = small ? creeps : creeps == space.free_at(pose, kRoom);
@@ -215,18 +226,7 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
       const std::vector<Segment> way = escape.motions(at);
       for (Connector& c :
            connectors(space, lattice, escape.places()[at].pose, towards, reach, checked, poller)) {
-        std::vector<Segment> whole = towards ? c.motions : way;
-        const std::vector<Segment>& rest = towards ? way : c.motions;
-        whole.insert(whole.end(), rest.begin(), rest.end());
-        c.motions = std::move(whole);
-        c.cost = cost(space.vehicle(), c.motions);
-        const auto driven = [](const Segment& s) { return s.gear != 0; };
-        const auto first = std::ranges::find_if(c.motions, driven);
-        const auto last = std::ranges::find_if(c.motions.rbegin(), c.motions.rend(), driven);
-        if (first == c.motions.end())
-          c.gear = 0;
-        else
-          c.gear = towards ? first->gear : last->gear;
+        lengthen(c, way);
         made.push_back(std::move(c));
       }
     }

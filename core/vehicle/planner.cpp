@@ -233,6 +233,7 @@ Planner::~Planner() = default;
 
 const Space& Planner::space() const noexcept { return impl_->space; }
 
+bool Planner::over_costs() const noexcept { return impl_->over_costs; }
 double Planner::cost(std::span<const Segment> segments) const {
   return impl_->prices.unit() * impl_->prices.of(segments);
 }

@@ -201,12 +201,13 @@ class TileLister {
       part = {};
     }
     std::vector<LabelArrays> parts(static_cast<std::size_t>((tiles_ + kTiles - 1) / kTiles));
+    std::vector<ByKind> kinds(static_cast<std::size_t>(threads_));
     parallel_for(static_cast<int>(parts.size()), threads_, [&](int part, int thread) {
       const auto begin = static_cast<std::uint32_t>(part) * kTiles;
       for (std::uint32_t t = begin; t < std::min<std::int64_t>(begin + kTiles, tiles_); ++t) {
         if (!go_on(1 + kWordsPerSeen * (first[t + 1] - first[t]), thread)) return;
         list(t, std::span(sorted).subspan(first[t], first[t + 1] - first[t]),
-             parts[static_cast<std::size_t>(part)]);
+             kinds[static_cast<std::size_t>(thread)], parts[static_cast<std::size_t>(part)]);
       }
     });
     if (stopped_) return;
@@ -227,9 +228,12 @@ class TileLister {
     labels_.tiles.push_back(end_of(labels_));
   }
 
+  // Live or dead, and seen by all free cells or some.
+  using ByKind = std::array<std::vector<const Seen*>, 4>;
+
   // A tile with what it sees, in the order of the corners.
-  void list(std::uint32_t t, std::span<const Seen> seen, LabelArrays& part) const {
-    std::array<std::vector<const Seen*>, 4> kinds;
+  void list(std::uint32_t t, std::span<const Seen> seen, ByKind& kinds, LabelArrays& part) const {
+    for (auto& kind : kinds) kind.clear();
     for (const Seen& s : seen)
       kinds[(is_live(s) ? 0 : 2) + (s.cells == free_[t] ? 0 : 1)].push_back(&s);
     part.tiles.push_back(end_of(part));

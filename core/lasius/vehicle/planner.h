@@ -96,6 +96,7 @@ class LASIUS_EXPORT Planner {
 
   /// The map as the vehicle sees it; of one with a curvature_rate, which is given wider turns.
   const Space& space() const noexcept;
+  bool over_costs() const noexcept;  ///< whether it was given costs
   /// What a path costs: the integral of the weight along the reference point's path, times
   /// `reverse_cost` backwards, turns in place and changes of gear as the lengths that the vehicle
   /// prices them with, in the cell where they happen. Arcs are taken as chords no farther than

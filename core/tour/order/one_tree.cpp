@@ -1,8 +1,6 @@
 #include "core/tour/order/one_tree.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
 
 namespace lasius::tour {
 
@@ -27,13 +25,13 @@ bool OneTree::span() {
   std::fill(key_.begin(), key_.end(), kFar);
   std::fill(degree_.begin(), degree_.end(), 0);
   in_.assign(n, 0);
-  std::priority_queue<Waiting> queue;
-  queue.push({0, 0, -1, 0});
+  heap_.assign(1, {0, 0, -1, 0});
   tree_.clear();
   reached_.clear();
-  while (!queue.empty() && static_cast<int>(reached_.size()) < n) {
-    const Waiting now = queue.top();
-    queue.pop();
+  while (!heap_.empty() && static_cast<int>(reached_.size()) < n) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Waiting now = heap_.back();
+    heap_.pop_back();
     if (in_[now.to]) continue;
     in_[now.to] = 1;
     reached_.push_back(now.to);
@@ -49,7 +47,8 @@ bool OneTree::span() {
       const Sum key = priced(leg.cost, now.to, leg.to) + extra[at];
       if (key >= key_[leg.to]) continue;
       key_[leg.to] = key;
-      queue.push({key, leg.to, now.to, at});
+      heap_.push_back({key, leg.to, now.to, at});
+      std::push_heap(heap_.begin(), heap_.end());
     }
   }
   return static_cast<int>(reached_.size()) == n;

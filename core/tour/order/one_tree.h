@@ -57,6 +57,7 @@ class OneTree {
   std::vector<int> parent_, reached_, degree_;  // reached_: stops, as the tree came to them
   std::vector<Sum> key_;
   std::vector<char> in_;
+  std::vector<Waiting> heap_;
   std::vector<std::size_t> tree_;
 };
 

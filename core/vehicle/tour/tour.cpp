@@ -291,9 +291,7 @@ class TourSearch {
       for (const PathPose& along : vehicle::poses(plan.segments, kSpacing))
         leg.path.push_back({along.pose.x, along.pose.y});
     }
-    const Pose& first = tour_.poses.front();  // of one stop there are no legs to ask
-    if (planner_.plan({.start = first, .goals = {first}, .bound = false}).over_costs)
-      tour_.cost = 0;
+    if (planner_.over_costs()) tour_.cost = 0;
     sum_up(tour_);
     const double sum = tour_.cost.value_or(tour_.length);
     tour_.lower_bound = Bound::told(bound(), sum, tour_.cost.has_value());
