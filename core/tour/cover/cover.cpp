@@ -31,7 +31,7 @@ constexpr int kMostSwaths = tour::SwathPlan::kMost;
 constexpr int kMostLines = 100'000, kMostSamples = 200'000'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose ascent takes their square in steps
-constexpr int kRounds = 1;
+constexpr int kRounds = 12;       // of the bound
 // Of the time to a deadline.
 constexpr double kShareOfSwaths = 0.3, kShareOfPreparing = 0.3, kShareOfOrder = 0.6,
                  kShareOfOrderAlone = 2.0 / 3, kShareOfBound = 0.8;

@@ -40,7 +40,7 @@ class Ascent {
   // The greatest valid bound, scaled; 0 if stopped before there was one.
   Sum run(Sum upper, int rounds) {
     Sum bound = 0;
-    int poor = 0, slow = rounds == 1 ? kSlow : 0;
+    int poor = 0, slow = 0;
     int wide = 0;  // rounds that left a wide gap
     for (int round = 0; round < rounds && poor < kMostPoor && !poller_.stopped(); ++round) {
       const Sum earlier = bound;
