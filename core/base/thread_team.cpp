@@ -1,11 +1,12 @@
 #include "core/base/thread_team.h"
 
 #include <omp.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <exception>
-#include <thread>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -38,20 +39,29 @@ void await_change(const std::atomic<T>& what, T value) noexcept {
 std::atomic<pid_t> region_process = 0;  // the one that had the first parallel region
 
 /// Of so many threads those that the system has room for. An OpenMP runtime that gets fewer than it
-/// wants ends the process, so they are tried before.
+/// wants ends the process, so they are tried before; by threads that touch no heap, as one that
+/// only frees has malloc set aside an arena of 64 MB, and the room counted would not be there
+/// afterwards.
 int available(int wanted) noexcept {
   thread_local int had = 1;  // a region's threads stay for the next one of this thread
   if (wanted <= had) return wanted;
   std::atomic<bool> counted{false};
-  std::vector<std::thread> tried;
+  const auto wait = [](void* until) -> void* {
+    static_cast<const std::atomic<bool>*>(until)->wait(false);
+    return nullptr;
+  };
+  std::vector<pthread_t> tried;
   try {
-    tried.reserve(static_cast<std::size_t>(wanted));
-    while (std::ssize(tried) < wanted - had) tried.emplace_back([&] { counted.wait(false); });
-  } catch (const std::exception&) {  // no thread, or no memory for one
+    tried.reserve(static_cast<std::size_t>(wanted - had));
+  } catch (const std::bad_alloc&) {
+    return had;
   }
+  pthread_t one{};
+  while (std::ssize(tried) < wanted - had && pthread_create(&one, nullptr, wait, &counted) == 0)
+    tried.push_back(one);
   counted = true;
   counted.notify_all();
-  for (std::thread& one : tried) one.join();
+  for (const pthread_t ended : tried) pthread_join(ended, nullptr);
   const int found = static_cast<int>(std::ssize(tried));
   // The last of what there is stays for others.
   if (had + found < wanted) return std::max(had, (had + found) / 2);
