@@ -212,8 +212,8 @@ struct LASIUS_EXPORT Params : TrailParams {
                       ///< never. An ant alone agrees with nobody
   int islands = 1;    ///< 1 .. 1024, each with a share of the ants and a trail of its own; only
                       ///< without own rules, and where no map changes under a colony
-  int exchange_every = 10;  ///< iterations after which an island learns by another's best tour, 1
-                            ///< .. 10^9
+  int exchange_every = 10;  ///< iterations after which an island learns by another's best tour:
+                            ///< 1 .. 10^9
   Exchange exchange = Exchange::scheduled;  ///< when, and by which
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
