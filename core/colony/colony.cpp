@@ -9,7 +9,7 @@ Result run_colony(const Grid& grid, const Request& request, const Params& params
                   ColonyMemory& memory, const Observer& observer, const OwnRules& own,
                   const disc::DiscSpace* disc, const cost::Terrain* terrain) {
   if (params.islands > 1)
-    return Islands(grid, params, memory, disc, terrain, request.ranks).run(request, observer);
+    return run_islands(grid, request, params, memory, observer, disc, terrain);
   GridColony colony(grid, params, memory, own, GridColony::After::nothing, disc, terrain);
   colony.begin(request);
   return colony.run(request, params.iterations, observer);

@@ -2,65 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "core/base/invalid_parameter.h"
 #include "core/base/stored_arrays.h"
 
 namespace lasius {
-namespace {
-
-void require_ranks(const Ranks& ranks) {
-  require_parameter(ranks.count >= 1, "ranks.count", ranks.count, "it must be 1 or more");
-  require_parameter(ranks.own >= 0 && ranks.own < ranks.count, "ranks.own", ranks.own,
-                    "it must be from 0 to " + number_text(ranks.count - 1));
-  if (!ranks.gather) throw invalid_parameter("ranks.gather is empty", "give it a function");
-}
-
-/// What a rank has handed in.
-ArrayReader handed_in(std::string_view text, int rank) {
-  return {text, "what rank " + number_text(rank) + " handed in", 0,
-          "give all ranks the same request and parameters"};
-}
-
-}  // namespace
 
 Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
                  const disc::DiscSpace* disc, const cost::Terrain* terrain, const Ranks* ranks)
-    : params_(params), ranks_(ranks), threads_(thread_count(params.threads)) {
-  if (ranks != nullptr) require_ranks(*ranks);
+    : Islands(grid, params, memory, disc, terrain,
+              ranks != nullptr ? Part{ranks->own, ranks->count} : Part{}, ranks, nullptr) {}
+
+Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
+                 const disc::DiscSpace* disc, const cost::Terrain* terrain, Part part,
+                 const Ranks* ranks, TourBoard* board)
+    : params_(params),
+      ranks_(ranks),
+      board_(board),
+      threads_(board != nullptr ? 1 : thread_count(params.threads)) {
+  if (ranks != nullptr) require_ranks(*ranks, false);
   const auto count = static_cast<std::size_t>(params.islands);
   news_.resize(count);
   if (memory.islands.size() < count) memory.islands.resize(count);
   auto of_island = memory.islands.begin();
   int first_ant = 0;
-  for (int i = 0; i < params.islands; ++i) {
+  for (int i = 0; i < params.islands; ++i, ++of_island) {
     Params share = params;
     share.ants = params.ants / params.islands + (i < params.ants % params.islands ? 1 : 0);
     share.threads = 1;
     const int ants = share.ants;
-    for (int a = 0; a < ants; ++a) places_.push_back({i, a});
+    const bool own = part.has(i);
+    for (int a = 0; a < ants && (own || ranks != nullptr); ++a) places_.push_back({i, a});
     news(i).ants.resize(static_cast<std::size_t>(ants));
-    if (ranks == nullptr || i % ranks->count == ranks->own)
-      islands_.emplace_back(i, grid, std::move(share), *of_island++, first_ant, disc, terrain);
+    news(i).whole.settled = own ? 0 : 1;  // until more is heard of it
+    if (own) islands_.emplace_back(i, grid, std::move(share), *of_island, first_ant, disc, terrain);
     first_ant += ants;
   }
 }
 
-Result Islands::run(const Request& request, const Observer& observer) {
+StopCondition::Cause Islands::walk(const Request& request, const Observer& observer,
+                                   Convergence& run) {
   stop_ = request.stop;
   for_each([&](Island& island) {
     island.colony.begin(request);
     island.colony.set_out(request, observer);
   });
-  Convergence run;
   // Ranks stop at one iteration, by what was told there.
-  const auto cause = run_colony_loop(*this, params_.iterations,
-                                     ranks_ == nullptr ? request.stop : StopCondition{}, run);
-  return result_after(cause, std::move(run), best_path());
+  return run_colony_loop(*this, params_.iterations,
+                         ranks_ == nullptr ? request.stop : StopCondition{}, run);
+}
+
+Result Islands::run(const Request& request, const Observer& observer) {
+  Convergence run;
+  const auto cause = walk(request, observer, run);
+  return result_after(cause, std::move(run), best_of(ranks_, found()));
 }
 
 template <class Do>
@@ -70,6 +66,11 @@ void Islands::for_each(const Do& act) {
 }
 
 void Islands::exchange_tours() {
+  if (board_ != nullptr) {
+    for (const Island& island : islands_) board_->offer(island.colony.best_tour());
+    for (Island& island : islands_) board_->teach(island.colony);
+    return;
+  }
   for (Island& island : islands_) {
     const News& before = news((island.number + params_.islands - 1) % params_.islands);
     island.colony.welcome({before.best_tour, before.whole.best_tour});
@@ -79,6 +80,7 @@ void Islands::exchange_tours() {
 StopCondition::Cause Islands::send_ants(int q) {
   if (exchange_at(q)) exchange_tours();
   auto told = observed_;
+  if (board_ != nullptr) told = board_->poll();
   if (ranks_ != nullptr && told == StopCondition::Cause::none) told = stop_.poll();
   for_each([this, q, told](Island& island) {
     auto cause = told;
@@ -91,7 +93,7 @@ StopCondition::Cause Islands::send_ants(int q) {
         island.colony.offer_cut();
       }
     }
-    tell(island, cause, exchange_at(q + 1));
+    tell(island, cause, board_ == nullptr && exchange_at(q + 1));
   });
   if (ranks_ != nullptr) told = share_news(told);
   for (Island& island : islands_)
@@ -121,15 +123,6 @@ void Islands::tell(const Island& island, StopCondition::Cause cause, bool with_t
   to.best_tour.assign(tour.moves.begin(), tour.moves.end());
 }
 
-std::vector<std::string> Islands::gather(const std::string& own) const {
-  std::vector<std::string> all = ranks_->gather(own);
-  if (std::ssize(all) != ranks_->count)
-    throw invalid_parameter("ranks.gather gave " + number_text(all.size()) + " texts for " +
-                                number_text(ranks_->count) + " ranks",
-                            "it must give one for each, empty where a rank has ended");
-  return all;
-}
-
 StopCondition::Cause Islands::share_news(StopCondition::Cause told) {
   ArrayWriter own;
   own.value(told);
@@ -139,10 +132,10 @@ StopCondition::Cause Islands::share_news(StopCondition::Cause told) {
     own.array(one.ants);
     own.array(one.best_tour);
   }
-  const std::vector<std::string> all = gather(own.text());
+  const std::vector<std::string> all = gather(*ranks_, own.text());
   auto first = StopCondition::Cause::none;
   for (int rank = 0; rank < ranks_->count; ++rank) {
-    ArrayReader from = handed_in(all[static_cast<std::size_t>(rank)], rank);
+    ArrayReader from = told_by(all[static_cast<std::size_t>(rank)], rank);
     const bool other = rank != ranks_->own, ended = other && from.at_end();
     auto cause = told;
     if (ended) {  // the own deadline is near
@@ -165,48 +158,22 @@ StopCondition::Cause Islands::share_news(StopCondition::Cause told) {
   return first;
 }
 
-std::vector<Point> Islands::best_path() {
+FoundPath Islands::found() {
   Island* best = nullptr;
   for (Island& island : islands_)
     if (best == nullptr || island.colony.best_path().shorter_than(best->colony.best_path()))
       best = &island;
-  std::vector<Point> path;
-  if (best != nullptr) path = best->colony.best_path().give();
-  if (ranks_ == nullptr) return path;
-  // Of equal ones the first island's.
-  struct Found {
-    double length = kInfinity;
-    int island = 0, none = 0;
-    auto operator<=>(const Found&) const = default;
-  };
-  Found least, mine;
-  if (!path.empty()) mine = {best->colony.best_path().length(), best->number};
-  ArrayWriter own;
-  own.value(mine);
-  own.array(path);
-  const std::vector<std::string> all = gather(own.text());
-  for (int rank = 0; rank < ranks_->count; ++rank) {
-    ArrayReader from = handed_in(all[static_cast<std::size_t>(rank)], rank);
-    if (from.at_end()) continue;
-    const auto found = from.value<Found>();
-    auto points = from.array<Point>();
-    from.require(from.at_end());
-    if (!(found < least)) continue;
-    least = found;
-    path = std::move(points);
-  }
+  FoundPath path;
+  if (best == nullptr || best->colony.best_path().none()) return path;
+  path.rank = {best->colony.best_path().length(), best->number};
+  path.points = best->colony.best_path().give();
   return path;
 }
 
-double Islands::trail_entropy() const {
-  double sum = 0;
-  int count = 0;
-  for (const News& one : news_) {
-    if (std::isnan(one.whole.trail_entropy)) continue;
-    sum += one.whole.trail_entropy;
-    ++count;
-  }
-  return count > 0 ? sum / count : kNaN;
+IterationSums::Values Islands::entropies() const {
+  IterationSums::Values all;
+  for (const News& one : news_) all.add(IterationSums::Values::of(one.whole.trail_entropy));
+  return all;
 }
 
 double Islands::best_length() const {
@@ -227,6 +194,10 @@ bool Islands::settled() const {
 
 StopCondition::Cause Islands::observe(const Convergence& run) {
   const auto cause = leader_ != nullptr ? leader_->observe(run) : StopCondition::Cause::none;
+  if (board_ != nullptr) {
+    course_.push_back(sums_of(*this));
+    course_.back().entropies = entropies();
+  }
   if (ranks_ == nullptr) return cause;
   observed_ = cause;
   return StopCondition::Cause::none;

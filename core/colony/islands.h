@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/colony/grid_colony.h"
+#include "core/colony/rank_talk.h"
+#include "core/colony/tour_board.h"
 
 namespace lasius {
 
@@ -31,18 +33,35 @@ class Islands final : public ColonyWorld {
 
   Result run(const Request& request, const Observer& observer);
 
+  /// Islands own, own + count, ... of all.
+  struct Part {
+    int own = 0, count = 1;
+    bool has(int island) const { return island % count == own; }
+  };
+  /// These alone, on one thread, with tours of the others by way of a board, which outlives them.
+  Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
+          const cost::Terrain* terrain, Part part, TourBoard& board)
+      : Islands(grid, params, memory, disc, terrain, part, nullptr, &board) {}
+
+  /// Begins and runs the loop. Why it was cut short, or `none`.
+  StopCondition::Cause walk(const Request& request, const Observer& observer, Convergence& run);
+  /// The best path of all islands here, which gives it away.
+  FoundPath found();
+  /// Of islands with a board: what each iteration of `walk` was.
+  const std::vector<IterationSums>& course() const { return course_; }
+
   // What the loop asks for: of all ants, by their numbers.
 
   /// Their whole iteration, the update too, after which all ranks know what each island found.
   StopCondition::Cause send_ants(int q) override;
   void offer() override {}
   void update_trail(int) override {}
-  int ants() const override { return params_.ants; }
+  int ants() const override { return static_cast<int>(places_.size()); }
   int threads() const override { return threads_; }
   double tour_length(int ant) const override { return news_of(ant).length; }
   std::optional<Walked> walked(int ant) const override { return news_of(ant).walked; }
   /// The mean over islands that have a trail.
-  double trail_entropy() const override;
+  double trail_entropy() const override { return entropies().mean(); }
   double best_length() const override;
   double iteration_best() const override;
   /// All islands have.
@@ -82,6 +101,9 @@ class Islands final : public ColonyWorld {
     int island, ant;
   };
 
+  Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
+          const cost::Terrain* terrain, Part part, const Ranks* ranks, TourBoard* board);
+
   template <class Do>
   void for_each(const Do& act);
   bool exchange_at(int q) const { return q > 0 && q % params_.exchange_every == 0; }
@@ -90,25 +112,32 @@ class Islands final : public ColonyWorld {
   /// Tells the others what this rank is told, and of its islands, and hears of theirs. The first
   /// cause, by rank, for which one is to stop.
   StopCondition::Cause share_news(StopCondition::Cause told);
-  std::vector<std::string> gather(const std::string& own) const;
+  IterationSums::Values entropies() const;
   News& news(int island) { return news_[static_cast<std::size_t>(island)]; }
   const News::OfAnt& news_of(int ant) const {
     const Place place = places_[static_cast<std::size_t>(ant)];
     return news_[static_cast<std::size_t>(place.island)].ants[static_cast<std::size_t>(place.ant)];
   }
-  /// Over all islands.
-  std::vector<Point> best_path();
 
   const Params& params_;
   const Ranks* ranks_;
+  TourBoard* board_;  ///< null: tours are exchanged as scheduled
   int threads_;
   StopCondition stop_;
   std::deque<Island> islands_;  ///< of this rank
   std::vector<News> news_;      ///< of all
-  std::vector<Place> places_;   ///< of all ants
+  std::vector<Place> places_;   ///< of all ants, with a board of those here
+  std::vector<IterationSums> course_;
   GridColony* leader_ = nullptr;
   /// Of ranks: why the own observer stops, which others hear of in the next iteration.
   StopCondition::Cause observed_ = StopCondition::Cause::none;
 };
+
+/// Runs a colony of more than one island by its Params::exchange. With ranks that do not wait for
+/// one another each has its share of the islands, and there each thread; an observer sees those of
+/// one thread, that which calls.
+Result run_islands(const Grid& grid, const Request& request, const Params& params,
+                   ColonyMemory& memory, const Observer& observer, const disc::DiscSpace* disc,
+                   const cost::Terrain* terrain);
 
 }  // namespace lasius

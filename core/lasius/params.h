@@ -96,6 +96,17 @@ constexpr std::string_view to_string(IndexAnswer v) noexcept {
   return name_of(v, kIndexAnswerNames);
 }
 
+/// When an island learns by a tour of the others.
+enum class Exchange {
+  scheduled,     ///< all at once, by that of the island before it: depends on their number alone
+  asynchronous,  ///< by the best that has arrived by then: no thread and no rank waits for another,
+                 ///< and where there are several no two runs need be equal
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kExchangeNames{"scheduled", "asynchronous"};
+/// The name of a value.
+constexpr std::string_view to_string(Exchange v) noexcept { return name_of(v, kExchangeNames); }
+
 /// Cong & Ponnambalam 2009, eq. 3 is broken in print: which reading to take.
 enum class Reward {
   factor,  ///< tau <- tau (1 + reward rows / L)
@@ -146,7 +157,8 @@ struct LASIUS_EXPORT Params : TrailParams {
   friend bool operator==(const Params&, const Params&) = default;
 
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
-  int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
+  int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer,
+                           ///< but with Exchange::asynchronous
 
   int ants = 10;                             ///< m, 1 .. 10^6, of all islands together
   int iterations = 120;                      ///< T, 0 .. 10^9
@@ -200,8 +212,9 @@ struct LASIUS_EXPORT Params : TrailParams {
                       ///< never. An ant alone agrees with nobody
   int islands = 1;    ///< 1 .. 1024, each with a share of the ants and a trail of its own; only
                       ///< without own rules, and where no map changes under a colony
-  int exchange_every = 10;  ///< iterations after which an island learns by the best tour of the one
-                            ///< before it, 1 .. 10^9
+  int exchange_every = 10;  ///< iterations after which an island learns by another's best tour:
+                            ///< 1 .. 10^9
+  Exchange exchange = Exchange::scheduled;  ///< when, and by which
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)

@@ -19,8 +19,13 @@ struct Ranks {
   int count = 1;  ///< of processes, 1 or more
   /// Hands in what this one has, and gets what each has handed in, `count` by number; empty: it has
   /// ended, which is as if its deadline had passed. Called by the thread that plans, once an
-  /// iteration and once at the end. What it throws ends the call.
+  /// iteration and once at the end; of Exchange::asynchronous at the beginning and the end alone.
+  /// What it throws ends the call.
   std::function<std::vector<std::string>(std::string)> gather = {};
+  /// Of Exchange::asynchronous: tells all others a text, if it is not empty, and gets those that
+  /// have arrived from them, without waiting for any. What was told before a gather is not heard
+  /// after it. Called by the thread that plans, once an iteration. What it throws ends the call.
+  std::function<std::vector<std::string>(std::string)> pass = {};
 };
 
 /// What is asked of a planner.

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/base/special_values.h"
 #include "lasius/export.h"
@@ -57,6 +59,30 @@ class ColonyWorld {
   /// Called after every iteration, its record the last of `run`. Has an observer asked to stop?
   virtual StopCondition::Cause observe(const Convergence& run) = 0;
 };
+
+/// What the ants of an iteration walked and what came of it: adds up over parts of a colony.
+struct IterationSums {
+  /// Those that are numbers.
+  struct Values {
+    double sum = 0, least = kNaN;
+    int count = 0;
+
+    static Values of(double value);
+    void add(const Values& more);
+    double mean() const { return count > 0 ? sum / count : kNaN; }
+  };
+  Values raw, cut, entropies;  ///< lengths of raw and cut tours, entropies of trails
+  double best = kNaN, iteration_best = kNaN;
+  std::int64_t steps = 0, cells = 0, near = 0;
+  bool walked = false;  ///< is ColonyWorld::walked() recorded?
+
+  void add(const IterationSums& more);
+};
+IterationSums sums_of(const ColonyWorld& world);
+/// Another part's iterations to those of one: whichever has ended first keeps its best.
+void add_part(std::vector<IterationSums>& to, std::span<const IterationSums> part);
+/// The iteration after the last of `run`.
+void record(const IterationSums& sums, Convergence& run);
 
 /// The main loop: send the ants, offer, update the trail, record, observe, up to `iterations`
 /// times. Returns why it was cut short, or `none`.

@@ -66,6 +66,8 @@ constexpr Words only_with(const Parameter& info) {
   return words.add(both && several ? "," : "").add(both ? " and " : "").add(info.only_with);
 }
 
+constexpr Table::Condition kIslands{"islands above 1",
+                                    [](const Params& p) { return p.islands > 1; }};
 constexpr Table::Condition kUntilCriticalTime{"critical_time above 0",
                                               [](const Params& p) { return p.critical_time > 0; }};
 
@@ -181,9 +183,11 @@ constexpr std::array kColony{
     Table::number("islands", &Params::islands, 1, 1024,
                   "colonies with a trail of their own that the ants are shared among", "1"),
     Table::number("exchange_every", &Params::exchange_every, 1, 1000000000,
-                  "iterations after which an island learns by the best tour of the one before it",
-                  "10")
-        .only_with({"islands above 1", [](const Params& p) { return p.islands > 1; }}),
+                  "iterations after which an island learns by another's best tour", "10")
+        .only_with(kIslands),
+    Table::choice<&Params::exchange, kExchangeNames>(
+        "exchange", "by the tour of the island before, or the best that has come", "scheduled")
+        .only_with(kIslands),
     Table::number("unknown_index", &Params::unknown_index, 1, 1e6,
                   "terminal index of unknown cells, for 20 x 20 cells"),
     Table::number("index_spread", &Params::index_spread, 0, 1, "q of K' = K - q Kmin"),

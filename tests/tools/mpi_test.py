@@ -348,6 +348,24 @@ class Islands(MpiTest):
         asked = [word if word != FAN else "a.map" for word in self.asked("acs")]
         self.ended(self.run_job(mpi, 1, *asked, 1, other_folder=self.path("other")), 3, "rank 1 has other input")
 
+    def test_ranks_that_do_not_wait_find_a_whole_answer(self):
+        for mpi, ranks, threads in RANKS:
+            with self.subTest(mpi=mpi, ranks=ranks, threads=threads):
+                run = self.run_job(mpi, ranks, *self.asked("acs", "--exchange", "asynchronous", "--iterations", "40"), threads,
+                                   "-o", "r.json")
+                result = run.json
+                self.assertEqual((run.code, result["status"], result["iterations"]), (0, "solved", 40), run.err)
+                self.assertEqual(result["parameters"]["exchange"], "asynchronous")
+                self.assertEqual(result["best"][-1], result["length"])
+                self.assertLessEqual(max(result["arrived"]), 12)
+                self.quiet(self.run_program("check-path", FAN, "r.json"))
+                # Until one is told something, all is as scheduled.
+                first = self.run_program(*self.asked("acs", "--iterations", "2"), 1).json
+                self.assertEqual(result["steps"][:2], first["steps"])
+                limited = self.run_job(mpi, ranks, *self.asked("acs", "--exchange", "asynchronous", "--iterations", "1000000",
+                                                               "--time-limit", "0.3"), threads)
+                self.assertEqual(limited.json["status"], "limit", limited.err)
+
     def test_pictures_of_ants_are_of_one_process(self):
         self.quiet(self.run_program(*self.asked("acs"), 1, "-o", "alone.svg"))
         run = self.run_job(list(PROGRAMS)[-1], 2, *self.asked("acs"), 1, "-o", "ranks.svg")

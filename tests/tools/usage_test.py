@@ -95,6 +95,12 @@ class Usage(ProgramTest):
         self.assertEqual(self.run_program("plan", "--algorithm", "acs", "--iterations", "1", "--start", "0,0", "--goal", "9,5",
                                           "-q", "--islands", "4x").code, 0)
 
+    def test_an_exchange_is_of_islands(self):
+        asked = ("--algorithm", "acs", "--iterations", "1", "--exchange")
+        self.refused(self.plan(*asked, "at-once", "--islands", "2"), 2, "exchange is \"at-once\"", "scheduled|asynchronous")
+        self.ended(self.plan(*asked, "asynchronous"), 0, "exchange", "islands above 1")
+        self.ended(self.plan("--algorithm", "exact", "--exchange", "asynchronous"), 0, "exchange", "exact")
+
     def test_values_of_another_form_and_names_far_from_all(self):
         for setting, words in (("ants=1e3", "ants is 1e3; it must be a whole number, 1 .. 1000000"),
                                ("persistence=0x1p-1", "it must be a plain number, 0 .. 1"),

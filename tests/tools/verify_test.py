@@ -177,6 +177,15 @@ class Verify(ProgramTest):
         self.write("r.json", json.dumps({**self.save(), "own_rules": True}))
         self.ended(self.run_program("verify", "r.json"), 2, "rules of the caller's own")
 
+    def test_what_came_when_it_came_cannot_be_replayed(self):
+        asked = ("plan", "small.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "acs", "--iterations", "3", "--islands",
+                 "2", "-q", "-o", "r.json", "--exchange")
+        self.quiet(self.run_program(*asked, "asynchronous"))
+        self.assertEqual(json.loads(self.read("r.json"))["parameters"]["exchange"], "asynchronous")
+        self.ended(self.run_program("verify", "r.json"), 2, "cannot be replayed", "which no run need repeat")
+        self.quiet(self.run_program(*asked, "scheduled"))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
     def test_another_map_is_refused(self):
         result = self.save()
         self.write("fan.map", self.read("small.map"))

@@ -88,9 +88,9 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   const bool shared = shares_islands(run);
   Ranks ranks;
   if (shared) {
-    ranks = {crew()->number(), crew()->size(), [key = shared_key(run, "")](const std::string& own) {
-               return crew()->gather(key, own);
-             }};
+    ranks = {crew()->number(), crew()->size(),
+             [key = shared_key(run, "")](const auto& own) { return crew()->gather(key, own); },
+             [](const auto& own) { return crew()->pass(own); }};
     request.ranks = &ranks;
   }
   Workspace workspace;  // to give back a large one takes time, which is not the plan's

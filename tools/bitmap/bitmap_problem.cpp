@@ -153,6 +153,14 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
   return std::make_unique<BitmapProblem>(std::move(command), std::move(map));
 }
 
+std::string unlike(const Json& result) {
+  const Json set = result.value("parameters", Json::object());
+  if (set.value("exchange", "") == to_string(Exchange::asynchronous) && set.value("islands", 1) > 1)
+    return "its islands learned by tours as they came, which no run need repeat; with --exchange "
+           "scheduled it does";
+  return unlike_radius(result);
+}
+
 }  // namespace
 
 const ProblemKind& bitmap_kind() {
@@ -170,7 +178,7 @@ const ProblemKind& bitmap_kind() {
             return !is_polygon_file(recorded<std::string>(json, "map/file")) && !of_vehicle(json);
           },
       .again = bitmap_again,
-      .unlike = unlike_radius};
+      .unlike = unlike};
   return kKind;
 }
 

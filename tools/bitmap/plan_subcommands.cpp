@@ -59,6 +59,11 @@ void add_islands(OptionTable& table, RunOptions& to) {
                 "Split a colony into so many islands (alone: 8), each with its share of the ants, "
                 "that learn by each other's best tours (parameter exchange_every)",
                 "N");
+  add_parameter(table, "--exchange", to,
+                "Of islands: by the tour of the one before, when its turn is, or by the best that "
+                "has come by then. No thread and no rank waits for another then, and no two runs "
+                "need be equal",
+                "scheduled|asynchronous");
 }
 
 /// Of `plan` and `batch`, not of drives.

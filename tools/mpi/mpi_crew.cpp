@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <future>
 #include <optional>
@@ -24,48 +23,10 @@ namespace {
 using namespace std::chrono_literals;
 
 // A message begins with one of these. To the leader: work is wanted, and what became of the last;
-// it failed; the rank has ended.
-constexpr char kWant = 'w', kFailed = 'f', kGone = 'g';
+// it failed; the rank has ended. To anybody: news.
+constexpr char kWant = 'w', kFailed = 'f', kGone = 'g', kNews = 'n';
 // To others: items; the end of a sharing, with its summary; the end of all.
 constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
-
-// Who waits for a message sleeps: longer the longer none comes, so that looking costs work little.
-constexpr std::chrono::microseconds kShortestNap = 100us, kLongestNap = 2ms;
-
-class Naps {
- public:
-  std::chrono::microseconds next() {
-    return std::exchange(next_, std::min(2 * next_, kLongestNap));
-  }
-  void begin_anew() { next_ = kShortestNap; }
-
- private:
-  std::chrono::microseconds next_ = kShortestNap;
-};
-
-/// Of a message's text; a longer one goes in several pieces, since MPI counts by int.
-constexpr std::size_t kPiece = 1 << 16;
-
-void put(std::string& to, std::int64_t number) {
-  to.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-std::int64_t take_number(std::string_view& from) {
-  std::int64_t number = 0;
-  std::memcpy(&number, from.data(), sizeof number);
-  from.remove_prefix(sizeof number);
-  return number;
-}
-
-void put(std::string& to, const std::string& text) {
-  put(to, static_cast<std::int64_t>(text.size()));
-  to += text;
-}
-std::string take_text(std::string_view& from) {
-  const auto size = static_cast<std::size_t>(take_number(from));
-  std::string text(from.substr(0, size));
-  from.remove_prefix(size);
-  return text;
-}
 
 std::string packed(std::span<const int> items, const std::vector<std::string>& texts) {
   std::string all;
@@ -74,44 +35,6 @@ std::string packed(std::span<const int> items, const std::vector<std::string>& t
     put(all, texts[i]);
   }
   return all;
-}
-
-void send(int to, const std::string& text) {
-  std::string whole;
-  put(whole, text);
-  for (std::size_t at = 0; at < whole.size(); at += kPiece) {
-    MPI_Request sending = MPI_REQUEST_NULL;
-    MPI_Isend(whole.data() + at, static_cast<int>(std::min(kPiece, whole.size() - at)), MPI_CHAR,
-              to, 0, MPI_COMM_WORLD, &sending);
-    int sent = 0;  // of a large piece not until it is read
-    for (Naps naps; MPI_Test(&sending, &sent, MPI_STATUS_IGNORE), sent == 0;)
-      std::this_thread::sleep_for(naps.next());
-  }
-}
-
-struct Letter {
-  int from;
-  std::string text;
-};
-
-/// The next message, if there is one.
-std::optional<Letter> post() {
-  int there = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
-  if (there == 0) return std::nullopt;
-  const int from = status.MPI_SOURCE;
-  std::string text, piece(kPiece, '\0');
-  std::size_t size = 0;
-  do {
-    MPI_Recv(piece.data(), static_cast<int>(kPiece), MPI_CHAR, from, 0, MPI_COMM_WORLD, &status);
-    int count = 0;
-    MPI_Get_count(&status, MPI_CHAR, &count);
-    std::string_view got(piece.data(), static_cast<std::size_t>(count));
-    if (size == 0) size = sizeof(std::int64_t) + static_cast<std::size_t>(take_number(got));
-    text.append(piece, 0, static_cast<std::size_t>(count));
-  } while (text.size() < size);
-  return Letter{from, text.substr(sizeof(std::int64_t))};
 }
 
 /// Work of the leader's own, beside the thread that answers the others.
@@ -191,7 +114,10 @@ MpiCrew::MpiCrew(int* argc, char*** argv) {
   gone_.resize(static_cast<std::size_t>(ranks_));
 }
 
-MpiCrew::~MpiCrew() { MPI_Finalize(); }
+MpiCrew::~MpiCrew() {
+  forget_sent();
+  MPI_Finalize();
+}
 
 std::optional<std::string> MpiCrew::share(const Work& work) {
   auto summary = leads() ? lead(work) : follow(work);
@@ -199,13 +125,13 @@ std::optional<std::string> MpiCrew::share(const Work& work) {
   return summary;
 }
 
-std::string MpiCrew::ask(const std::string& key, const std::string& results) const {
+std::string MpiCrew::ask(const std::string& key, const std::string& results) {
   std::string wanted(1, kWant);
   put(wanted, shared_);
   put(wanted, key);
   send(0, wanted + results);
   std::optional<Letter> reply;
-  for (Naps naps; !(reply = post());) std::this_thread::sleep_for(naps.next());
+  for (Naps naps; !(reply = next_letter());) std::this_thread::sleep_for(naps.next());
   if (reply->text[0] == kDismissed) throw Dismissed{};
   return reply->text;
 }
@@ -230,7 +156,7 @@ std::string MpiCrew::follow(const Work& work) {
 bool MpiCrew::read_post(const std::string& key, bool all_needed,
                         const std::function<void(int, std::string_view)>& act) {
   bool any = false;
-  while (const auto letter = post()) {
+  while (const auto letter = next_letter()) {
     any = true;
     std::string_view text = std::string_view(letter->text).substr(1);
     const std::string rank = "rank " + std::to_string(letter->from);
@@ -255,6 +181,45 @@ bool MpiCrew::read_post(const std::string& key, bool all_needed,
     act(letter->from, text);
   }
   return any;
+}
+
+std::optional<Letter> MpiCrew::next_letter() {
+  for (;;) {
+    std::optional<Letter> letter;
+    if (unread_.empty()) {
+      letter = post();
+    } else {
+      letter = std::move(unread_.front());
+      unread_.pop_front();
+    }
+    if (!letter || letter->text[0] != kNews) return letter;
+    spread(letter->text, letter->from);
+  }
+}
+
+void MpiCrew::forget_sent() {
+  std::erase_if(spreading_, [](Sending& one) { return one.done(); });
+}
+
+void MpiCrew::spread(const std::string& news, int from) {
+  for (int to = 0; to < (leads() ? ranks_ : 1); ++to)
+    if (to != from && to != rank_ && !gone_[static_cast<std::size_t>(to)])
+      spreading_.emplace_back(to, news);
+}
+
+std::vector<std::string> MpiCrew::pass(const std::string& own) {
+  if (!own.empty()) spread(kNews + own, rank_);
+  std::vector<std::string> heard;
+  while (auto letter = post()) {
+    if (letter->text[0] == kNews) {
+      spread(letter->text, letter->from);
+      heard.push_back(letter->text.substr(1));
+    } else {
+      unread_.push_back(std::move(*letter));
+    }
+  }
+  forget_sent();
+  return heard;
 }
 
 std::vector<std::string> MpiCrew::gather(const std::string& key, const std::string& own) {
@@ -331,7 +296,7 @@ void MpiCrew::leave(int code) {
   const bool whole = code == kFound || (!farewells_.empty() && farewells_.back()[0] == kEnd);
   const auto until = std::chrono::steady_clock::now() + 10s;
   while (std::ranges::count(gone_, true) < ranks_ - 1) {
-    const auto letter = post();
+    const auto letter = next_letter();
     if (letter && letter->text[0] == kWant)
       send(letter->from, std::string(1, kDismissed));
     else if (letter && letter->text[0] == kGone)
@@ -339,7 +304,7 @@ void MpiCrew::leave(int code) {
     else if (!whole && std::chrono::steady_clock::now() > until)
       MPI_Abort(MPI_COMM_WORLD, code);  // others are at work that nobody waits for
     else if (!letter)
-      std::this_thread::sleep_for(kLongestNap);
+      std::this_thread::sleep_for(Naps::kLongest);
   }
 }
 

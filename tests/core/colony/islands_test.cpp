@@ -6,13 +6,9 @@
 #include <atomic>
 #include <climits>
 #include <cmath>
-#include <condition_variable>
-#include <functional>
 #include <list>
-#include <mutex>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/colony/grid_colony.h"
@@ -20,19 +16,12 @@
 #include "lasius/navigator.h"
 #include "lasius/own_rules.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/colony/archipelago.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {
-
-Params split(std::string_view algorithm, int islands) {
-  Params params = quick(algorithm);
-  params.ants = 7;
-  params.iterations = 7;
-  params.islands = islands;
-  return params;
-}
 
 class Archipelago : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Islands, Archipelago, testing::ValuesIn(colonies()), by_algorithm);
@@ -50,73 +39,6 @@ TEST_P(Archipelago, ThreadsAndWhatAWorkspaceHasSeenChangeNothing) {
     expect_same(far.plan(params, &workspace), once);
     (void)far.plan(split(GetParam(), threads + 1), &workspace);
   }
-}
-
-/// Ranks that are threads: each gets what all have handed in.
-class Meeting {
- public:
-  explicit Meeting(int ranks) : handed_in_(static_cast<std::size_t>(ranks)), here_(ranks) {}
-
-  Ranks rank(int own) {
-    return {own, static_cast<int>(handed_in_.size()),
-            [this, own](std::string text) { return gather(own, std::move(text)); }};
-  }
-  /// Once it ends, this one comes no more.
-  struct Leaving {
-    Meeting& meeting;
-    int own;
-    ~Leaving() { meeting.leave(own); }
-  };
-
- private:
-  void leave(int own) {
-    const std::lock_guard lock(mutex_);
-    handed_in_[static_cast<std::size_t>(own)].clear();
-    --here_;
-    meet();
-  }
-  std::vector<std::string> gather(int own, std::string text) {
-    std::unique_lock lock(mutex_);
-    handed_in_[static_cast<std::size_t>(own)] = std::move(text);
-    ++waiting_;
-    const int number = number_;
-    meet();
-    met_.wait(lock, [&] { return number_ != number; });
-    return all_;
-  }
-  void meet() {
-    if (waiting_ < here_) return;
-    all_ = handed_in_;
-    waiting_ = 0;
-    ++number_;
-    met_.notify_all();
-  }
-
-  std::mutex mutex_;
-  std::condition_variable met_;
-  std::vector<std::string> handed_in_, all_;
-  int here_, waiting_ = 0, number_ = 0;
-};
-
-/// The answer of each rank; `as(rank, request)` may change what one is asked.
-std::vector<Result> plan_on_ranks(int count, const Params& params,
-                                  const std::function<void(int, Request&)>& as = {},
-                                  const Observer& observer = {}) {
-  std::vector<Result> results(static_cast<std::size_t>(count));
-  Meeting meeting(count);
-  std::vector<std::jthread> threads;
-  threads.reserve(results.size());
-  for (int r = 0; r < count; ++r)
-    threads.emplace_back([&, r] {
-      const Meeting::Leaving leaving{meeting, r};
-      FarApart far;
-      const Ranks rank = meeting.rank(r);
-      far.request.ranks = &rank;
-      if (as) as(r, far.request);
-      EXPECT_NO_THROW(results[static_cast<std::size_t>(r)] = far.plan(params, nullptr, observer));
-    });
-  threads.clear();
-  return results;
 }
 
 TEST_P(Archipelago, AllRanksFindWhatOneProcessFinds) {
@@ -173,18 +95,6 @@ TEST(Islands, ARankThatHasEndedIsAsADeadline) {
       EXPECT_EQ(results[static_cast<std::size_t>(r)].status,
                 r == ranks - 1 ? Status::solved : Status::limit);
   }
-}
-
-/// The remedy that one rank is told; empty where it is not refused.
-std::string remedy_of(const Params& params, const Ranks& rank) {
-  FarApart far;
-  far.request.ranks = &rank;
-  try {
-    (void)far.plan(params);
-  } catch (const Error& error) {
-    return error.remedy();
-  }
-  return {};
 }
 
 TEST(Islands, RanksThatCannotBeAreRefused) {
@@ -252,39 +162,13 @@ TEST_P(Archipelago, EachLearnsByTheOneBeforeIt) {
   FarApart far;
   Params params = split(GetParam(), 3);
   params.exchange_every = 2;
-  Params share = params;
-  share.islands = 1;
-  std::list<ColonyMemory> memory(3);
-  std::list<Params> shares;
-  std::list<GridColony> colonies;
-  const Observer none;
-  int first_ant = 0;
-  for (ColonyMemory& one : memory) {
-    share.ants = first_ant == 0 ? 3 : 2;
-    colonies.emplace_back(far.planner.grid(), shares.emplace_back(share), one, no_own_rules(),
-                          GridColony::After::nothing, nullptr, nullptr, first_ant);
-    first_ant += share.ants;
-    colonies.back().begin(far.request);
-    colonies.back().set_out(far.request, none);
-  }
-  std::vector<std::int64_t> steps;
-  for (int q = 0; q < params.iterations; ++q) {
-    if (q > 0 && q % 2 == 0) {
-      const GridColony* before = &colonies.back();
-      for (GridColony& colony : colonies) {
-        colony.welcome(before->best_tour());
-        before = &colony;
-      }
-    }
-    std::int64_t sum = 0;
+  const auto steps = steps_by_hand(far, params, [](std::list<GridColony>& colonies) {
+    const GridColony* before = &colonies.back();
     for (GridColony& colony : colonies) {
-      ASSERT_EQ(colony.send_ants(q), StopCondition::Cause::none);
-      colony.offer();
-      colony.update_trail(q);
-      for (int a = 0; a < colony.ants(); ++a) sum += colony.walked(a)->steps;
+      colony.welcome(before->best_tour());
+      before = &colony;
     }
-    steps.push_back(sum);
-  }
+  });
   EXPECT_EQ(far.plan(params).steps, steps);
 }
 

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tests/core/base/counting_time.h"
 
@@ -55,6 +57,31 @@ TEST(ColonyLoop, AnIterationIsWholeOrNothing) {
     EXPECT_EQ(run_colony_loop(world, 3, {}, run), row.cause) << row.calls;
     EXPECT_EQ(world.calls, row.calls);
   }
+}
+
+TEST(ColonyLoop, PartsAddUpAndWhoHasEndedKeepsItsBest) {
+  using Values = IterationSums::Values;
+  const auto iteration = [](double best, double tour) {
+    IterationSums sums;
+    sums.raw = Values::of(tour);
+    sums.best = best;
+    sums.steps = 10;
+    sums.walked = true;
+    return sums;
+  };
+  std::vector<IterationSums> all;
+  add_part(all, std::vector{iteration(kNaN, kNaN), iteration(8, 9)});
+  add_part(all, std::vector{iteration(6, 7)});
+  add_part(all, {});
+  add_part(all, std::vector{iteration(7, 7), iteration(7, 8), iteration(5, 5)});
+  Convergence run;
+  for (const IterationSums& sums : all) record(sums, run);
+  EXPECT_EQ(run.iterations, 3);
+  EXPECT_EQ(run.best, (std::vector<double>{6, 6, 5}));
+  EXPECT_EQ(run.mean, (std::vector<double>{7, 8.5, 5}));
+  EXPECT_EQ(run.raw_best, (std::vector<double>{7, 8, 5}));
+  EXPECT_EQ(run.arrived, (std::vector<int>{2, 2, 1}));
+  EXPECT_EQ(run.steps, (std::vector<std::int64_t>{30, 20, 10}));
 }
 
 TEST(ColonyLoop, PollsBetweenIterationsAlone) {
