@@ -2,7 +2,6 @@
 // whole mask.
 #pragma once
 
-#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -20,9 +19,8 @@ class BitColumns {
   int height() const noexcept { return height_; }
 
   /// The words of 64 columns from row y on, of which `column` and `column` + 1 are readable for
-  /// columns and rows up to the margin beyond the map. Precondition: x and y >= -margin.
+  /// columns and rows up to the margin beyond the map. Precondition: x >= -margin.
   const std::uint64_t* from(int x, int y) const noexcept {
-    assert(x >= -left_ && y >= -top_);
     return bits_.data() + static_cast<std::ptrdiff_t>((x + left_) >> 6) * rows_ + (y + top_);
   }
   std::ptrdiff_t rows() const noexcept { return rows_; }  ///< words from a column to the next
