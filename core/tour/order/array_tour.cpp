@@ -10,17 +10,6 @@ ArrayTour::ArrayTour(const Costs& costs, std::vector<int> order)
   for (int p = 0; p < size(); ++p) cost_ += leg_[p] = costs(at_[p], at_[after(p)]);
 }
 
-bool ArrayTour::whole(const Exchange& exchange) noexcept {
-  const int ends = 2 * exchange.cuts;
-  int x = 1, steps = 0;
-  do {
-    x = x % 2 == 1 ? (x + 1 == ends ? 0 : x + 1) : (x == 0 ? ends - 1 : x - 1);
-    x = exchange.partner[x];
-    ++steps;
-  } while (x != 1);
-  return steps == exchange.cuts;
-}
-
 void ArrayTour::write(int place, int stop) {
   log_.push_back({place, at_[place], leg_[place]});
   at_[place] = stop;

@@ -34,9 +34,7 @@ class ArrayTour {
   std::int64_t cost() const noexcept { return cost_; }
   const std::vector<int>& order() const noexcept { return at_; }
 
-  /// Does the exchange leave one tour?
-  static bool whole(const Exchange& exchange) noexcept;
-  /// Does it. Precondition: whole. All pieces but the longest are written anew.
+  /// Does it. Precondition: it leaves one tour. All pieces but the longest are written anew.
   void apply(const Exchange& exchange);
   /// Forgets how to go back to what was.
   void keep() noexcept { log_.clear(); }

@@ -19,10 +19,10 @@ class Candidates {
     Cost cost;
   };
 
-  /// The `count` cheapest each; where places are given (one a stop, or none) first the count / 4
-  /// cheapest in each quadrant around the stop. Of a pricer's costs only those are priced of which
-  /// the lower bound does not show that they are dearer. Of more than kMany stops, once stopped,
-  /// those whose numbers are near.
+  /// The `count` cheapest each; where places are given (of the first stops, or none) first the
+  /// count / 4 cheapest in each quadrant around the stop. Of a pricer's costs only those are priced
+  /// of which the lower bound does not show that they are dearer. Of more than kMany stops, once
+  /// stopped, those whose numbers are near.
   Candidates(const Costs& costs, std::span<const Point> places, int count,
              const StopCondition& stop = {});
   /// The same, but once stopped those of any number of stops are as there.

@@ -115,6 +115,16 @@ TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
   const TourResult whole = plan_tour(planner, request);
   EXPECT_LE(*hurried.lower_bound, *whole.cost);
   EXPECT_GE(*hurried.lower_bound, 0.3 * *whole.lower_bound);
+  // Legs that are not priced are the dearer the longer: corners of a square are passed around it.
+  request.stops = {{2, 2}, {8, 8}, {8, 2}, {2, 8}};
+  request.stop.deadline = Clock::now();
+  const TourResult square = plan_tour(planner, request);
+  EXPECT_EQ(square.priced, 0);
+  ASSERT_EQ(square.legs.size(), 4U);
+  for (const TourLeg& leg : square.legs) {
+    const Cell from = request.stops[leg.from], to = request.stops[leg.to];
+    EXPECT_TRUE(from.x == to.x || from.y == to.y);
+  }
   EXPECT_THROW(plan_tour(planner, ask(some_stops(grid, 201))), Error);
 }
 

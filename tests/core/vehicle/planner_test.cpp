@@ -230,6 +230,10 @@ TEST(VehiclePlanner, TolerancesAndSeveralGoals) {
   const Pose end = near.segments.back().end();
   EXPECT_LE(std::hypot(end.x - 60, end.y - 1), 3 + 1e-9);
   EXPECT_LE(std::fabs(half_turned(end.yaw - 0.3)), 0.4);
+  const Result anywhere = planner.plan(
+      {.start = start, .goals = {{60, 1, kPi}}, .goal_tolerance = 200, .heading_tolerance = 0.4});
+  ASSERT_EQ(anywhere.status, Status::solved);
+  EXPECT_LE(std::fabs(half_turned(anywhere.segments.back().end().yaw - kPi)), 0.4);
   const Result two =
       planner.plan({.start = start, .goals = {{60, 40, kPi}, {70, 40, 0}, {-5, 3, 0}}});
   EXPECT_EQ(two.goal, 1);

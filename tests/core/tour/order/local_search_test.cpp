@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include "core/tour/order/search.h"
 #include "tests/core/base/counting_time.h"
@@ -71,6 +73,30 @@ TEST(TourCandidates, OfManyStopsAreNearNumbersOnceStopped) {
   EXPECT_EQ(candidates.of(0).front().to, kSize - 1);
   for (int v = 0; v < kSize; ++v) EXPECT_EQ(candidates.of(v).size(), kCount);
   for (const Candidates::Leg& leg : candidates.of(kSize - 1)) EXPECT_GE(leg.to, kSize - 1 - kCount);
+}
+
+// From the middle, four stops lie to the lower right, one far to the left and one, the last, less
+// far there.
+TEST(TourCandidates, AreInNoQuadrantWithoutAPlace) {
+  const std::vector<Point> places = {{50, 50}, {51, 51}, {52, 52}, {53, 53},
+                                     {54, 54}, {0, 49},  {40, 40}};
+  constexpr int kSize = 7, kCount = 4;
+  std::vector<Cost> matrix;
+  matrix.reserve(std::size_t{kSize} * kSize);
+  for (const Point& a : places)
+    for (const Point& b : places)
+      matrix.push_back(static_cast<Cost>(std::fabs(a.x - b.x) + std::fabs(a.y - b.y)));
+  const auto of = [&](std::span<const Point> placed, int stop) {
+    const Candidates candidates({kSize, matrix.data()}, placed, kCount);
+    std::vector<int> found;
+    for (const Candidates::Leg& leg : candidates.of(stop)) found.push_back(leg.to);
+    return found;
+  };
+  const std::span<const Point> all(places), but_last = all.first(kSize - 1);
+  EXPECT_EQ(of(all, 0), (std::vector<int>{1, 2, 3, 6}));
+  EXPECT_EQ(of(all, 6), (std::vector<int>{0, 1, 2, 5}));
+  EXPECT_EQ(of(but_last, 0), (std::vector<int>{1, 2, 3, 5}));
+  EXPECT_EQ(of(but_last, 6), (std::vector<int>{0, 1, 2, 3}));
 }
 
 TEST(TourLocalSearch, KicksKeepATourAndNeverMakeItDearer) {
