@@ -64,14 +64,4 @@ inline std::string path_fault(const Grid& grid, std::span<const Point> path, Poi
   return rule::Checker(grid).obeys(path) ? "" : "a path through what is blocked";
 }
 
-/// Whether all places are on free cells, no two on one, and enough to ask about.
-inline bool well_posed(const HuntCase& problem) {
-  for (std::size_t i = 0; i < problem.places.size(); ++i) {
-    if (problem.grid.blocked(problem.places[i])) return false;
-    for (std::size_t j = 0; j < i; ++j)
-      if (problem.places[i] == problem.places[j]) return false;
-  }
-  return problem.places.size() >= 2;
-}
-
 }  // namespace lasius::bench

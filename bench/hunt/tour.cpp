@@ -80,16 +80,13 @@ TourRequest draw_tour(HuntDraw& draw, const std::vector<Cell>& stops) {
 
 }  // namespace
 
-HuntVerdict judge_tour(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_tour(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   const Planner planner(Grid(problem.grid));
   const oracle::VisibilityGraph oracle(problem.grid);
   std::vector<Cell> stops;  // those that are joined to the first
   for (const Cell place : problem.places)
     if (oracle.shortest(problem.places[0], place)) stops.push_back(place);
-  if (stops.size() < 2) return verdict;
+  if (stops.size() < 2) return;
   std::vector<double> legs;
   for (const Cell a : stops)
     for (const Cell b : stops) legs.push_back(oracle.shortest(a, b)->length);
@@ -132,7 +129,6 @@ HuntVerdict judge_tour(const HuntCase& problem) {
                       got.lower_bound.value_or(-1), " in place of ", best, ' ', got.error, fault);
     });
   }
-  return verdict;
 }
 
 }  // namespace lasius::bench
