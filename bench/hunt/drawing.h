@@ -2,10 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <random>
-#include <span>
 #include <sstream>
 #include <string>
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <ostream>
 
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/poses_file.h"
