@@ -14,6 +14,7 @@
 #include "tools/record/outputs.h"
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
