@@ -20,7 +20,7 @@
 #include "lasius/error.h"
 #include "lasius/map_io.h"
 #include "lasius/planner.h"
-#include "tests/oracle/plane_rule.h"
+#include "tests/oracle/whole_path.h"
 
 namespace lasius::bench {
 namespace {

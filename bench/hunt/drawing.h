@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/hunt/hunt.h"
-#include "tests/oracle/plane_rule.h"
+#include "tests/oracle/whole_path.h"
 
 namespace lasius::bench {
 
