@@ -227,7 +227,7 @@ TEST(Routes, WalksThatForgetBoundTheShortest) {
       ++scattered;
     }
   }
-  EXPECT_GT(below, scattered / 4);
+  EXPECT_GT(below, scattered / 5);
 }
 
 // Knows all legs by their bounds, which are half, until they are priced.
