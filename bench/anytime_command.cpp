@@ -56,8 +56,7 @@ std::string told(const Outcome& outcome) {
 }
 
 void run_anytime(const AnytimeOptions& options) {
-  MapOptions maps = options.maps;
-  if (sources_of(maps).empty()) maps.sides = {1024, 8192};
+  const MapOptions maps = or_generated(options.maps, {1024, 8192});
   std::vector<Table::Column> columns{"map"};
   for (const int deadline : kDeadlines) columns.push_back(std::to_string(deadline) + " ms");
   Table table(std::to_string(options.count) + " queries a map, seed " + std::to_string(maps.seed) +

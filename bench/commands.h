@@ -70,6 +70,9 @@ struct MapOptions {
   std::uint64_t seed = 1;
 };
 void add_map_options(CLI::App& command, MapOptions& options);
+/// These, or generated ones where none is told.
+MapOptions or_generated(MapOptions options, std::vector<int> sides,
+                        std::vector<std::string> kinds = {});
 /// Queries on each of them, time and again.
 struct QueryOptions {
   MapOptions maps = {};

@@ -49,9 +49,9 @@ void run_competition(const CompetitionOptions& options) {
       {"map", "queries", "preparation, s", "file, MB", "loaded, ms", "query, us", "median", "99%",
        "most", "wrong"},
       options.markdown);
-  double sum = 0, logarithms = 0, seconds = 0;
+  double sum = 0, seconds = 0;
   std::size_t asked = 0;
-  int maps = 0;
+  GeometricMean means;
   for (const QuerySource& source : sources_of(options.maps, {options.markdown})) {
     const QuerySet set = load(source, options.count);
     const int width = set.grid.width(), height = set.grid.height();
@@ -89,14 +89,13 @@ void run_competition(const CompetitionOptions& options) {
                          mean, median(times), quantile(times, 0.99), largest(times), 1.0 * wrong});
     sum += total;
     asked += times.size();
-    logarithms += std::log(mean);
+    means.add(mean);
     seconds += preparation;
-    ++maps;
   }
   table.close(
-      std::to_string(maps) + " maps, " + std::to_string(asked) +
+      std::to_string(means.count()) + " maps, " + std::to_string(asked) +
       " queries: " + short_number(sum / static_cast<double>(std::max<std::size_t>(asked, 1))) +
-      " us a query in the mean, " + short_number(std::exp(logarithms / std::max(maps, 1))) +
+      " us a query in the mean, " + short_number(means.value()) +
       " us in the geometric mean of the maps; prepared in " + short_number(seconds) + " s.\n");
 }
 

@@ -183,11 +183,7 @@ void write_peers(const std::string& text, const CostFigures& costs, Table& table
 }
 
 void run_costs(const CostsOptions& options) {
-  MapOptions maps = options.maps;
-  if (sources_of(maps).empty()) {
-    maps.sides = {512, 256};
-    maps.kinds = {"blobs"};
-  }
+  const MapOptions maps = or_generated(options.maps, {512, 256}, {"blobs"});
   Table table("Paths over weights, " + std::to_string(options.count) +
                   " long queries a map and kind of weight, seed " +
                   std::to_string(options.maps.seed) +

@@ -123,9 +123,7 @@ void run_cover(const CoverBenchOptions& options) {
           " cells, radius " + short_number(options.radius) +
           ". \"area\": what can be covered over the width. Lengths in cells; one thread.",
       {"map", "swaths", "area", "swept", "length", "to and fro", "gap, %", "covered, %", "CPU s"});
-  MapOptions maps = options.maps;
-  if (maps.maps.empty() && maps.sides.empty() && maps.noise.empty()) maps.sides = {256};
-  for (const QuerySource& source : sources_of(maps)) {
+  for (const QuerySource& source : sources_of(or_generated(options.maps, {256}))) {
     const QuerySet set = load(source, 1);
     const Planner planner(set.grid, Disc{options.radius});
     CoverRequest request;

@@ -1,6 +1,5 @@
 // lasius_bench discs: what a disc's exact path costs, against a point's on the same queries.
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <random>
@@ -11,6 +10,7 @@
 #include "bench/commands.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
+#include "bench/statistics.h"
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"
 #include "core/disc/disc_graph.h"
@@ -118,42 +118,36 @@ EditTimes measure_edits(const Grid& map, const disc::DiscSpace& made, int rounds
     in_place.push_back(here.value);
     copied.push_back(anew.value);
   }
-  std::ranges::sort(in_place);
-  std::ranges::sort(copied);
-  return {in_place[kPlaces / 2], copied[kPlaces / 2]};
+  return {median(in_place), median(copied)};
 }
 
-// Logarithms of what spaces cost, summed: the first two of a cell.
+// What spaces cost, the first two of a cell.
 struct Costs {
-  double nanoseconds = 0, bytes = 0, edit = 0, planner = 0;
-  int spaces = 0;
+  GeometricMean nanoseconds, bytes, edit, planner;
 
   std::string text() const {
-    const auto mean = [&](double logarithms) {
-      return short_number(std::exp(logarithms / spaces));
-    };
-    return "; of " + std::to_string(spaces) + " spaces " + mean(nanoseconds) + " ns and " +
+    const auto mean = [](const GeometricMean& of) { return short_number(of.value()); };
+    return "; of " + std::to_string(bytes.count()) + " spaces " + mean(nanoseconds) + " ns and " +
            mean(bytes) + " bytes a cell, an edit of 10 x 10 cells " + mean(edit) +
            " us, as another Planner " + mean(planner) + " us.\n";
   }
 };
 
-// The logarithms of the two ratios, summed over what had queries.
+// The two ratios, of what had queries.
 struct Ratios {
-  double scan = 0, graph = 0, worst_scan = -kInfinity, worst_graph = -kInfinity;
-  int maps = 0;
+  GeometricMean scan, graph;
+  double worst_scan = -kInfinity, worst_graph = -kInfinity;
 
   void add(double of_scan, double of_graph) {
-    scan += std::log(of_scan);
-    graph += std::log(of_graph);
+    scan.add(of_scan);
+    graph.add(of_graph);
     worst_scan = std::max(worst_scan, of_scan);
     worst_graph = std::max(worst_graph, of_graph);
-    ++maps;
   }
   std::string text(const std::string& what) const {
-    return what + ": " + std::to_string(maps) + " maps, geometric mean of scan / point " +
-           short_number(std::exp(scan / maps)) + ", worst " + short_number(worst_scan) +
-           "; of graph / point " + short_number(std::exp(graph / maps)) + ", worst " +
+    return what + ": " + std::to_string(scan.count()) + " maps, geometric mean of scan / point " +
+           short_number(scan.value()) + ", worst " + short_number(worst_scan) +
+           "; of graph / point " + short_number(graph.value()) + ", worst " +
            short_number(worst_graph);
   }
 };
@@ -180,11 +174,10 @@ void measure_map(const QuerySet& set, double radius, const DiscOptions& options,
             {1.0 * times.found, 1.0 * times.closed, times.point / times.found, scan, with_graph,
              made.value / 1000, bytes, edit.space, edit.planner, prepared / 1000,
              graph != nullptr ? static_cast<double>(graph->edge_count()) : kNaN});
-  ++costs.spaces;
-  costs.nanoseconds += std::log(1000 * made.value / cells);
-  costs.bytes += std::log(bytes);
-  costs.edit += std::log(edit.space);
-  costs.planner += std::log(edit.planner);
+  costs.nanoseconds.add(1000 * made.value / cells);
+  costs.bytes.add(bytes);
+  costs.edit.add(edit.space);
+  costs.planner.add(edit.planner);
   if (times.found == 0) return;
   ratios.add(scan, with_graph);
   all.add(scan, with_graph);

@@ -9,6 +9,7 @@
 #include "bench/commands.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
+#include "bench/statistics.h"
 #include "core/base/special_values.h"
 #include "core/exact/exact.h"
 #include "core/exact/labels/label_search.h"
@@ -130,8 +131,8 @@ void run_labels(const LabelOptions& options) {
                "graph, MB", "graph, s", "labels, s", "preparation, time with 1 / all threads",
                "processor time, all / 1"},
               options.markdown);
-  double labelled = 0, checked = 0, plans = 0, graphs = 0, plain = 0, worst = 0;
-  int maps = 0;
+  GeometricMean labelled, checked, plans, graphs, plain;
+  double worst = 0;
   for (const QuerySource& source : sources_of(options.maps, {options.markdown})) {
     const QuerySet set = load(source, options.count);
     const MadeLabels made = make_labels(set.grid, options.threads);
@@ -151,19 +152,18 @@ void run_labels(const LabelOptions& options) {
                          static_cast<double>(made.labels->entry_count()) / made.graph->size(),
                          1e-6 * static_cast<double>(made.labels->bytes()), graph_megabytes,
                          made.graph_seconds, made.label_seconds, gain, cost});
-    labelled += std::log(times.labels);
-    checked += std::log(times.checked);
-    plans += std::log(times.plan);
-    graphs += std::log(times.graph);
-    plain += std::log(times.plain);
+    labelled.add(times.labels);
+    checked.add(times.checked);
+    plans.add(times.plan);
+    graphs.add(times.graph / times.labels);
+    plain.add(times.plain / times.labels);
     worst = std::max(worst, times.checked);
-    ++maps;
   }
-  const auto mean = [&](double logarithms) { return short_number(std::exp(logarithms / maps)); };
-  table.close(std::to_string(maps) + " maps with labels, geometric means: " + mean(labelled) +
-              " us, path checked " + mean(checked) + " us (worst " + short_number(worst) +
-              "), whole plan " + mean(plans) + " us; graph / labels " + mean(graphs - labelled) +
-              ", exact / labels " + mean(plain - labelled) + ".\n");
+  const auto mean = [](const GeometricMean& of) { return short_number(of.value()); };
+  table.close(std::to_string(labelled.count()) +
+              " maps with labels, geometric means: " + mean(labelled) + " us, path checked " +
+              mean(checked) + " us (worst " + short_number(worst) + "), whole plan " + mean(plans) +
+              " us; graph / labels " + mean(graphs) + ", exact / labels " + mean(plain) + ".\n");
 }
 
 }  // namespace

@@ -156,12 +156,8 @@ void run_overshoot(const OvershootOptions& options) {
        "worst",
        "workspace, MB"},
       options.markdown);
-  MapOptions maps = options.maps;
-  if (sources_of(maps).empty()) {
-    maps.sides = {512, 2048, 8192, 16384};
-    maps.kinds = {"blobs"};
-  }
-  for (const QuerySource& source : sources_of(maps)) {
+  for (const QuerySource& source :
+       sources_of(or_generated(options.maps, {512, 2048, 8192, 16384}, {"blobs"}))) {
     const QuerySet set = load(source, 100);
     const Planner planner(set.grid);
     table.row(timer_row(options));

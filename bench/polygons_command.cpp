@@ -21,6 +21,7 @@ namespace {
 using polygon::Dice;
 using polygon::Params;
 using polygon::Planner;
+using polygon::scaled;
 using polygon::World;
 
 struct PolygonsOptions {
@@ -153,16 +154,6 @@ constexpr std::uint64_t kFirstWorld = 9000;  // none that defaults were chosen o
 World world_of(int number, Dice& dice) {
   const int obstacles = static_cast<int>(5 * std::pow(100.0, dice.real(0, 1)));
   return polygon::random_world(kFirstWorld + static_cast<std::uint64_t>(number), obstacles);
-}
-
-Point scaled(Point p, double by) { return {p.x * by, p.y * by}; }
-
-World scaled(World world, double by) {
-  for (Point& p : world.boundary.outer) p = scaled(p, by);
-  for (polygon::Polygon& obstacle : world.obstacles)
-    for (Point& p : obstacle.outer) p = scaled(p, by);
-  world.margin *= by;
-  return world;
 }
 
 struct Case {

@@ -84,6 +84,15 @@ void add_query_options(CLI::App& command, QueryOptions& options) {
   add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
 }
 
+MapOptions or_generated(MapOptions options, std::vector<int> sides,
+                        std::vector<std::string> kinds) {
+  if (options.maps.empty() && options.sides.empty() && options.noise.empty()) {
+    options.sides = std::move(sides);
+    if (options.kinds.empty()) options.kinds = std::move(kinds);
+  }
+  return options;
+}
+
 std::vector<QuerySource> sources_of(const MapOptions& options, std::vector<std::string> outputs) {
   auto sources = find_sources(options.maps);
   for (const QuerySource& made : generated_sources(options.sides, options.seed)) {

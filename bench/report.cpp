@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "bench/statistics.h"
 #include "core/base/output.h"
 #include "lasius/version.h"
 
@@ -33,18 +34,19 @@ void write_table(std::ostream& out, std::span<const MapComparison> maps,
   out << "\n|---|";
   for (std::size_t i = 0; i < planners.size(); ++i) out << "--:|";
   out << '\n';
-  std::vector<double> logs(planners.size(), 0.0);
+  std::vector<GeometricMean> means(planners.size());
   for (const MapComparison& map : maps) {
     std::vector<double> row;
     for (std::size_t p = 0; p < planners.size(); ++p) {
       row.push_back(value(map, p));
-      logs[p] += std::log(row.back());
+      means[p].add(row.back());
     }
     out << table_line(map.name, row);
   }
   if (mean && maps.size() > 1) {
-    for (double& v : logs) v = std::exp(v / static_cast<double>(maps.size()));
-    out << table_line("**geometric mean**", logs);
+    std::vector<double> row;
+    for (const GeometricMean& one : means) row.push_back(one.value());
+    out << table_line("**geometric mean**", row);
   }
   out << '\n';
 }

@@ -24,6 +24,21 @@ inline double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// Of numbers above 0, as they come.
+class GeometricMean {
+ public:
+  void add(double value) {
+    logarithms_ += std::log(value);
+    ++count_;
+  }
+  int count() const { return count_; }
+  double value() const { return std::exp(logarithms_ / count_); }
+
+ private:
+  double logarithms_ = 0;
+  int count_ = 0;
+};
+
 /// Whether two curves are the same; what is not a number in both is.
 inline bool alike(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(

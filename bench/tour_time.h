@@ -1,7 +1,6 @@
 // Tours by time: what a run had at marks of its processor time.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

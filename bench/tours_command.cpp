@@ -316,17 +316,14 @@ void run_tours(const TourBenchOptions& options) {
     else
       write_rows(instance, matrix_runs(instance, options), options, table);
   }
-  MapOptions maps = options.maps;
-  if (options.files.empty() && maps.maps.empty() && maps.sides.empty() && maps.noise.empty())
-    maps.sides = {512};
   std::string notes;
-  if (!maps.maps.empty() || !maps.sides.empty() || !maps.noise.empty())
-    for (const QuerySource& source : sources_of(maps)) {
-      if (options.whole)
-        measure_whole(source, options, table);
-      else
-        measure_stops(source, options, table, notes);
-    }
+  for (const QuerySource& source :
+       sources_of(options.files.empty() ? or_generated(options.maps, {512}) : options.maps)) {
+    if (options.whole)
+      measure_whole(source, options, table);
+    else
+      measure_stops(source, options, table, notes);
+  }
   if (!notes.empty()) table.close(notes);
 }
 

@@ -20,7 +20,7 @@
 #include "lasius/error.h"
 #include "lasius/map_io.h"
 #include "lasius/planner.h"
-#include "tests/oracle/plane_rule.h"
+#include "tests/oracle/whole_path.h"
 
 namespace lasius::bench {
 namespace {
@@ -105,21 +105,10 @@ void AnswerFiles::write_answers(const std::string& name, const std::string& algo
 
 std::string fault_of(const Grid& grid, const Query& query, const Result& result) {
   if (result.path.empty()) return result.status == Status::solved ? "solved without a path" : "";
-  if (result.path.front() != centre(query.start) || result.path.back() != centre(query.goal)) {
-    return "the path does not join start and goal";
-  }
-  double length = 0;
-  for (std::size_t i = 1; i < result.path.size(); ++i) {
-    length += std::hypot(result.path[i].x - result.path[i - 1].x,
-                         result.path[i].y - result.path[i - 1].y);
-  }
-  if (std::abs(result.length - length) > 1e-9 * std::max(1.0, length)) {
-    return "the length is not the path's";
-  }
-  if (!std::isnan(query.optimum) && result.length < query.optimum - 1e-6 * query.optimum) {
+  if (!std::isnan(query.optimum) && result.length < query.optimum - 1e-6 * query.optimum)
     return "shorter than the optimum";
-  }
-  return rule::path_obeys(grid, result.path) ? "" : "the path breaks the rule of the plane";
+  return rule::path_fault(grid, result.path, centre(query.start), centre(query.goal),
+                          result.length);
 }
 
 struct Tally {
@@ -177,19 +166,20 @@ int unsolved(const Tally& tally) {
 
 /// A row of the table, paths and median gap by algorithm; adds the map to the sums.
 void report(const std::string& map, const ValidityOptions& options, const Tallies& here,
-            Tallies& sums) {
-  std::cout << "| " << map;
+            Tallies& sums, Table& table) {
+  std::vector<std::string> cells{map};
   for (const std::string& algorithm : options.algorithms) {
     const Tally& tally = here.at(algorithm);
-    std::cout << " | " << tally.paths - unsolved(tally) << " of " << tally.paths;
-    if (!tally.gaps.empty()) std::cout << ", " << short_number(100 * median(tally.gaps)) << '%';
+    cells.push_back(
+        std::to_string(tally.paths - unsolved(tally)) + " of " + std::to_string(tally.paths) +
+        (tally.gaps.empty() ? "" : ", " + short_number(100 * median(tally.gaps)) + "%"));
     Tally& sum = sums[algorithm];
     sum.paths += tally.paths;
     sum.faults += tally.faults;
     sum.seconds += tally.seconds;
     for (const auto& [status, count] : tally.unsolved) sum.unsolved[status] += count;
   }
-  std::cout << " |" << std::endl;
+  table.row(cells);
 }
 
 void run_validity(const ValidityOptions& given) {
@@ -201,19 +191,19 @@ void run_validity(const ValidityOptions& given) {
   std::optional<AnswerFiles> folder;
   if (!options.write.empty()) folder.emplace(options.write);
   const AnswerFiles* files = folder ? &*folder : nullptr;
-  std::cout << "Paths found and median gap to the any-angle optimum; " << options.iterations
-            << " iterations of " << options.ants << " ants.\n\n| map";
-  for (const std::string& algorithm : options.algorithms) std::cout << " | " << algorithm;
-  std::cout << " |\n|---";
-  for (std::size_t i = 0; i < options.algorithms.size(); ++i) std::cout << "|---";
-  std::cout << "|\n";
+  std::vector<Table::Column> columns{"map"};
+  for (const std::string& algorithm : options.algorithms) columns.emplace_back(algorithm);
+  Table table("Paths found and median gap to the any-angle optimum; " +
+                  std::to_string(options.iterations) + " iterations of " +
+                  std::to_string(options.ants) + " ants.",
+              columns);
 
   Tallies tallies;
   for (const QuerySource& source : find_sources(options.maps)) {
     Tallies here;
     const QuerySet set = load(source, 0);
     check(source, set, options, files, here);
-    report(set.name, options, here, tallies);
+    report(set.name, options, here, tallies, table);
   }
   Tallies random;
   // Ten queries a map, the kinds in turn, a new seed each time around.
@@ -228,7 +218,7 @@ void run_validity(const ValidityOptions& given) {
       done += count;
     }
   }
-  if (!random.empty()) report("generated", options, random, tallies);
+  if (!random.empty()) report("generated", options, random, tallies, table);
   std::cout << '\n';
   int faults = 0;
   for (const auto& [algorithm, tally] : tallies) {

@@ -39,10 +39,7 @@ Params draw_colony(HuntDraw& draw) {
 
 }  // namespace
 
-HuntVerdict judge_colony(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_colony(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   Params params = draw_colony(draw);
   const int threads = draw.between(2, 5);
   const Planner planner(Grid(problem.grid));
@@ -62,11 +59,11 @@ HuntVerdict judge_colony(const HuntCase& problem) {
     }
   };
   const auto one = run(1);
-  if (!one) return verdict;
+  if (!one) return;
   if (!best) {
     verdict.expect(one->status == Status::unreachable && one->path.empty(),
                    [&] { return text("a path where there is none"); });
-    return verdict;
+    return;
   }
   verdict.expect(one->status == Status::solved || one->status == Status::no_path,
                  [&] { return text(std::string(to_string(one->status))); });
@@ -80,7 +77,6 @@ HuntVerdict judge_colony(const HuntCase& problem) {
   const auto more = run(threads);
   verdict.expect(more->path == one->path && more->steps == one->steps,
                  [&] { return text("another answer with more threads"); });
-  return verdict;
 }
 
 }  // namespace lasius::bench

@@ -23,10 +23,7 @@ std::vector<double> draw_weights(HuntDraw& draw, const Grid& grid) {
 
 }  // namespace
 
-HuntVerdict judge_costs(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_costs(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   const Grid& grid = problem.grid;
   const std::vector<double> weights = draw_weights(draw, grid);
   const double most = std::ranges::max(weights);
@@ -65,7 +62,7 @@ HuntVerdict judge_costs(const HuntCase& problem) {
   };
   const CostResult best = planner.plan(request);
   expect("exact", best, true);
-  if (request.target_gap > 0) return verdict;
+  if (request.target_gap > 0) return;
   CostOptions moves;
   moves.eight_moves = true;
   const CostResult walk = planner.plan(request, moves);
@@ -80,7 +77,6 @@ HuntVerdict judge_costs(const HuntCase& problem) {
   ants.params.seed = draw.any() >> 12;
   const CostResult colony = planner.plan(request, ants);
   if (!colony.path.empty()) expect("colony", colony, true);
-  return verdict;
 }
 
 }  // namespace lasius::bench

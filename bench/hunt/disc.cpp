@@ -7,10 +7,7 @@
 
 namespace lasius::bench {
 
-HuntVerdict judge_disc(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_disc(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   // Not those that just fit: there both sides decide by rounding.
   const double radius = draw.real(0.1, 2.5) + 1e-4;
   const Planner plain(Grid(problem.grid), Disc{radius});
@@ -39,7 +36,6 @@ HuntVerdict judge_disc(const HuntCase& problem) {
                          [&] { return "nearer than the radius at " + told(got.path[i]); });
       }
     }
-  return verdict;
 }
 
 }  // namespace lasius::bench

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <random>
-#include <span>
 #include <sstream>
 #include <string>
 
 #include "bench/hunt/hunt.h"
-#include "tests/oracle/plane_rule.h"
+#include "tests/oracle/whole_path.h"
 
 namespace lasius::bench {
 
@@ -47,31 +45,6 @@ std::string sentence(const Parts&... parts) {
 }
 inline std::string told(Point p) { return sentence('(', p.x, ", ", p.y, ')'); }
 
-/// Whether two lengths are the same, but for rounding.
-inline bool same_length(double a, double b) {
-  return a == b || std::abs(a - b) <= 1e-9 * (1 + std::abs(a));
-}
-
-/// Why a path is none from start to goal of that length; empty where it is one.
-inline std::string path_fault(const Grid& grid, std::span<const Point> path, Point start,
-                              Point goal, double length) {
-  if (path.empty() || path.front() != start || path.back() != goal)
-    return "a path that does not join start and goal";
-  double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    sum += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-  if (!same_length(sum, length)) return sentence("length ", length, " of a path of ", sum);
-  return rule::Checker(grid).obeys(path) ? "" : "a path through what is blocked";
-}
-
-/// Whether all places are on free cells, no two on one, and enough to ask about.
-inline bool well_posed(const HuntCase& problem) {
-  for (std::size_t i = 0; i < problem.places.size(); ++i) {
-    if (problem.grid.blocked(problem.places[i])) return false;
-    for (std::size_t j = 0; j < i; ++j)
-      if (problem.places[i] == problem.places[j]) return false;
-  }
-  return problem.places.size() >= 2;
-}
+using rule::path_fault, rule::same_length;
 
 }  // namespace lasius::bench

@@ -5,13 +5,12 @@
 
 namespace lasius::bench {
 
-HuntVerdict judge_drive(const HuntCase& problem) {
-  HuntVerdict verdict;
+void judge_drive(const HuntCase& problem, HuntDraw&, HuntVerdict& verdict) {
   const bool calm = problem.seed % 2 == 0;
   const RandomWorld world = draw_world(problem.seed, calm);
   const DriveResult got = drive(world.map, world.truth, world.start, world.goal, world.changes,
                                 world.options, world.navigator);
-  if (got.status == Status::invalid) return verdict;
+  if (got.status == Status::invalid) return;
   DriveChecker checker(world.truth, world.changes, world.navigator.radius);
   const std::string fault = checker.fault(got.track);
   verdict.expect(fault.empty(), [&] { return fault; });
@@ -23,7 +22,6 @@ HuntVerdict judge_drive(const HuntCase& problem) {
         got.status == Status::unreachable && !checker.joined(got.track.back(), world.goal),
         [&] { return sentence(to_string(got.status), ", where a way is left"); });
   }
-  return verdict;
 }
 
 }  // namespace lasius::bench

@@ -62,6 +62,16 @@ constexpr std::array kKinds{
 #endif
 };
 
+// Whether all places are on free cells, no two on one, and enough to ask about.
+bool well_posed(const HuntCase& problem) {
+  for (std::size_t i = 0; i < problem.places.size(); ++i) {
+    if (problem.grid.blocked(problem.places[i])) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (problem.places[i] == problem.places[j]) return false;
+  }
+  return problem.places.size() >= 2;
+}
+
 // Without columns [from, from + count); nothing where a place is lost or too little stays.
 std::optional<HuntCase> without_columns(const HuntCase& problem, int from, int count) {
   const Grid& grid = problem.grid;
@@ -154,6 +164,14 @@ class Reduction {
 };
 
 }  // namespace
+
+HuntVerdict HuntKind::judge(const HuntCase& problem) const {
+  HuntVerdict verdict;
+  if (!well_posed(problem)) return verdict;
+  HuntDraw draw(problem.seed);
+  ask(problem, draw, verdict);
+  return verdict;
+}
 
 std::span<const HuntKind> hunt_kinds() { return kKinds; }
 

@@ -34,8 +34,9 @@ struct HuntVerdict {
   }
 };
 
-/// Problems that are none, as where places are blocked, have no answers.
-using HuntJudge = HuntVerdict(const HuntCase& problem);
+class HuntDraw;
+/// Asks about a problem, by draws, and judges the answers.
+using HuntJudge = void(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict);
 
 /// A kind of problem.
 struct HuntKind {
@@ -43,7 +44,10 @@ struct HuntKind {
   std::string_view about;  ///< a line
   /// The same for the same seed, on every machine.
   HuntCase (*make)(std::uint64_t seed);
-  HuntJudge* judge;
+  HuntJudge* ask;
+
+  /// Problems that are none, as where places are blocked, have no answers.
+  HuntVerdict judge(const HuntCase& problem) const;
 };
 std::span<const HuntKind> hunt_kinds();
 /// @throws std::out_of_range for an unknown name

@@ -5,11 +5,9 @@
 
 namespace lasius::bench {
 
-HuntVerdict judge_polygon(const HuntCase& problem) {
+void judge_polygon(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   // Walls grow by so little that what touches is closed, and no verdict hangs on rounding.
   constexpr double kTouching = 1e-6, kSlack = 1e-4;
-  HuntVerdict verdict;
-  HuntDraw draw(problem.seed);
   const int count = draw.between(1, 9);
   const polygon::World world =
       polygon::random_world(problem.seed, count, draw.one_in(3) ? draw.between(2, 12) : 0);
@@ -45,7 +43,6 @@ HuntVerdict judge_polygon(const HuntCase& problem) {
       });
     }
   }
-  return verdict;
 }
 
 }  // namespace lasius::bench

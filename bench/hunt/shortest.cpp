@@ -80,10 +80,7 @@ class ShortestJudge {
 
 }  // namespace
 
-HuntVerdict judge_shortest(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_shortest(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   const auto& places = problem.places;
   const Planner plain(Grid(problem.grid)), graph = plain.prepared({.threads = 1});
   const Planner labels = plain.prepared({.threads = 1, .labels = true});
@@ -125,7 +122,6 @@ HuntVerdict judge_shortest(const HuntCase& problem) {
     for (std::size_t i = 0; i < rows->size(); ++i)
       now.judge_distance((*rows)[i], points[i / points.size()], points[i % points.size()]);
   }
-  return verdict;
 }
 
 }  // namespace lasius::bench

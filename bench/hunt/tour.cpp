@@ -1,147 +1,17 @@
-// Tours over few stops with every option, against all orders.
+// Tours over few stops with every option, against the least that there is.
 #include "lasius/tour.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "bench/hunt/drawing.h"
+#include "tests/oracle/least_tour.h"
 #include "tests/oracle/visibility_graph.h"
 
 namespace lasius::bench {
 namespace {
 
-constexpr int kFew = 6;  // stops of which all orders are looked at
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-// The shortest of all tours: every order, every way to share it out and every stop of a task.
-class AllTours {
- public:
-  AllTours(const TourRequest& request, std::vector<double> legs)
-      : request_(request), legs_(std::move(legs)), count_(request.stops.size()) {
-    if (request.robots.empty()) starts_ = {request.start.value_or(-1)};
-    for (const int start : request.robots) starts_.push_back(start);
-  }
-
-  double least() {
-    visited_.assign(count_, false);
-    for (const int start : request_.robots) visited_[static_cast<std::size_t>(start)] = true;
-    robot(0, 0);
-    return least_;
-  }
-
-  /// Whether the stops of a task are all visited, or one of them where it has several.
-  bool done(int stop) const {
-    const auto s = static_cast<std::size_t>(stop);
-    if (visited_[s]) return true;
-    if (request_.group.empty() || request_.group[s] < 0) return false;
-    for (std::size_t i = 0; i < count_; ++i)
-      if (request_.group[i] == request_.group[s] && visited_[i]) return true;
-    return false;
-  }
-
- private:
-  double leg(int a, int b) const {
-    return legs_[static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b)];
-  }
-
-  void robot(std::size_t r, double sum) {
-    if (r == starts_.size()) {
-      for (std::size_t i = 0; i < count_; ++i)
-        if (!done(static_cast<int>(i))) return;
-      least_ = std::min(least_, sum);
-      return;
-    }
-    if (starts_[r] < 0) {  // any stop
-      for (int first = 0; first < static_cast<int>(count_); ++first) begin(r, first, sum);
-    } else {
-      begin(r, starts_[r], sum);
-    }
-  }
-
-  void begin(std::size_t r, int first, double sum) {
-    const auto s = static_cast<std::size_t>(first);
-    const bool before = visited_[s];
-    visited_[s] = true;
-    if (allowed(first, 0)) go_on(r, first, first, 0, load_of(first), sum);
-    visited_[s] = before;
-  }
-
-  void go_on(std::size_t r, int first, int last, int driven, std::int64_t carried, double sum) {
-    if (!request_.goal || last == *request_.goal)
-      robot(r + 1, sum + (request_.open ? 0 : leg(last, first)));
-    if (!request_.robots.empty() && request_.most_stops > 0 && driven == request_.most_stops)
-      return;
-    for (int next = 0; next < static_cast<int>(count_); ++next) {
-      if (done(next) || !allowed(next, carried)) continue;
-      visited_[static_cast<std::size_t>(next)] = true;
-      go_on(r, first, next, driven + 1, carried + load_of(next), sum + leg(last, next));
-      visited_[static_cast<std::size_t>(next)] = false;
-    }
-  }
-
-  std::int64_t load_of(int stop) const {
-    return request_.load.empty() ? 0 : request_.load[static_cast<std::size_t>(stop)];
-  }
-
-  bool allowed(int stop, std::int64_t carried) const {
-    if (request_.capacity && carried + load_of(stop) > *request_.capacity) return false;
-    if (request_.after.empty()) return true;
-    return std::ranges::all_of(request_.after[static_cast<std::size_t>(stop)], [&](int before) {
-      return bool{visited_[static_cast<std::size_t>(before)]};
-    });
-  }
-
-  const TourRequest& request_;
-  std::vector<double> legs_;
-  std::size_t count_;
-  std::vector<int> starts_;
-  std::vector<bool> visited_;
-  double least_ = kNever;
-};
-
-// The same of one robot, without tasks of several stops, by a program over subsets: for more stops.
-double least_by_subsets(const TourRequest& request, const std::vector<double>& legs) {
-  const auto n = request.stops.size();
-  const std::size_t all = std::size_t{1} << n;
-  std::vector<std::size_t> before(n, 0);
-  for (std::size_t i = 0; i < request.after.size(); ++i)
-    for (const int b : request.after[i]) before[i] |= std::size_t{1} << b;
-  const auto allowed = [&](std::size_t visited, std::size_t next) {
-    if ((before[next] & ~visited) != 0) return false;
-    if (!request.capacity) return true;
-    std::int64_t carried = request.load[next];
-    for (std::size_t i = 0; i < n; ++i)
-      if ((visited >> i & 1) != 0) carried += request.load[i];
-    return carried <= *request.capacity;
-  };
-  const bool any_first = request.after.empty() && !request.capacity;  // of a closed tour
-  double least = kNever;
-  std::vector<double> cost;
-  for (std::size_t first = 0; first < n; ++first) {
-    if (request.start && static_cast<std::size_t>(*request.start) != first) continue;
-    if (!request.open && !request.start && any_first && first > 0) break;
-    if (!allowed(0, first)) continue;
-    cost.assign(all * n, kNever);
-    cost[(std::size_t{1} << first) * n + first] = 0;
-    for (std::size_t visited = 1; visited < all; ++visited)
-      for (std::size_t last = 0; last < n; ++last) {
-        const double so_far = cost[visited * n + last];
-        for (std::size_t next = 0; so_far < kNever && next < n; ++next) {
-          const std::size_t with = visited | std::size_t{1} << next;
-          if (with == visited || !allowed(visited, next)) continue;
-          double& known = cost[with * n + next];
-          known = std::min(known, so_far + legs[last * n + next]);
-        }
-      }
-    for (std::size_t last = 0; last < n; ++last) {
-      if (request.goal && static_cast<std::size_t>(*request.goal) != last) continue;
-      const double back = request.open ? 0 : legs[last * n + first];
-      least = std::min(least, cost[(all - 1) * n + last] + back);
-    }
-  }
-  return least;
-}
+constexpr int kFew = 6;  // stops, of more less is asked
 
 // Whether an order of one robot keeps what is given of it, and visits all.
 bool keeps_order(const TourRequest& request, const TourResult& got) {
@@ -210,16 +80,13 @@ TourRequest draw_tour(HuntDraw& draw, const std::vector<Cell>& stops) {
 
 }  // namespace
 
-HuntVerdict judge_tour(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_tour(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   const Planner planner(Grid(problem.grid));
   const oracle::VisibilityGraph oracle(problem.grid);
   std::vector<Cell> stops;  // those that are joined to the first
   for (const Cell place : problem.places)
     if (oracle.shortest(problem.places[0], place)) stops.push_back(place);
-  if (stops.size() < 2) return verdict;
+  if (stops.size() < 2) return;
   std::vector<double> legs;
   for (const Cell a : stops)
     for (const Cell b : stops) legs.push_back(oracle.shortest(a, b)->length);
@@ -227,8 +94,7 @@ HuntVerdict judge_tour(const HuntCase& problem) {
   for (int i = 0; i < (stops.size() > kFew ? 2 : 8); ++i) {
     TourRequest request = draw_tour(draw, stops);
     const bool one = request.group.empty() && request.robots.empty();
-    const double best =
-        stops.size() > kFew ? least_by_subsets(request, legs) : AllTours(request, legs).least();
+    const double best = oracle::LeastTour(request, legs).length();
     const bool ants = one && draw.one_in(4);
     if (ants) request.ants = draw_ants(draw);
     if (stops.size() > kFew) request.generations = draw.between(0, 2);
@@ -263,7 +129,6 @@ HuntVerdict judge_tour(const HuntCase& problem) {
                       got.lower_bound.value_or(-1), " in place of ", best, ' ', got.error, fault);
     });
   }
-  return verdict;
 }
 
 }  // namespace lasius::bench

@@ -4,6 +4,7 @@
 #include "bench/hunt/drawing.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
+#include "tests/oracle/vehicle/motions.h"
 
 namespace lasius::bench {
 namespace {
@@ -56,10 +57,7 @@ std::string fault_of_motions(const vehicle::Vehicle& vehicle, const vehicle::Req
 
 }  // namespace
 
-HuntVerdict judge_vehicle(const HuntCase& problem) {
-  HuntVerdict verdict;
-  if (!well_posed(problem)) return verdict;
-  HuntDraw draw(problem.seed);
+void judge_vehicle(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   const vehicle::Vehicle vehicle = draw_vehicle(draw);
   const vehicle::Planner planner(problem.grid, vehicle);
   oracle::FootprintJudge judge(problem.grid, vehicle.footprint);
@@ -74,17 +72,13 @@ HuntVerdict judge_vehicle(const HuntCase& problem) {
   if (got.goal < 0) {
     verdict.expect(got.segments.empty() && got.status != Status::solved,
                    [] { return std::string("a path that is not told"); });
-    return verdict;
+    return;
   }
   const std::string fault = fault_of_motions(vehicle, request, got);
   verdict.expect(fault.empty(), [&] { return fault; });
-  std::vector<oracle::Motion> path;
-  for (const vehicle::Segment& s : got.segments)
-    path.push_back({s.begin.x, s.begin.y, s.begin.yaw, s.curvature, s.length, s.gear, s.angle});
-  const auto touch = judge.first_touch(path);
+  const auto touch = judge.first_touch(oracle::motions_of(got.segments));
   verdict.expect(!touch,
                  [&] { return sentence("touches (", touch->cell.x, ", ", touch->cell.y, ')'); });
-  return verdict;
 }
 
 }  // namespace lasius::bench

@@ -57,19 +57,13 @@ py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, cons
 }
 
 /// (error, fields of lasius.DriveResult, poses at each tick, moves)
-py::tuple vehicle_driven(const Grid& map, const Grid& truth, const Rows& footprint,
-                         double turning_radius, bool reverse, double reverse_cost, double cusp_cost,
-                         bool rotate_in_place, double rotation_cost, bool sideways,
-                         double curvature_rate, const std::array<double, 3>& start,
-                         const Rows& goals, const Changes& changes,
-                         const vehicle::NavigatorOptions& navigator, double sense,
-                         std::int64_t max_ticks, std::optional<double> seconds_per_tick,
-                         std::uint64_t seed, std::optional<double> time_limit,
-                         const py::object& callback) {
+py::tuple vehicle_driven(const Grid& map, const Grid& truth, const vehicle::Vehicle& driver,
+                         const std::array<double, 3>& start, const Rows& goals,
+                         const Changes& changes, const vehicle::NavigatorOptions& navigator,
+                         double sense, std::int64_t max_ticks,
+                         std::optional<double> seconds_per_tick, std::uint64_t seed,
+                         std::optional<double> time_limit, const py::object& callback) {
   Call call(time_limit);
-  const vehicle::Vehicle driver =
-      vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost, rotate_in_place,
-                   rotation_cost, sideways, curvature_rate);
   const DriveOptions options = drive_options(sense, max_ticks, seconds_per_tick, seed);
   const std::vector<vehicle::Pose> ends = poses_from(goals, "goal");
   const DriveObserver observe = observer<DriveTick>(call, callback);
@@ -109,7 +103,6 @@ void bind_tick(py::module_& module) {
 }
 
 void bind_changes(py::module_& module) {
-  py::class_<NavigatorOptions>(module, "NavigatorOptions").def(py::init(&navigator_options));
   py::class_<Changes>(module, "Changes")
       .def(py::init<>())
       .def("add_change",

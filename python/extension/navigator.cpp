@@ -17,6 +17,8 @@ std::optional<Inflation> inflation_from(const std::optional<InflationNumbers>& n
   return Inflation{reach, scaling, weight, inscribed};
 }
 
+namespace {
+
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
                                    double target_gap, bool search_on, double goal_tolerance,
                                    int doubt_after, const CostField* costs,
@@ -32,6 +34,8 @@ NavigatorOptions navigator_options(const Params& params, double radius, bool pre
   if (costs != nullptr) options.costs = *costs;
   return options;
 }
+
+}  // namespace
 
 py::tuple fields(const Way& way) {
   return py::make_tuple(fields(static_cast<const Result&>(way)), way.replanned,
@@ -53,25 +57,12 @@ py::tuple step(SharedNavigator& shared, Cell robot, std::optional<double> time_l
 }  // namespace
 
 void bind_navigator(py::module_& module) {
-  py::class_<SharedNavigator>(module, "Navigator")
-      .def(
-          py::init([](const Grid& map, Cell goal, const Params& params, double radius, bool prepare,
-                      double target_gap, bool search_on, double goal_tolerance, int doubt_after,
-                      const CostField* costs, const std::optional<InflationNumbers>& inflation) {
-            const auto options = navigator_options(params, radius, prepare, target_gap, search_on,
-                                                   goal_tolerance, doubt_after, costs, inflation);
-            const py::gil_scoped_release released;
-            return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
-          }))
-      .def("observe",
-           [](SharedNavigator& shared, const IntRows& rows, bool blocked) {
-             const auto cells = cells_from(rows, "cells");
-             alone(shared, [&](Navigator& n) { n.observe(cells, blocked); });
-           })
-      .def("observe_rectangle",
-           [](SharedNavigator& shared, int x, int y, int width, int height, bool blocked) {
-             alone(shared, [&](Navigator& n) { n.observe({x, y, width, height}, blocked); });
-           })
+  py::class_<NavigatorOptions>(module, "NavigatorOptions").def(py::init(&navigator_options));
+  bind_shared<Navigator>(module, "Navigator")
+      .def(py::init([](const Grid& map, Cell goal, const NavigatorOptions& options) {
+        const py::gil_scoped_release released;
+        return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
+      }))
       .def("set_costs",
            [](SharedNavigator& shared, int x, int y, const Rows& weights) {
              if (weights.ndim() != 2) throw py::value_error("costs are an array (height, width)");
@@ -82,13 +73,10 @@ void bind_navigator(py::module_& module) {
              alone(shared, [&](Navigator& n) { n.set_costs(part, values); });
            })
       .def("step", &step)
-      .def("forget", [](SharedNavigator& s) { alone(s, [](Navigator& n) { n.forget(); }); })
       .def("goal",
            [](SharedNavigator& s) { return alone(s, [](Navigator& n) { return n.goal(); }); })
       .def("set_goal",
            [](SharedNavigator& s, Cell goal) { alone(s, [&](Navigator& n) { n.set_goal(goal); }); })
-      .def("map",
-           [](SharedNavigator& s) { return alone(s, [](Navigator& n) { return Grid(n.map()); }); })
       .def("passable",
            [](SharedNavigator& s) {
              return alone(s, [](Navigator& n) { return Grid(n.passable()); });

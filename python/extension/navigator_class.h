@@ -28,15 +28,30 @@ auto alone(Shared<Owned>& shared, const Use& use) {
   return use(shared.navigator);
 }
 
+/// The class of a navigator, with what all have.
+template <class Owned>
+py::class_<Shared<Owned>> bind_shared(py::module_& module, const char* name) {
+  py::class_<Shared<Owned>> bound(module, name);
+  bound
+      .def("observe",
+           [](Shared<Owned>& shared, const IntRows& rows, bool blocked) {
+             const auto cells = cells_from(rows, "cells");
+             alone(shared, [&](Owned& n) { n.observe(cells, blocked); });
+           })
+      .def("observe_rectangle",
+           [](Shared<Owned>& shared, int x, int y, int width, int height, bool blocked) {
+             alone(shared, [&](Owned& n) { n.observe({x, y, width, height}, blocked); });
+           })
+      .def("forget", [](Shared<Owned>& s) { alone(s, [](Owned& n) { n.forget(); }); })
+      .def("map",
+           [](Shared<Owned>& s) { return alone(s, [](Owned& n) { return Grid(n.map()); }); });
+  return bound;
+}
+
 /// Radius, scaling, weight, inscribed radius.
 using InflationNumbers = std::tuple<double, double, double, double>;
 
 std::optional<Inflation> inflation_from(const std::optional<InflationNumbers>& numbers);
-
-NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
-                                   double target_gap, bool search_on, double goal_tolerance,
-                                   int doubt_after, const CostField* costs,
-                                   const std::optional<InflationNumbers>& inflation);
 
 /// The fields of lasius.Way.
 py::tuple fields(const Way& way);

@@ -29,8 +29,6 @@ std::vector<Segment> segments_from(const Rows& rows) {
   return segments;
 }
 
-}  // namespace
-
 vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
                               double reverse_cost, double cusp_cost, bool rotate_in_place,
                               double rotation_cost, bool sideways, double curvature_rate) {
@@ -44,6 +42,8 @@ vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool
           .sideways = sideways,
           .curvature_rate = curvature_rate};
 }
+
+}  // namespace
 
 std::vector<Pose> poses_from(const Rows& rows, const char* name) {
   std::vector<Pose> poses;
@@ -129,6 +129,7 @@ py::object first_contact(const vehicle::Planner& planner, const Rows& poses) {
 }  // namespace
 
 void bind_vehicle(py::module_& module) {
+  py::class_<vehicle::Vehicle>(module, "VehicleValues").def(py::init(&vehicle_from));
   py::class_<vehicle::Planner>(module, "VehiclePlanner")
       .def("plan",
            [](const vehicle::Planner& planner, const std::array<double, 3>& start,
@@ -142,18 +143,13 @@ void bind_vehicle(py::module_& module) {
              return planner.space().free(Pose{pose[0], pose[1], pose[2]});
            })
       .def("first_contact", &first_contact);
-  module.def("make_vehicle_planner",
-             [](const Grid& grid, const Rows& footprint, double turning_radius, bool reverse,
-                double reverse_cost, double cusp_cost, bool rotate_in_place, double rotation_cost,
-                bool sideways, double curvature_rate, const CostField* costs) {
-               const vehicle::Vehicle vehicle =
-                   vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
-                                rotate_in_place, rotation_cost, sideways, curvature_rate);
-               Call call;
-               std::optional<vehicle::Planner> made = call.run(
-                   [&] { return vehicle::Planner::make(grid, vehicle, call.condition(), costs); });
-               return py::make_tuple(call.error(), std::move(made));
-             });
+  module.def("make_vehicle_planner", [](const Grid& grid, const vehicle::Vehicle& vehicle,
+                                        const CostField* costs) {
+    Call call;
+    std::optional<vehicle::Planner> made =
+        call.run([&] { return vehicle::Planner::make(grid, vehicle, call.condition(), costs); });
+    return py::make_tuple(call.error(), std::move(made));
+  });
   module.def("vehicle_timed_poses",
              [](const Rows& segments, double spacing, const std::array<double, 8>& limits) {
                return timed_poses(segments, spacing,

@@ -8,9 +8,6 @@
 
 namespace lasius::python {
 
-vehicle::Vehicle vehicle_from(const Rows& footprint, double turning_radius, bool reverse,
-                              double reverse_cost, double cusp_cost, bool rotate_in_place,
-                              double rotation_cost, bool sideways, double curvature_rate);
 /// Rows x, y, yaw.
 std::vector<vehicle::Pose> poses_from(const Rows& rows, const char* name);
 py::array_t<double> pose_rows(const std::vector<vehicle::Pose>& poses);

@@ -51,40 +51,23 @@ py::tuple cells_of(const vehicle::SeenCells& seen) {
 void bind_vehicle_navigator(py::module_& module) {
   py::class_<vehicle::NavigatorOptions>(module, "VehicleNavigatorOptions")
       .def(py::init(&options_from));
-  py::class_<SharedVehicle>(module, "VehicleNavigator")
-      .def(py::init([](const Grid& map, const Rows& footprint, double turning_radius, bool reverse,
-                       double reverse_cost, double cusp_cost, bool rotate_in_place,
-                       double rotation_cost, bool sideways, double curvature_rate,
-                       const Rows& goals, const vehicle::NavigatorOptions& options) {
-        const auto vehicle =
-            vehicle_from(footprint, turning_radius, reverse, reverse_cost, cusp_cost,
-                         rotate_in_place, rotation_cost, sideways, curvature_rate);
+  bind_shared<vehicle::Navigator>(module, "VehicleNavigator")
+      .def(py::init([](const Grid& map, const vehicle::Vehicle& vehicle, const Rows& goals,
+                       const vehicle::NavigatorOptions& options) {
         auto poses = poses_from(goals, "goal");
         const py::gil_scoped_release released;
         return std::make_unique<SharedVehicle>(
             vehicle::Navigator(map, vehicle, std::move(poses), options));
       }))
-      .def("observe",
-           [](SharedVehicle& shared, const IntRows& rows, bool blocked) {
-             const auto cells = cells_from(rows, "cells");
-             alone(shared, [&](auto& n) { n.observe(cells, blocked); });
-           })
-      .def("observe_rectangle",
-           [](SharedVehicle& shared, int x, int y, int width, int height, bool blocked) {
-             alone(shared, [&](auto& n) { n.observe({x, y, width, height}, blocked); });
-           })
       .def("set_costs",
            [](SharedVehicle& shared, const CostField& costs) {
              alone(shared, [&](auto& n) { n.set_costs(costs); });
            })
       .def("step", &step)
-      .def("set_goals",
-           [](SharedVehicle& shared, const Rows& goals) {
-             auto poses = poses_from(goals, "goal");
-             alone(shared, [&](auto& n) { n.set_goals(std::move(poses)); });
-           })
-      .def("forget", [](SharedVehicle& s) { alone(s, [](auto& n) { n.forget(); }); })
-      .def("map", [](SharedVehicle& s) { return alone(s, [](auto& n) { return Grid(n.map()); }); });
+      .def("set_goals", [](SharedVehicle& shared, const Rows& goals) {
+        auto poses = poses_from(goals, "goal");
+        alone(shared, [&](auto& n) { n.set_goals(std::move(poses)); });
+      });
   module.def("cells_of_scan", [](const std::array<double, 3>& sensor, const Rows& ranges,
                                  double first_angle, double step_angle, double least, double most,
                                  const WorldFrame& frame, int width, int height) {

@@ -210,20 +210,7 @@ class Planner:
     def footprint(self) -> Tuple[int, int, int]: ...
 
 class Navigator:
-    def __init__(
-        self,
-        map: Grid,
-        goal: _Cell,
-        params: Params,
-        radius: float,
-        prepare: bool,
-        target_gap: float,
-        search_on: bool,
-        goal_tolerance: float,
-        doubt_after: int,
-        costs: Optional[CostField],
-        inflation: Optional[Tuple[float, float, float, float]],
-    ) -> None: ...
+    def __init__(self, map: Grid, goal: _Cell, options: NavigatorOptions) -> None: ...
     def observe(self, cells: npt.NDArray[np.int32], blocked: bool) -> None: ...
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None: ...
     def set_costs(self, x: int, y: int, weights: npt.NDArray[np.float64]) -> None: ...
@@ -301,15 +288,7 @@ def drive(
 def drive_vehicle(
     map: Grid,
     truth: Grid,
-    footprint: npt.NDArray[np.float64],
-    turning_radius: float,
-    reverse: bool,
-    reverse_cost: float,
-    cusp_cost: float,
-    rotate_in_place: bool,
-    rotation_cost: float,
-    sideways: bool,
-    curvature_rate: float,
+    vehicle: VehicleValues,
     start: Sequence[float],
     goals: npt.NDArray[np.float64],
     changes: Changes,
@@ -349,6 +328,20 @@ class CostPlanner:
         observer: Optional[Callable[[Progress], Any]],
     ) -> Tuple[_Error, Tuple[Any, ...], float, Optional[float], Optional[str]]: ...
 
+class VehicleValues:
+    def __init__(
+        self,
+        footprint: npt.NDArray[np.float64],
+        turning_radius: float,
+        reverse: bool,
+        reverse_cost: float,
+        cusp_cost: float,
+        rotate_in_place: bool,
+        rotation_cost: float,
+        sideways: bool,
+        curvature_rate: float,
+    ) -> None: ...
+
 class VehiclePlanner:
     def plan(
         self,
@@ -365,15 +358,7 @@ class VehiclePlanner:
 
 def make_vehicle_planner(
     grid: Grid,
-    footprint: npt.NDArray[np.float64],
-    turning_radius: float,
-    reverse: bool,
-    reverse_cost: float,
-    cusp_cost: float,
-    rotate_in_place: bool,
-    rotation_cost: float,
-    sideways: bool,
-    curvature_rate: float,
+    vehicle: VehicleValues,
     costs: Optional[CostField],
 ) -> Tuple[_Error, Optional[VehiclePlanner]]: ...
 
@@ -381,15 +366,7 @@ class VehicleNavigator:
     def __init__(
         self,
         map: Grid,
-        footprint: npt.NDArray[np.float64],
-        turning_radius: float,
-        reverse: bool,
-        reverse_cost: float,
-        cusp_cost: float,
-        rotate_in_place: bool,
-        rotation_cost: float,
-        sideways: bool,
-        curvature_rate: float,
+        vehicle: VehicleValues,
         goals: npt.NDArray[np.float64],
         options: VehicleNavigatorOptions,
     ) -> None: ...

@@ -71,18 +71,11 @@ class Navigator:
         **settings: Any,
     ) -> None:
         self._params, self._radius = chosen(Params, params, settings), radius
-        self._raw = _lasius.Navigator(
-            grid,
-            goal,
-            self._params._raw,
-            radius,
-            prepare,
-            target_gap,
-            search_on,
-            goal_tolerance,
-            doubt_after,
+        options = _lasius.NavigatorOptions(
+            self._params._raw, radius, prepare, target_gap, search_on, goal_tolerance, doubt_after,
             *costs_given(costs, inflation),
         )
+        self._raw = _lasius.Navigator(grid, goal, options)
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""

@@ -127,9 +127,9 @@ class Contact:
     proven: bool  #: False: it comes nearer than 0.001 cells
 
 
-def vehicle_values(vehicle: Vehicle) -> Tuple[FloatArray, float, bool, float, float, bool, float, bool, float]:
+def vehicle_values(vehicle: Vehicle) -> _lasius.VehicleValues:
     """What the extension takes."""
-    return (
+    return _lasius.VehicleValues(
         np.asarray(vehicle.footprint, dtype=np.float64), vehicle.turning_radius, vehicle.reverse, vehicle.reverse_cost,
         vehicle.cusp_cost, vehicle.rotate_in_place, vehicle.rotation_cost, vehicle.sideways,
         vehicle.curvature_rate,
@@ -156,7 +156,7 @@ class VehiclePlanner:
 
     def __init__(self, grid: Grid, vehicle: Vehicle, costs: Optional[CostField] = None) -> None:
         self._raw = made(*_lasius.make_vehicle_planner(
-            grid, *vehicle_values(vehicle), None if costs is None else costs._raw))
+            grid, vehicle_values(vehicle), None if costs is None else costs._raw))
 
     def plan(
         self,

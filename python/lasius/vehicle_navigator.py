@@ -83,7 +83,7 @@ class VehicleNavigator:
         options = _lasius.VehicleNavigatorOptions(
             goal_tolerance, heading_tolerance, weight, smooth, max_states, doubt_after, *costs_given(costs, inflation)
         )
-        self._raw = _lasius.VehicleNavigator(grid, *vehicle_values(vehicle), goal_rows(goal), options)
+        self._raw = _lasius.VehicleNavigator(grid, vehicle_values(vehicle), goal_rows(goal), options)
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""
@@ -180,7 +180,7 @@ def drive_vehicle(
         goal_tolerance, heading_tolerance, weight, smooth, max_states, 0, *costs_given(costs, inflation)
     )
     error, fields, poses, moves = _lasius.drive_vehicle(
-        grid, truth, *vehicle_values(vehicle), tuple(start), goal_rows(goal), happening, options, sense, max_ticks,
+        grid, truth, vehicle_values(vehicle), tuple(start), goal_rows(goal), happening, options, sense, max_ticks,
         seconds_per_tick, whole("seed", seed), time_limit, observer,
     )
     return finish(error, drive_result(VehicleDriveResult, fields, truth, poses, moves))

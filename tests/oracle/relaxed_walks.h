@@ -54,10 +54,16 @@ inline bool passes(const Grid& grid, Cell at, Step step, Corners corners) {
   return true;
 }
 
+inline double move_length(Cell, Step step) {
+  return std::sqrt(step.dx * step.dx + step.dy * step.dy);
+}
+
 /// Lengths of the shortest walks from one cell to every other, row by row; infinite where there is
-/// none. Every move is relaxed until nothing changes.
-inline std::vector<double> relaxed_walks(const Grid& grid, Cell start, Neighbours neighbours,
-                                         Corners corners) {
+/// none. Every move is relaxed until nothing changes. `cost(from, step)`: of a move, infinite where
+/// it is not to be made.
+template <class CostOf = decltype(&move_length)>
+std::vector<double> relaxed_walks(const Grid& grid, Cell start, Neighbours neighbours,
+                                  Corners corners, const CostOf& cost = move_length) {
   const auto steps = steps_of(neighbours);
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<double> best(static_cast<std::size_t>(grid.width()) * grid.height(), kFar);
@@ -71,7 +77,7 @@ inline std::vector<double> relaxed_walks(const Grid& grid, Cell start, Neighbour
       if (at(c) == kFar) continue;
       for (const Step step : steps) {
         if (!passes(grid, c, step, corners)) continue;
-        const double through = at(c) + std::sqrt(step.dx * step.dx + step.dy * step.dy);
+        const double through = at(c) + cost(c, step);
         double& known = at({c.x + step.dx, c.y + step.dy});
         if (through >= known - 1e-12) continue;
         known = through;

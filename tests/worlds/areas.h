@@ -4,7 +4,6 @@
 #include <geos_c.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "lasius/polygon_world.h"

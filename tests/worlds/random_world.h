@@ -63,6 +63,17 @@ inline World random_world(std::uint64_t seed, int count, double step = 0) {
   return world;
 }
 
+inline Point scaled(Point p, double by) { return {p.x * by, p.y * by}; }
+
+/// Boundary, obstacles without holes, and margin.
+inline World scaled(World world, double by) {
+  for (Point& p : world.boundary.outer) p = scaled(p, by);
+  for (Polygon& obstacle : world.obstacles)
+    for (Point& p : obstacle.outer) p = scaled(p, by);
+  world.margin *= by;
+  return world;
+}
+
 /// A free point of a planner's world.
 inline Point free_point(const Planner& planner, Dice& dice) {
   return *planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});

@@ -110,9 +110,9 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
 }
 
 /// `lasius arm`.
-class ArmProblem : public Problem {
+class ArmProblem : public ProblemOf<ArmCommand> {
  public:
-  explicit ArmProblem(ArmCommand command) : command_(std::move(command)) {}
+  using ProblemOf::ProblemOf;
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     const EndAtOnce unpolled;
@@ -209,7 +209,6 @@ class ArmProblem : public Problem {
         .yaml = [&](auto& out) { write_ros_trajectory(out, found_.robot, motion, command_.rate); },
         .page = [&](auto& out) { write_arm_report(out, run, command_, found_); }};
   }
-  SearchOptions& options() override { return command_; }
 
  private:
   const Algorithm& algorithm() const { return arm::find_algorithm(found_.parameters.algorithm()); }
@@ -328,7 +327,6 @@ class ArmProblem : public Problem {
     return arm::Goal::position({goal.values[0], goal.values[1], goal.values[2]});
   }
 
-  ArmCommand command_;
   ArmAnswer found_;
 };
 

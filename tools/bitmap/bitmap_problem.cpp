@@ -270,9 +270,6 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
   return record;
 }
 
-BitmapProblem::BitmapProblem(PlanCommand command, std::shared_ptr<LoadedMap> map)
-    : command_(std::move(command)), map_(std::move(map)) {}
-
 std::optional<std::int64_t> BitmapProblem::read(const std::stop_token& token) {
   RunOptions& run = command_.run;
   const bool given = map_ != nullptr;

@@ -30,21 +30,20 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
 /// `batch`, and `plan` with several seeds. The exit code.
 int run_bitmap_batch(const PlanCommand& command);
 
-class BitmapProblem : public Problem {
+class BitmapProblem : public ProblemOf<PlanCommand> {
  public:
   /// `map` may be given, made ready for `command`; else it is read.
-  explicit BitmapProblem(PlanCommand command, std::shared_ptr<LoadedMap> map = {});
+  explicit BitmapProblem(PlanCommand command, std::shared_ptr<LoadedMap> map = {})
+      : ProblemOf(std::move(command)), map_(std::move(map)) {}
 
   std::optional<std::int64_t> read(const std::stop_token& token) override;
   void plan(const StopCondition& stop, const Watch& watch) override;
   Record record() const override { return record_of(*map_, command_.run, answer_); }
   Forms show(const Record& run) const override;
-  SearchOptions& options() override { return command_.run; }
 
   const std::shared_ptr<LoadedMap>& map() const { return map_; }
 
  private:
-  PlanCommand command_;
   std::shared_ptr<LoadedMap> map_;
   std::optional<PictureRecorder> recorder_;
   std::optional<RunFrames> frames_;

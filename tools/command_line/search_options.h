@@ -1,7 +1,6 @@
 // The options that the commands that plan have in common.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>

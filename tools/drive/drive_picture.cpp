@@ -1,7 +1,6 @@
 #include "tools/drive/drive_picture.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/sheet.h"

@@ -47,10 +47,10 @@ double sense_in_cells(double metres, double resolution) {
 }
 
 /// `lasius drive`. Its SearchResult has the length travelled, also of a drive that did not arrive.
-class DriveProblem : public Problem {
+class DriveProblem : public ProblemOf<DriveCommand> {
  public:
   explicit DriveProblem(DriveCommand command, std::optional<Json> recorded = {})
-      : command_(std::move(command)), recorded_(std::move(recorded)) {}
+      : ProblemOf(std::move(command)), recorded_(std::move(recorded)) {}
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     RunOptions& run = command_.run;
@@ -185,7 +185,6 @@ class DriveProblem : public Problem {
             .film = [&](auto& out) { film_->write(out); },
             .page = [&](auto& out) { write_page(out, run); }};
   }
-  SearchOptions& options() override { return command_.run; }
 
  private:
   bool in_metres() const { return command_.run.frame == Frame::world; }
@@ -326,7 +325,6 @@ class DriveProblem : public Problem {
                                     all ? Corners::allow : Corners::forbid, stop);
   }
 
-  DriveCommand command_;
   std::optional<Json> recorded_;  ///< the result that is replayed
   DriveAnswer answer_{};
   std::optional<DriveRecorder> recorder_;

@@ -9,8 +9,6 @@
 
 #include <chrono>
 #include <memory>
-#include <utility>
-#include <vector>
 
 #include "lasius/vehicle/planner.h"
 #include "lasius/vehicle/stop_when.h"

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "lasius/polygon_plan.h"
 #include "tools/options/options.h"

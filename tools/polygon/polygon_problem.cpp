@@ -14,6 +14,7 @@
 #include "tools/record/outputs.h"
 #include "tools/record/problem.h"
 #include "tools/record/queries.h"
+#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
@@ -87,11 +88,11 @@ Record polygon_record(const LoadedWorld& world, const SearchOptions& options,
 }
 
 /// `plan` on a polygon world.
-class PolygonProblem : public Problem {
+class PolygonProblem : public ProblemOf<PolygonCommand> {
  public:
   /// `world` may be given, made of what the command says; else it is read.
   explicit PolygonProblem(PolygonCommand command, SharedWorld world = {})
-      : command_(std::move(command)), world_(std::move(world)) {}
+      : ProblemOf(std::move(command)), world_(std::move(world)) {}
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     const EndAtOnce unpolled;
@@ -120,12 +121,10 @@ class PolygonProblem : public Problem {
                   write_polygon_report(out, run, *world_, answer_, frames_ ? &*frames_ : nullptr);
                 }};
   }
-  SearchOptions& options() override { return command_; }
 
   const SharedWorld& world() const { return world_; }
 
  private:
-  PolygonCommand command_;
   SharedWorld world_;
   std::optional<PolygonFrames> frames_;
   PolygonAnswer answer_;

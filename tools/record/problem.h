@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 
 #include "lasius/params.h"
 #include "lasius/stop.h"
@@ -38,6 +38,22 @@ class Problem {
   /// The forms of its files. JSON is of all kinds alike, and so is the table that has no form here.
   virtual Forms show(const Record& run) const = 0;
   virtual SearchOptions& options() = 0;  ///< of its command
+};
+
+/// One whose command is, or has in `run`, its options.
+template <class Command>
+class ProblemOf : public Problem {
+ public:
+  explicit ProblemOf(Command command) : command_(std::move(command)) {}
+  SearchOptions& options() final {
+    if constexpr (requires { command_.run; })
+      return command_.run;
+    else
+      return command_;
+  }
+
+ protected:
+  Command command_;
 };
 
 /// Runs a question: outputs are checked, inputs read, progress is shown, and what was asked for is

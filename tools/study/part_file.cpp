@@ -1,7 +1,6 @@
 #include "tools/study/part_file.h"
 
 #include <algorithm>
-#include <exception>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>

@@ -10,7 +10,6 @@
 
 #include "lasius/cost_field.h"
 #include "lasius/geometry.h"
-#include "lasius/grid.h"
 #include "lasius/params.h"
 #include "tools/options/options.h"
 

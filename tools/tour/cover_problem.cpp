@@ -20,7 +20,7 @@ namespace {
 /// The stops of its answer are the ends of swaths, and the start.
 class CoverProblem : public TourProblem {
  public:
-  explicit CoverProblem(TourCommand command) : TourProblem(std::move(command)) {}
+  using TourProblem::TourProblem;
 
   Forms show(const Record& run) const override {
     Forms forms = TourProblem::show(run);

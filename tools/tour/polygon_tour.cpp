@@ -5,6 +5,7 @@
 #include "lasius/polygon_plan.h"
 #include "lasius/tour.h"
 #include "tools/console/values.h"
+#include "tools/draw/text.h"
 #include "tools/polygon/polygon_answer.h"
 #include "tools/polygon/polygon_picture.h"
 #include "tools/tour/stops_file.h"

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "lasius/geometry.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {

@@ -12,15 +12,14 @@
 namespace lasius::tool {
 
 /// On a map; what other worlds do in another way is virtual.
-class TourProblem : public Problem {
+class TourProblem : public ProblemOf<TourCommand> {
  public:
-  explicit TourProblem(TourCommand command) : command_(std::move(command)) {}
+  using ProblemOf::ProblemOf;
 
   std::optional<std::int64_t> read(const std::stop_token& token) override;
   void plan(const StopCondition& stop, const Watch& watch) override;
   Record record() const override;
   Forms show(const Record& run) const override;
-  SearchOptions& options() override { return command_.run; }
 
  protected:
   /// The world, and what is said of it.
@@ -44,7 +43,6 @@ class TourProblem : public Problem {
   bool is_end(int stop) const;
   const Place& place_at(int stop) const { return answer_.stops[static_cast<std::size_t>(stop)]; }
 
-  TourCommand command_;
   TourAnswer answer_{};
 
  private:

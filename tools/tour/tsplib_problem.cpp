@@ -7,9 +7,9 @@
 namespace lasius::tool {
 namespace {
 
-class TsplibProblem : public Problem {
+class TsplibProblem : public ProblemOf<TourCommand> {
  public:
-  explicit TsplibProblem(TourCommand command) : command_(std::move(command)) {}
+  using ProblemOf::ProblemOf;
 
   std::optional<std::int64_t> read(const std::stop_token&) override {
     const std::string& file = command_.run.map.file;
@@ -55,10 +55,8 @@ class TsplibProblem : public Problem {
       for (const int stop : tour_.order) out << stop << "\n";
     }};
   }
-  SearchOptions& options() override { return command_.run; }
 
  private:
-  TourCommand command_;
   Tsplib problem_;
   std::uint64_t hash_ = 0;
   TourResult tour_;

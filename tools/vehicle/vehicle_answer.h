@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iosfwd>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>

@@ -1,14 +1,12 @@
 #include "tools/vehicle/vehicle_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "lasius/error.h"
+#include "tools/console/values.h"
 #include "tools/record/json_values.h"
 #include "tools/vehicle/vehicle_json.h"
 #include "tools/yaml/document.h"

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <ostream>
 
 #include "tools/bitmap/map_ends.h"
 #include "tools/bitmap/poses_file.h"
@@ -16,13 +14,13 @@ namespace lasius::tool {
 namespace {
 
 /// `plan` of a vehicle.
-class VehicleProblem : public Problem {
+class VehicleProblem : public ProblemOf<VehicleCommand> {
  public:
   /// @param vehicle   in place of the command's file
   /// @param recorded  the result that is made again: its layers are compared
   explicit VehicleProblem(VehicleCommand command, std::optional<LoadedVehicle> vehicle = {},
                           std::optional<Json> recorded = {})
-      : command_(std::move(command)),
+      : ProblemOf(std::move(command)),
         vehicle_(std::move(vehicle)),
         recorded_(std::move(recorded)) {}
 
@@ -58,10 +56,8 @@ class VehicleProblem : public Problem {
                 },
             .page = [&](auto& out) { write_vehicle_page(out, run, *on_, command_, answer_); }};
   }
-  SearchOptions& options() override { return command_.run; }
 
  private:
-  VehicleCommand command_;
   std::optional<LoadedVehicle> vehicle_;
   std::optional<Json> recorded_;
   std::optional<VehicleMap> on_;

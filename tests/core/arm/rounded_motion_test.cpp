@@ -65,32 +65,7 @@ TEST(RoundedMotion, TinyEdgesBesideLongOnesLeaveNoJump) {
   }
 }
 
-/// Free are postures no further than `width` from the way; curves are not known to it.
-class Corridor : public Nothing {
- public:
-  Corridor(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
-  bool position_free(const JointRef& q) const override { return off(q) <= width_; }
-  bool motion_free(const JointRef& a, const JointRef& b) const override {
-    for (int k = 0; k <= 20; ++k)
-      if (!position_free(a + k / 20.0 * (b - a))) return false;
-    return true;
-  }
-  double off(const JointRef& q) const {
-    double least = 1e300;
-    for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
-      const JointVector edge = way_[i + 1] - way_[i];
-      const double share = std::clamp((q - way_[i]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-      least = std::min(least, (way_[i] + share * edge - q).norm());
-    }
-    return least;
-  }
-
- private:
-  std::vector<JointVector> way_;
-  double width_;
-};
-
-/// The same, and knows curves.
+/// Knows curves, too.
 class CurvedCorridor final : public Corridor {
  public:
   using Corridor::Corridor;
@@ -118,7 +93,7 @@ TEST(RoundedMotion, CornersAreAsRoundAsIsFree) {
       EXPECT_EQ(made.stops, width < 1e-6);
       EXPECT_EQ(made.status, Status::solved);
       for (int i = 0; i <= 1000; ++i)
-        EXPECT_LE(sensor->off(made.trajectory.at(made.trajectory.duration() * i / 1000).q),
+        EXPECT_LE(off(way, made.trajectory.at(made.trajectory.duration() * i / 1000).q),
                   width + 1e-12);
       if (sensor == &corridor) {
         EXPECT_GT(made.trajectory.duration(), before);

@@ -12,14 +12,8 @@
 namespace lasius::arm {
 namespace {
 
-JointVector values(std::initializer_list<double> of) {
-  JointVector q(static_cast<Eigen::Index>(of.size()));
-  std::ranges::copy(of, q.begin());
-  return q;
-}
-
 const JointVector& bent() {
-  static const JointVector q = values({0.3, 0.4, 0.7, 0.2, 0.6, 0.1});
+  static const JointVector q = joints({0.3, 0.4, 0.7, 0.2, 0.6, 0.1});
   return q;
 }
 

@@ -8,6 +8,7 @@
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
+#include "tests/core/arm/ways.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/oracle/arm/fcl_judge.h"
@@ -45,19 +46,6 @@ class Notes final : public Nothing {
  private:
   double clearance_;
 };
-
-/// How far two joints are from the straight lines of a way.
-double off(const std::vector<JointVector>& way, const JointRef& q) {
-  double least = 1e300;
-  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-    const double dx = way[k + 1][0] - way[k][0], dy = way[k + 1][1] - way[k][1];
-    const double share = std::clamp(
-        ((q[0] - way[k][0]) * dx + (q[1] - way[k][1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    least =
-        std::min(least, std::hypot(q[0] - way[k][0] - share * dx, q[1] - way[k][1] - share * dy));
-  }
-  return least;
-}
 
 TrajectoryOptions splines(TrajectoryOptions options = {}) {
   options.timing = Timing::splines;
@@ -256,28 +244,13 @@ TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
   }
 }
 
-/// Free are positions within `width` of the way, by the first two joints.
-class Tube final : public Nothing {
- public:
-  Tube(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
-  bool position_free(const JointRef& q) const override { return off(way_, q) <= width_; }
-  bool motion_free(const JointRef& a, const JointRef& b) const override {
-    const JointVector middle = 0.5 * (a + b);
-    return position_free(a) && position_free(middle) && position_free(b);
-  }
-
- private:
-  std::vector<JointVector> way_;
-  double width_;
-};
-
 // Where the spline through the waypoints leaves what is free, points between them are added.
 TEST(Trajectory, ARefinedCoursePassesAllWaypoints) {
   const Robot robot = two_links();
   const auto way = positions({{0, 0}, {0.5, 0}, {0.5, 0.6}, {1.2, 0.6}, {1.2, 0.1}});
   for (const double width : {0.03, 0.01}) {
     const auto made =
-        make_trajectory(robot, Tube(way, width), columns(way), splines({.shortcut = false}));
+        make_trajectory(robot, Corridor(way, width), columns(way), splines({.shortcut = false}));
     ASSERT_FALSE(made.stops) << width;
     EXPECT_GT(made.trajectory.knots().size(), way.size() + 2) << "nothing was refined";
     for (const JointVector& waypoint : way) {

@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "core/arm/blends.h"
 #include "core/arm/spline.h"
 #include "lasius/arm_trajectory.h"
-#include "tests/core/arm/robot/arms.h"
+#include "tests/core/arm/questions.h"
 
 namespace lasius::arm {
 
@@ -39,6 +41,33 @@ inline std::vector<double> blend_sizes(const std::vector<JointVector>& way, doub
   for (std::size_t i = 1; i + 1 < way.size(); ++i) sizes[i] = share * largest_blend(way, i);
   return sizes;
 }
+
+/// How far joint values are from the straight lines of a way.
+inline double off(const std::vector<JointVector>& way, const JointRef& q) {
+  double least = 1e300;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const JointVector edge = way[i + 1] - way[i];
+    const double share = std::clamp((q - way[i]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (way[i] + share * edge - q).norm());
+  }
+  return least;
+}
+
+/// Free are postures no further than `width` from the way; curves are not known to it.
+class Corridor : public Nothing {
+ public:
+  Corridor(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
+  bool position_free(const JointRef& q) const override { return off(way_, q) <= width_; }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
+    for (int k = 0; k <= 20; ++k)
+      if (!position_free(a + k / 20.0 * (b - a))) return false;
+    return true;
+  }
+
+ private:
+  std::vector<JointVector> way_;
+  double width_;
+};
 
 /// Velocity goes on at all knots, limits hold all along, and jerk where it has any.
 inline void expect_sound(const Robot& robot, const Trajectory& t) {

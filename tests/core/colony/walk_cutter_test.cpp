@@ -4,15 +4,14 @@
 
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "core/grid/move_rule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/loop/same_result.h"
+#include "tests/oracle/relaxed_walks.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -46,29 +45,24 @@ double length_of(const kernels::Moves& moves, const Moves& tour) {
   return length;
 }
 
-/// Over the cells of the tour, by relaxing all of them until nothing changes.
-double shortest_within(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start,
+/// Over the cells of the tour.
+double shortest_within(const Grid& grid, Corners corners, Neighbours neighbours, Cell start,
                        const Moves& tour) {
-  std::map<std::pair<int, int>, double> length{{{start.x, start.y}, 0}};
-  Cell c = start;
+  const kernels::Moves moves = moves_of(neighbours);
+  Grid entered(grid.width(), grid.height());
+  entered.set_blocked(start);
+  Cell end = start;
   for (const int k : tour) {
-    c = c + moves[k].to;
-    length.try_emplace({c.x, c.y}, std::numeric_limits<double>::infinity());
+    end = end + moves[k].to;
+    entered.set_blocked(end);
   }
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const auto& [at, so_far] : length) {
-      for (int k = 0; k < moves.count; ++k) {
-        const Cell from{at.first, at.second}, to = from + moves[k].to;
-        const auto found = length.find({to.x, to.y});
-        if (found == length.end() || !move_exists(grid, corners, from, moves[k])) continue;
-        if (!(so_far + moves[k].length < found->second - 1e-12)) continue;
-        found->second = so_far + moves[k].length;
-        changed = true;
-      }
-    }
-  }
-  return length.at({c.x, c.y});
+  const auto cost = [&](Cell c, oracle::Step step) {
+    return entered.blocked({c.x + step.dx, c.y + step.dy})
+               ? oracle::move_length(c, step)
+               : std::numeric_limits<double>::infinity();
+  };
+  return oracle::relaxed_walks(grid, start, neighbours, corners,
+                               cost)[end.y * grid.width() + end.x];
 }
 
 Moves cut(WalkCutter& cutter, const Grid& grid, Corners corners, const kernels::Moves& moves,
@@ -109,7 +103,8 @@ TEST(WalkCutter, IsTheShortestForEveryNeighbourhoodAndRule) {
   int shorter = 0;
   for (int n = 0; n < 6; ++n) {
     for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
-      const kernels::Moves moves = moves_of(static_cast<Neighbours>(n));
+      const auto neighbours = static_cast<Neighbours>(n);
+      const kernels::Moves moves = moves_of(neighbours);
       for (int i = 0; i < 12; ++i) {
         const Grid grid = random_grid(40, 30, 25, random);
         const Cell start = random_cell(grid, random);
@@ -121,7 +116,7 @@ TEST(WalkCutter, IsTheShortestForEveryNeighbourhoodAndRule) {
           ASSERT_TRUE(move_exists(grid, corners, c, moves[k]));
           c = c + moves[k].to;
         }
-        EXPECT_NEAR(length_of(moves, way), shortest_within(grid, corners, moves, start, tour),
+        EXPECT_NEAR(length_of(moves, way), shortest_within(grid, corners, neighbours, start, tour),
                     1e-9);
         shorter += way.size() < tour.size();
       }

@@ -13,6 +13,7 @@
 #include "core/cost/goal_field.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/cost_paths.h"
+#include "tests/oracle/relaxed_walks.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/weights.h"
 
@@ -174,35 +175,17 @@ TEST(CostSearch, EightMovesAgainstDijkstra) {
   for (int i = 0; i < 200; ++i) {
     const WeightedWorld world = random_weights(random, 4, 12);
     const auto& [grid, costs, start, goal] = world;
-    const int width = grid.width();
     const Terrain terrain(grid, costs);
     for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
-      // Bellman's equations, until nothing changes.
-      std::vector<double> cost(static_cast<std::size_t>(grid.width()) * grid.height(), kInfinity);
-      const auto at = [&](Cell c) -> double& { return cost[c.y * width + c.x]; };
-      at(start) = 0;
-      for (bool again = true; again;) {
-        again = false;
-        for (const Cell c : cells_of(grid)) {
-          for (int m = 0; m < 9; ++m) {
-            const Cell to{c.x + m % 3 - 1, c.y + m / 3 - 1};
-            if (m == 4 || grid.blocked(c) || grid.blocked(to)) continue;
-            const bool diagonal = to.x != c.x && to.y != c.y;
-            const int sides = grid.free({to.x, c.y}) + grid.free({c.x, to.y});
-            const int needed = corners == Corners::forbid ? 2 : corners == Corners::allow ? 0 : 1;
-            if (diagonal && sides < needed) continue;
-            const double there =
-                at(c) + std::hypot(m % 3 - 1, m / 3 - 1) * (costs.weight(c) + costs.weight(to)) / 2;
-            if (!(there < at(to) - 1e-12)) continue;
-            at(to) = there;
-            again = true;
-          }
-        }
-      }
+      const auto cost = [&](Cell c, oracle::Step step) {
+        const Cell to{c.x + step.dx, c.y + step.dy};
+        return oracle::move_length(c, step) * (world.costs.weight(c) + world.costs.weight(to)) / 2;
+      };
+      const auto least = oracle::relaxed_walks(grid, start, Neighbours::eight, corners, cost);
       CostSearch search;
       CostAnswer answer;
       search.search_eight_moves(terrain, start, goal, corners, {}, answer);
-      EXPECT_NEAR(answer.length, at(goal), 1e-9 * answer.length);
+      EXPECT_NEAR(answer.length, least[goal.y * grid.width() + goal.x], 1e-9 * answer.length);
       EXPECT_TRUE(answer.optimal);
     }
   }

@@ -55,10 +55,13 @@ TEST(PathWalker, ReachesTheEndOfShortestPathsOverCellsThatTheyTouch) {
     const std::vector<Cell> walk = whole_walk(grid, plan.path, start);
     ASSERT_EQ(walk.back(), goal) << "seed " << seed;
     walked += walk.size() > 100 ? 1 : 0;
+    std::size_t near = 0;  // the segment that was touched last: looked at first
     for (std::size_t i = 0; i < walk.size(); ++i) {
       bool touched = false;
-      for (std::size_t s = 0; s + 1 < plan.path.size(); ++s) {
-        touched |= touches(plan.path[s], plan.path[s + 1], walk[i]);
+      for (std::size_t k = 0; k + 1 < plan.path.size() && !touched; ++k) {
+        const std::size_t s = (near + k) % (plan.path.size() - 1);
+        touched = touches(plan.path[s], plan.path[s + 1], walk[i]);
+        if (touched) near = s;
       }
       ASSERT_TRUE(touched || start == goal) << "seed " << seed;
       if (i == 0) continue;

@@ -26,35 +26,40 @@ inline void expect_same(const std::vector<double>& a, const std::vector<double>&
   for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
 }
 
-/// All of two answers, but for whose rules took part.
-inline void expect_same(const Result& a, const Result& b) {
+inline void expect_same(const std::vector<Point>& a, const std::vector<Point>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    expect_same(a[i].x, b[i].x);
+    expect_same(a[i].y, b[i].y);
+  }
+}
+
+inline void expect_same(const SearchResult& a, const SearchResult& b) {
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.fault, b.fault);
   EXPECT_EQ(a.error, b.error);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.arrived, b.arrived);
+  EXPECT_EQ(a.optimal, b.optimal);
+  EXPECT_EQ(a.steps, b.steps);
+  expect_same(a.length, b.length);
+  expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
+  expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));
+  for (const auto curve :
+       {&Convergence::best, &Convergence::mean, &Convergence::raw_best, &Convergence::cut_mean,
+        &Convergence::cut_best, &Convergence::iteration_best, &Convergence::band,
+        &Convergence::trail_entropy})
+    expect_same(a.*curve, b.*curve);
+}
+
+/// All of two answers, but for whose rules took part.
+inline void expect_same(const Result& a, const Result& b) {
+  expect_same(static_cast<const SearchResult&>(a), b);
   EXPECT_EQ(a.nearest_free, b.nearest_free);
   EXPECT_EQ(a.nearest_reachable, b.nearest_reachable);
   EXPECT_EQ(a.way_out, b.way_out);
   EXPECT_EQ(a.goal_reached, b.goal_reached);
-  EXPECT_EQ(a.iterations, b.iterations);
-  EXPECT_EQ(a.arrived, b.arrived);
-  EXPECT_EQ(a.optimal, b.optimal);
-  expect_same(a.length, b.length);
-  expect_same(a.best, b.best);
-  expect_same(a.mean, b.mean);
-  expect_same(a.raw_best, b.raw_best);
-  expect_same(a.cut_mean, b.cut_mean);
-  expect_same(a.band, b.band);
-  expect_same(a.trail_entropy, b.trail_entropy);
-  expect_same(a.cut_best, b.cut_best);
-  expect_same(a.iteration_best, b.iteration_best);
-  EXPECT_EQ(a.steps, b.steps);
-  expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
-  expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));
-  ASSERT_EQ(a.path.size(), b.path.size());
-  for (std::size_t i = 0; i < a.path.size(); ++i) {
-    expect_same(a.path[i].x, b.path[i].x);
-    expect_same(a.path[i].y, b.path[i].y);
-  }
+  expect_same(a.path, b.path);
 }
 
 }  // namespace lasius

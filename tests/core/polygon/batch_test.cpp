@@ -11,6 +11,7 @@
 #include "lasius/polygon_plan.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/core/polygon/known_world.h"
 
 namespace lasius::polygon {
@@ -39,12 +40,8 @@ struct Asked {
 };
 
 void expect_same(const Result& a, const Result& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.fault, b.fault);
-  EXPECT_EQ(a.error, b.error);
-  EXPECT_EQ(a.path, b.path);
-  EXPECT_EQ(a.best, b.best);
-  EXPECT_EQ(a.lower_bound, b.lower_bound);
+  lasius::expect_same(a, b);
+  lasius::expect_same(a.path, b.path);
   EXPECT_EQ(a.optimum, b.optimum);
 }
 

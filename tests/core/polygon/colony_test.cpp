@@ -156,16 +156,6 @@ TEST(Stops, AnIterationIsCutShort) {
   EXPECT_EQ(cut.path, cut.dijkstra->path);
 }
 
-World scaled(World world, double by) {
-  const auto grow = [by](Ring& ring) {
-    for (Point& p : ring) p = {p.x * by, p.y * by};
-  };
-  grow(world.boundary.outer);
-  for (Polygon& o : world.obstacles) grow(o.outer);
-  world.margin *= by;
-  return world;
-}
-
 TEST(Scale, APowerOfTwoChangesNoBitOfAnyAnswer) {
   int planned = 0;
   for (int i = 0; i < 6; ++i) {
@@ -182,7 +172,7 @@ TEST(Scale, APowerOfTwoChangesNoBitOfAnyAnswer) {
       const Result one = planner.plan({.start = start, .goal = goal}, parameters);
       planned += one.path.empty() ? 0 : 1;
       for (const auto& [by, there] : others) {
-        const auto far = [scale = by](Point p) { return Point{p.x * scale, p.y * scale}; };
+        const auto far = [scale = by](Point p) { return scaled(p, scale); };
         const Result other = there.plan({.start = far(start), .goal = far(goal)}, parameters);
         ASSERT_EQ(one.path.size(), other.path.size()) << algorithm.name << " " << by;
         for (std::size_t k = 0; k < one.path.size(); ++k)
@@ -199,8 +189,8 @@ TEST(Scale, ThePublishedPheromoneTiesTheColonyToTheUnit) {
   Params parameters("maklink-acs");
   parameters.initial_pheromone = 0.0002;
   World far = scaled(known_world(), 1024);
-  far.start = Point{far.start->x * 1024, far.start->y * 1024};
-  far.goal = Point{far.goal->x * 1024, far.goal->y * 1024};
+  far.start = scaled(*far.start, 1024);
+  far.goal = scaled(*far.goal, 1024);
   const Result metres = Planner(known_world()).plan({}, parameters);
   EXPECT_NE(metres.mean, Planner(far).plan({}, parameters).mean);
 }

@@ -10,6 +10,9 @@
 #include "core/tour/order/costs.h"
 #include "core/tour/order/partial_order.h"
 #include "kernels/base/random_stream.h"
+#include "lasius/tour.h"
+#include "tests/core/tour/order/instances.h"
+#include "tests/oracle/least_tour.h"
 
 namespace lasius::tour {
 
@@ -38,6 +41,20 @@ inline Given random_given(int size, std::uint32_t seed, const Ends& ends) {
     for (int v = 0; v < size; ++v) given.loads.push_back(random.below(4) - 2);
   }
   return given;
+}
+
+/// The least cost of an order with these ends that breaks nothing, by other means; infinite where
+/// there is none.
+inline double least_cost(const Costs& costs, const Ends& ends, const Given& given = {}) {
+  TourRequest request;
+  request.open = ends.open;
+  if (ends.start >= 0) request.start = ends.start;
+  if (ends.goal >= 0) request.goal = ends.goal;
+  request.after.resize(given.relation.empty() ? 0 : costs.size());
+  for (const auto& [a, b] : given.relation) request.after[b].push_back(a);
+  request.load = given.loads;
+  if (!given.loads.empty()) request.capacity = given.capacity;
+  return oracle::LeastTour(request, legs_of(costs)).length();
 }
 
 /// Whether an order has these ends and breaks nothing, told by the relation itself.

@@ -34,6 +34,14 @@ inline Instance random_instance(int size, std::uint32_t seed, bool any = false) 
   return made;
 }
 
+/// Row by row.
+inline std::vector<double> legs_of(const Costs& costs) {
+  std::vector<double> legs;
+  for (int a = 0; a < costs.size(); ++a)
+    for (int b = 0; b < costs.size(); ++b) legs.push_back(costs(a, b));
+  return legs;
+}
+
 inline const std::vector<Ends> kEnds = {{},        {false, 2},    {true},
                                         {true, 1}, {true, -1, 2}, {true, 2, 0}};
 
