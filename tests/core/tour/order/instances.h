@@ -35,12 +35,15 @@ inline Instance random_instance(int size, std::uint32_t seed, bool any = false) 
 }
 
 /// Row by row.
-inline std::vector<double> legs_of(const Costs& costs) {
+// Among the first `count` stops, row by row.
+inline std::vector<double> legs_of(const Costs& costs, int count) {
   std::vector<double> legs;
-  for (int a = 0; a < costs.size(); ++a)
-    for (int b = 0; b < costs.size(); ++b) legs.push_back(costs(a, b));
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < count; ++b) legs.push_back(costs(a, b));
   return legs;
 }
+
+inline std::vector<double> legs_of(const Costs& costs) { return legs_of(costs, costs.size()); }
 
 inline const std::vector<Ends> kEnds = {{},        {false, 2},    {true},
                                         {true, 1}, {true, -1, 2}, {true, 2, 0}};
