@@ -92,11 +92,10 @@ class ArmColony final : public ColonyWorld {
   void update_trail(int) override {
     const Tours tours{lattice_, trail_, tours_};
     // e = 0 is the plain ant system (eq. 10), else the iteration's best counts e times more (11).
-    if (parameters_.elite_weight == 0 || shortest_ == nullptr) {
+    if (parameters_.elite_weight == 0 || shortest_ == nullptr)
       trail_rules::ant_system(trail_, rules_, tours);
-    } else {
+    else
       trail_rules::elitist(trail_, rules_, tours, *shortest_);
-    }
   }
 
   int ants() const override { return parameters_.ants; }

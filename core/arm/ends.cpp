@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
@@ -57,10 +56,9 @@ void turn_towards(const Robot& robot, const JointVector& start, bool all, JointV
 JointVector first_guess(const Robot& robot, const Kinematics& arm, const JointVector& start,
                         std::uint64_t seed, int goal, int number) {
   constexpr double kBend = 0.3;
-  if (number >= 3) {
+  if (number >= 3)
     return random_values(robot, start, seed, static_cast<std::uint32_t>(goal),
                          static_cast<std::uint32_t>(number));
-  }
   JointVector q = start;
   arm.bend({q.data(), static_cast<std::size_t>(q.size())}, number == 2 ? -kBend : number * kBend);
   return q;
@@ -80,10 +78,9 @@ std::pair<std::string, std::string> metres(double length, double than) {
 
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
                          double tolerance) {
-  if (q.size() != robot.size()) {
+  if (q.size() != robot.size())
     return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
            std::to_string(robot.size());
-  }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
     if (!(q[j] >= joint.low - tolerance && q[j] <= joint.high + tolerance))
@@ -177,10 +174,9 @@ std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<cons
   arm.place(start, poses);
   if (const auto normal = plane_of(arm, poses)) {
     const double off = std::abs(dot(*normal, at - arm.tip(poses)));
-    if (off > target.position_tolerance) {
+    if (off > target.position_tolerance)
       return name + " is out of reach: the joints move the tip in one plane, the goal is " +
              metres(off, 0).first + " m off it";
-    }
   }
   return {};
 }
@@ -218,9 +214,8 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
       const auto same = [&](const End& other) {
         return other.goal == g && largest_change(other.q, q) < kSamePosture;
       };
-      if (std::ranges::none_of(ends, same) && std::ranges::none_of(known, same)) {
+      if (std::ranges::none_of(ends, same) && std::ranges::none_of(known, same))
         add(std::move(q), g);
-      }
     }
   }
   std::ranges::stable_sort(ends, [&](const End& a, const End& b) {

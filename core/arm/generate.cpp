@@ -81,14 +81,12 @@ std::optional<Query> attempt(const Robot& robot, const GenerateOptions& options,
   const Kinematics arm(robot);
   Draw draw(options.seed, number);
   Query query;
-  for (int i = 0; i < options.obstacles; ++i) {
+  for (int i = 0; i < options.obstacles; ++i)
     query.scene.obstacles.push_back(draw_obstacle(draw, arm));
-  }
   const ArmPosition start = draw_position(draw, robot), goal = draw_position(draw, robot);
   if (distance(start.tip, goal.tip) < options.least_distance * arm.reach()) return std::nullopt;
-  if (options.wall > 0) {
+  if (options.wall > 0)
     query.scene.obstacles.push_back(wall_between(start.tip, goal.tip, options.wall));
-  }
   const SceneSensor sensor(robot, query.scene);
   if (!sensor.position_free(start.q) || !sensor.position_free(goal.q)) return std::nullopt;
   query.start = start.q;
@@ -109,11 +107,10 @@ Query generate_query(const Robot& robot, const GenerateOptions& options) {
   require_parameter(wall >= 0 && wall <= 100, "wall", wall, "it must be 0 .. 100");
   require_parameter(distance >= 0 && distance <= 1, "least_distance", distance,
                     "it must be 0 .. 1");
-  for (int i = 0; i < kAttempts; ++i) {
+  for (int i = 0; i < kAttempts; ++i)
     if (auto query = attempt(robot, options, i)) return *std::move(query);
-  }
-  throw invalid_parameter(std::to_string(obstacles) + " obstacles leave this arm no room",
-                          "ask for fewer, or for a shorter distance");
+  refuse(std::to_string(obstacles) + " obstacles leave this arm no room",
+         "ask for fewer, or for a shorter distance");
 }
 
 }  // namespace lasius::arm

@@ -82,9 +82,8 @@ Node Lattice::node(std::array<int, 3> v) const noexcept {
 
 bool Lattice::outside(Node v) const noexcept {
   const auto at = coordinates(v);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     if (at[i] < box_.low[i] || at[i] > box_.high[i]) return true;
-  }
   return false;
 }
 
@@ -111,9 +110,8 @@ const std::array<int, 3>& Lattice::nearest_target(Node v) const noexcept {
 
 int Lattice::target_of(Node v) const noexcept {
   if (v >= first_end_) return static_cast<int>(v - first_end_);
-  for (std::size_t i = 0; i < targets_.points.size(); ++i) {
+  for (std::size_t i = 0; i < targets_.points.size(); ++i)
     if (v == node(targets_.points[i].at)) return static_cast<int>(i);
-  }
   return -1;
 }
 

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <optional>
 #include <thread>
-#include <utility>
 
 #include "core/arm/lattice.h"
 

@@ -20,9 +20,8 @@ LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
                          const Params& parameters)
     : lattice_(lattice), trail_(trail), parameters_(parameters) {
   const int threads = std::clamp(parameters.ants / 2, 1, std::max(parameters.threads, 1));
-  for (int i = 0; i < threads; ++i) {
+  for (int i = 0; i < threads; ++i)
     scratch_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}, {}});
-  }
 }
 
 StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,

@@ -127,10 +127,9 @@ std::string get_parameter(const Params& parameters, std::string_view name) {
 
 void validate(const Params& parameters) {
   kTable.check(parameters);
-  if (parameters.initial_pheromone > 0 && parameters.initial_pheromone < kLeastPheromone) {
-    throw invalid_parameter("initial_pheromone is positive, but below 1e-12",
-                            "give a larger one, or 0 for ants / Manhattan distance");
-  }
+  if (parameters.initial_pheromone > 0 && parameters.initial_pheromone < kLeastPheromone)
+    refuse("initial_pheromone is positive, but below 1e-12",
+           "give a larger one, or 0 for ants / Manhattan distance");
 }
 
 }  // namespace lasius::arm

@@ -74,7 +74,7 @@ int broken_jerks(const Robot& robot, const Trajectory& trajectory) {
 }
 
 void check(const Robot& robot, const Trajectory& trajectory, int samples) {
-  if (trajectory.empty()) throw invalid_parameter("the trajectory is empty", "give it a knot");
+  if (trajectory.empty()) refuse("the trajectory is empty", "give it a knot");
   for (const Trajectory::Knot& knot : trajectory.knots()) {
     check_values(robot, as_span(knot.q));
     check_values(robot, as_span(knot.ddq), 1e300);

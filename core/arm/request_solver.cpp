@@ -54,10 +54,8 @@ std::optional<Box> box_of(const Kinematics& arm, Vec3 from, double pitch, int si
 /// The lattice point next to a place; the tip starts at the point 0.
 std::array<int, 3> point_near(Vec3 from, Vec3 to, double pitch) {
   const Vec3 way = (1 / pitch) * (to - from);
-  if (!(length(way) < 1e6)) {
-    throw invalid_parameter("pitch is " + number_text(pitch) + ", too small for this goal",
-                            "take a larger one");
-  }
+  if (!(length(way) < 1e6))
+    refuse("pitch is " + number_text(pitch) + ", too small for this goal", "take a larger one");
   return rounded(way);
 }
 
@@ -111,9 +109,8 @@ Result RequestSolver::reach_goals(const Search& search) {
     return invalid(Fault::start_blocked, "the arm touches something at the start" +
                                              (contact.empty() ? "" : ": " + contact));
   }
-  for (const int g : goals_) {
+  for (const int g : goals_)
     if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay_at_goal(g);
-  }
   if (auto done = find_targets()) return *std::move(done);
   if (parameters_.trees == 0) return search_lattice(search);
   return ends_.empty() ? no_ends() : grow_trees();
@@ -286,12 +283,11 @@ Result RequestSolver::search_lattice(const Search& search) {
   if (at.empty()) return no_ends();
   double nodes = 0;
   const auto box = box_of(*arm_, from_, pitch, parameters_.side, at, nodes);
-  if (!box) {
-    throw invalid_parameter("pitch is " + number_text(pitch) + ", which makes a lattice of " +
-                                number_text(nodes) + " points",
-                            "take a larger pitch or a smaller side: at most " +
-                                std::to_string(Lattice::kMostNodes) + " fit");
-  }
+  if (!box)
+    refuse("pitch is " + number_text(pitch) + ", which makes a lattice of " + number_text(nodes) +
+               " points",
+           "take a larger pitch or a smaller side: at most " + std::to_string(Lattice::kMostNodes) +
+               " fit");
   const Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
                         parameters_, request_.stop, asked_);
   Result result;

@@ -21,9 +21,8 @@ Waypoints shortened(Waypoints way, CountedSensor& counted) {
     Waypoints kept{way.front()};
     for (std::size_t i = 0; i + 1 < way.size();) {
       std::size_t good = 1, bad = way.size() - i;  // ahead of i
-      for (std::size_t step = 2; step < bad; step *= 2) {
+      for (std::size_t step = 2; step < bad; step *= 2)
         (counted.motion_free(way[i], way[i + step]) ? good : bad) = step;
-      }
       while (bad - good > 1) {
         const std::size_t middle = good + (bad - good) / 2;
         (counted.motion_free(way[i], way[i + middle]) ? good : bad) = middle;
@@ -93,12 +92,11 @@ Waypoints waypoints_of(const Robot& robot, const Eigen::Ref<const Eigen::MatrixX
   for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
     const std::string fault =
         values_fault(robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), 1e-9);
-    if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
+    if (!fault.empty()) refuse(fault, "bring it within them");
   }
   Waypoints way;
-  for (const auto q : waypoints.colwise()) {
+  for (const auto q : waypoints.colwise())
     if (way.empty() || q != way.back()) way.emplace_back(q);
-  }
   return way;
 }
 

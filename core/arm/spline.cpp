@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "kernels/base/power.h"
 
@@ -85,9 +84,8 @@ void solve_joint(const std::vector<double>& times, const std::vector<double>& pa
 std::vector<Knot> empty_knots(const std::vector<double>& times, Eigen::Index joints) {
   std::vector<Knot> knots;
   knots.reserve(times.size());
-  for (const double t : times) {
+  for (const double t : times)
     knots.push_back({t, JointVector::Zero(joints), JointVector::Zero(joints)});
-  }
   return knots;
 }
 

@@ -1,7 +1,6 @@
 #include "core/arm/timing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -136,6 +136,90 @@ class LineSensor final : public Sensor {
   JointArray levers_;
 };
 
+/// Appends a waypoint.
+void add(const Robot& robot, const JointVector& q, TipLine& line) {
+  line.joints.conservativeResize(q.size(), line.joints.cols() + 1);
+  line.joints.rightCols<1>() = q;
+  line.tips.conservativeResize(Eigen::NoChange, line.joints.cols());
+  line.tips.rightCols<1>() = tip_position(robot, q);
+}
+
+/// Continues joint values along a line: by the longest chords, halved, that keep to it and are
+/// free.
+struct LineFollower {
+  const Robot& robot;
+  const Kinematics& arm;
+  const Sensor& sensor;
+  const FrameLine& way;
+  const TipLineOptions& options;
+
+  /// Appends waypoints from the start on. False where they do not reach the end: line.error or
+  /// line.status says why.
+  bool follow(JointVector here, TipLine& line) const {
+    constexpr double kShortest = 1e-5;
+    double step = 1;
+    while (line.reached < 1) {
+      const auto cause = options.stop.poll();
+      if (cause != StopCondition::Cause::none) {
+        end_run(line, cause, Status::no_path);
+        return false;
+      }
+      const double s = std::min(1.0, line.reached + step);
+      JointVector next = here;
+      const auto fault = chord_fault(here, s, next);
+      if (!fault) continue;  // told to stop
+      if (fault->empty()) {
+        add(robot, next, line);
+        line.reached = s;
+        here = next;
+        step *= 2;
+      } else if ((step *= 0.5) < kShortest) {
+        line.error =
+            "after " + number_text(std::round(1e4 * line.reached) / 1e4) + " of the line " + *fault;
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// Why no chord leads from `here` to the place `s` of the line, whose joint values are `next`;
+  /// empty where one does. Nothing when stopped.
+  std::optional<std::string> chord_fault(const JointVector& here, double s,
+                                         JointVector& next) const {
+    constexpr double kClose = 1e-9;                 // of waypoints to the line
+    constexpr double kMostTurn = 1;                 // of a chord
+    const double share = options.motion ? 0.5 : 1;  // of the tolerances, left to the chords
+    const bool any_turn = options.angle_tolerance >= std::numbers::pi;
+    const TipTarget there{way.at(s), kClose, any_turn ? 2 * std::numbers::pi : kClose};
+    if (!arm.reach_pose(there, {next.data(), static_cast<std::size_t>(next.size())}))
+      return "joint values continued from the start do not reach on: a limit, or a singular "
+             "posture";
+    const Deviation most = deviation(arm, here, next);
+    const bool keeps_to_line =
+        most.off + kClose <= share * options.tolerance &&
+        (any_turn ||
+         (most.turn <= kMostTurn && most.turned + kClose <= share * options.angle_tolerance));
+    if (!(largest_change(here, next) <= options.joint_step && keeps_to_line))
+      return "the joints would have to go too far at once: a singular posture";
+    const auto free = sensor.try_motion(here, next, options.stop);
+    if (!free) return std::nullopt;
+    if (*free) return "";
+    const std::string contact = sensor.contact(next);
+    return "something is in the way" + (contact.empty() ? "" : ": " + contact);
+  }
+};
+
+/// @throws Error(invalid_parameter).
+void check(const TipLineOptions& options) {
+  constexpr double kLeast = 1e-6;
+  for (const double value : {options.tolerance, options.angle_tolerance})
+    require_parameter(value >= kLeast, "a tolerance", value, "it must be 0.000001 or more");
+  require_parameter(options.joint_step >= 1e-3, "joint_step", options.joint_step,
+                    "it must be 0.001 or more");
+  check_duration(options.duration);
+}
+
 /// By what a caller names it: links of a lasius-arm/1 as messages do.
 std::string name_of(const Robot& robot, int link) {
   const std::string& name = robot.links[link].name;
@@ -153,7 +237,7 @@ std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal
   std::string fault = values_fault(robot, near, "near", Request::kLimitTolerance);
   const Kinematics arm(robot);
   if (fault.empty()) fault = goal_fault(robot, arm, as_span(near), goal);
-  if (!fault.empty()) throw invalid_parameter(fault, "give values and a goal within its reach");
+  if (!fault.empty()) refuse(fault, "give values and a goal within its reach");
   const Request request{.start = near, .goals = {goal}, .stop = stop};
   const std::array<int, 1> only{0};
   std::vector<JointVector> found;
@@ -166,87 +250,24 @@ std::vector<JointVector> inverse_kinematics(const Robot& robot, const Goal& goal
 
 TipLine tip_line(const Robot& robot, const Sensor& sensor, const JointVector& start,
                  const Pose& goal, const TipLineOptions& options) {
-  constexpr double kLeast = 1e-6, kShortest = 1e-5;
-  constexpr double kClose = 1e-9;  // of waypoints to the line
-  constexpr double kMostTurn = 1;  // of a chord
   validate_but_corners(robot);
-  for (const double value : {options.tolerance, options.angle_tolerance})
-    require_parameter(value >= kLeast, "a tolerance", value, "it must be 0.000001 or more");
-  require_parameter(options.joint_step >= 1e-3, "joint_step", options.joint_step,
-                    "it must be 0.001 or more");
-  check_duration(options.duration);
+  check(options);
   const std::string fault = values_fault(robot, start, "start");
-  if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
+  if (!fault.empty()) refuse(fault, "bring it within them");
   const Kinematics arm(robot);
-  const double share = options.motion ? 0.5 : 1;  // of the tolerances, left to the chords
-  const bool any_turn = options.angle_tolerance >= std::numbers::pi;
-  const Goal target = Goal::pose(goal);
-  const std::string no_goal = goal_fault(robot, arm, as_span(start), target);
   TipLine line;
-  const auto add = [&](const JointVector& q) {
-    line.joints.conservativeResize(q.size(), line.joints.cols() + 1);
-    line.joints.rightCols<1>() = q;
-    line.tips.conservativeResize(Eigen::NoChange, line.joints.cols());
-    line.tips.rightCols<1>() = tip_position(robot, q);
-  };
-  add(start);
-  if (!no_goal.empty()) {
+  add(robot, start, line);
+  line.error = goal_fault(robot, arm, as_span(start), Goal::pose(goal));
+  if (line.error.empty() && !sensor.position_free(start))
+    line.error = "the arm touches something at the start: " + sensor.contact(start);
+  if (!line.error.empty()) {
     line.status = Status::invalid;
-    line.error = no_goal;
     return line;
   }
   Kinematics::Poses poses;
   arm.place(as_span(start), poses);
   const FrameLine way(arm.tip_frame(poses), from_eigen(goal));
-  JointVector here = start;
-  double step = 1;
-  std::string why;
-  if (!sensor.position_free(start)) {
-    line.status = Status::invalid;
-    line.error = "the arm touches something at the start: " + sensor.contact(start);
-    return line;
-  }
-  while (line.reached < 1) {
-    const auto cause = options.stop.poll();
-    if (cause != StopCondition::Cause::none) {
-      end_run(line, cause, Status::no_path);
-      return line;
-    }
-    const double s = std::min(1.0, line.reached + step);
-    JointVector next = here;
-    const TipTarget there{way.at(s), kClose, any_turn ? 2 * std::numbers::pi : kClose};
-    bool good = arm.reach_pose(there, {next.data(), static_cast<std::size_t>(next.size())});
-    if (!good) {
-      why = "joint values continued from the start do not reach on: a limit, or a singular posture";
-    } else {
-      const Deviation most = deviation(arm, here, next);
-      good = largest_change(here, next) <= options.joint_step &&
-             most.off + kClose <= share * options.tolerance &&
-             (any_turn ||
-              (most.turn <= kMostTurn && most.turned + kClose <= share * options.angle_tolerance));
-      if (!good) why = "the joints would have to go too far at once: a singular posture";
-    }
-    if (good) {
-      const auto free = sensor.try_motion(here, next, options.stop);
-      if (!free) continue;  // told to stop
-      good = *free;
-      if (!good) {
-        const std::string contact = sensor.contact(next);
-        why = "something is in the way" + (contact.empty() ? "" : ": " + contact);
-      }
-    }
-    if (!good) {
-      step *= 0.5;
-      if (step >= kShortest) continue;
-      line.error =
-          "after " + number_text(std::round(1e4 * line.reached) / 1e4) + " of the line " + why;
-      return line;
-    }
-    add(next);
-    line.reached = s;
-    here = next;
-    step *= 2;
-  }
+  if (!LineFollower{robot, arm, sensor, way, options}.follow(start, line)) return line;
   line.status = Status::solved;
   line.goal = 0;
   line.length = distance(way.at(0).position, way.at(1).position);
@@ -270,8 +291,7 @@ Robot holding(Robot robot, const std::string& name, std::vector<Solid> solids,
     for (; at < own && name_of(robot, at) != other; ++at)
       names += (at > 0 ? ", " : "") + name_of(robot, at);
     if (at == own)
-      throw invalid_parameter("no link of the robot is called \"" + other + "\"",
-                              "its links are " + names);
+      refuse("no link of the robot is called \"" + other + "\"", "its links are " + names);
     robot.may_touch.emplace_back(at, own);
   }
   robot.links.push_back(std::move(link));

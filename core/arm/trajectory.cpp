@@ -46,9 +46,8 @@ Trajectory within_limits(const Robot& robot, TimedWaypoints& course, const Make&
       need[span] = std::max(need[span], needed_stretch(robot, trajectory, i));
     });
     if (*std::ranges::max_element(need) <= 1.02) break;
-    for (std::size_t i = 0; i < need.size(); ++i) {
+    for (std::size_t i = 0; i < need.size(); ++i)
       if (need[i] > 1) course.spans[i] *= std::min(need[i], 2.0);
-    }
     trajectory = make(course);
   }
   const double worst = needed_stretch(robot, trajectory);
@@ -111,9 +110,8 @@ Trajectory spline_motion(const Robot& robot, const Waypoints& way, CountedSensor
                          bool& stops) {
   constexpr int kRounds = 6;
   TimedWaypoints course{way, {}};
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < way.size(); ++i)
     course.spans.push_back(fastest(robot, way[i], way[i + 1]));
-  }
   TimedWaypoints straight = course;
   for (int round = 0; round < kRounds && !counted.stopped(); ++round) {
     Trajectory trajectory = within_limits(robot, course, spline_through);

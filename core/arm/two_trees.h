@@ -57,6 +57,21 @@ class MotionTree {
   std::vector<int> parents_;  // -1: a root
 };
 
+/// The way from the start to a node of the first tree, which is one of the second, too, and on.
+inline TreesWay joined(const std::array<MotionTree, 2>& trees, int first, int second,
+                       std::span<const End> ends) {
+  TreesWay way;
+  for (int n = first; n >= 0; n = trees[0].parent(n)) way.waypoints.push_back(trees[0].at(n));
+  std::ranges::reverse(way.waypoints);
+  int root = second;
+  for (int n = trees[1].parent(root); n >= 0; n = trees[1].parent(n)) {
+    way.waypoints.push_back(trees[1].at(n));
+    root = n;
+  }
+  way.goal = ends[static_cast<std::size_t>(root)].goal;
+  return way;
+}
+
 /// Draws `most` joint values at most, evenly spread (Halton), each edge asked about at once, in one
 /// thread: the same way with any number of threads. `may_ask` is called before each question, which
 /// it may refuse: then the trees end. Precondition: start and ends are free.
@@ -101,19 +116,8 @@ TreesWay grow_two_trees(const Robot& robot, const Sensor& sensor, const Request&
       if (gone != Step::blocked) at = other.size() - 1;
     }
     if (gone == Step::blocked) continue;
-    // `met` is in both: the way from the start to it, and on to the goal.
     const int mine = tree.size() - 1;
-    TreesWay way;
-    for (int n = grown == 0 ? mine : at; n >= 0; n = trees[0].parent(n))
-      way.waypoints.push_back(trees[0].at(n));
-    std::ranges::reverse(way.waypoints);
-    int root = grown == 0 ? at : mine;
-    for (int n = trees[1].parent(root); n >= 0; n = trees[1].parent(n)) {
-      way.waypoints.push_back(trees[1].at(n));
-      root = n;
-    }
-    way.goal = ends[static_cast<std::size_t>(root)].goal;
-    return way;
+    return grown == 0 ? joined(trees, mine, at, ends) : joined(trees, at, mine, ends);
   }
   return {};
 }

@@ -15,6 +15,11 @@ inline Error invalid_parameter(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
 }
 
+/// @throws Error(invalid_parameter), as above.
+[[noreturn]] inline void refuse(std::string problem, std::string remedy) {
+  throw invalid_parameter(std::move(problem), std::move(remedy));
+}
+
 /// @throws Error(invalid_parameter) "NAME is VALUE" with what it must be, unless that is good.
 template <class Number>
 void require_parameter(bool good, std::string_view name, Number value, std::string_view remedy) {

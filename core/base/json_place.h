@@ -121,9 +121,8 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
   explicit JsonPlace(std::string_view text) : text_(text), check_(true) {
     // The parser takes a zero byte for the end.
     const auto zero = text.find('\0');
-    if (read() && zero != text.npos) {
+    if (read() && zero != text.npos)
       fault_ = Fault{zero, "there is a zero byte", "leave it out: JSON is text"};
-    }
   }
 
   bool read() {

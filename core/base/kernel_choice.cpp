@@ -18,13 +18,11 @@ kernels::Isa chosen_isa() {
     if (kNames[i] != wanted) continue;
     const auto isa = static_cast<kernels::Isa>(i);
     if (isa <= best) return isa;
-    throw invalid_parameter(
-        "LASIUS_KERNELS asks for " + std::string(wanted) + ", which this CPU lacks",
-        "unset it, or set it to scalar");
+    refuse("LASIUS_KERNELS asks for " + std::string(wanted) + ", which this CPU lacks",
+           "unset it, or set it to scalar");
   }
-  throw invalid_parameter(
-      "LASIUS_KERNELS is \"" + std::string(wanted) + "\", which names no kernels",
-      "set it to scalar, avx2 or avx512, or unset it");
+  refuse("LASIUS_KERNELS is \"" + std::string(wanted) + "\", which names no kernels",
+         "set it to scalar, avx2 or avx512, or unset it");
 }
 
 }  // namespace lasius

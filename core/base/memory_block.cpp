@@ -33,11 +33,10 @@ MemoryBlock::MemoryBlock(std::size_t bytes) {
 }
 
 MemoryBlock::~MemoryBlock() {
-  if (paged()) {
+  if (paged())
     munmap(data_, size_);
-  } else {
+  else
     std::free(data_);
-  }
 }
 
 void MemoryBlock::grow(std::size_t bytes) {
@@ -78,9 +77,8 @@ std::int64_t MemoryBlock::held() const noexcept {
   std::int64_t bytes = 0;
   for (std::size_t from = 0; from < size_; from += in_memory.size() * page) {
     const std::size_t part = std::min(in_memory.size() * page, size_ - from);
-    if (mincore(static_cast<char*>(data_) + from, part, in_memory.data()) != 0) {
+    if (mincore(static_cast<char*>(data_) + from, part, in_memory.data()) != 0)
       return static_cast<std::int64_t>(size_);
-    }
     const auto end = in_memory.begin() + static_cast<std::ptrdiff_t>((part + page - 1) / page);
     for (auto p = in_memory.begin(); p != end; ++p) bytes += (*p & 1) != 0 ? page : 0;
   }

@@ -11,7 +11,6 @@
 #include <csignal>
 #include <locale>
 #include <streambuf>
-#include <vector>
 
 #include "core/base/opening_pipe.h"
 #include "core/base/output_target.h"

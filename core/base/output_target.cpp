@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -131,8 +130,7 @@ void check_outputs(const std::vector<std::string>& outputs,
     const bool stream = is_stream(file);
     for (const Known& other : known)
       if (other.id == *id && !(other.stream && stream))
-        throw invalid_parameter(name + " and " + other.name + " are one file",
-                                "name another one for the output");
+        refuse(name + " and " + other.name + " are one file", "name another one for the output");
     known.push_back({name, std::move(*id), stream});
   };
   add("standard output", "/dev/stdout");

@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "core/base/kernel_choice.h"
 #include "core/base/parallel.h"

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/base/kernel_choice.h"
-#include "core/base/poller.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/power.h"

@@ -1,7 +1,6 @@
 #include "core/colony/own_update.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 

@@ -6,7 +6,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
-#include "core/base/special_values.h"
 #include "core/cost/polish.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"

@@ -1,10 +1,7 @@
 #include "core/colony/walkers.h"
 
-#include <algorithm>
-
 #include "core/base/held_bytes.h"
 #include "core/base/parallel.h"
-#include "core/base/poller.h"
 
 namespace lasius {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/special_values.h"
@@ -182,8 +181,15 @@ CellChords::Exit CellChords::cheapest(Point from, const double* values,
 template <class Found>
 void CellChords::each_violation(double* values, double weight, double tolerance,
                                 Found& found) const {
+  each_violation_beside(values, weight, tolerance, found);
+  each_violation_apart(values, weight, tolerance, found);
+}
+
+// Of chords along an edge, and of those between the intervals beside a corner.
+template <class Found>
+void CellChords::each_violation_beside(double* values, double weight, double tolerance,
+                                       Found& found) const {
   const double step = weight * share_;
-  const auto next = [this](int place) { return place + 1 < places_ ? place + 1 : 0; };
   for (int p = 0; p < places_; ++p) {
     const int q = next(p);
     const double rise = values[q] - values[p];
@@ -201,7 +207,12 @@ void CellChords::each_violation(double* values, double weight, double tolerance,
     const double over = std::sqrt(first * first + second * second) / step - 1;
     if (by > tolerance) found(high, by, over > 0 ? by / (weight * over) : share_);
   }
-  // Of a chord between two intervals that do not touch, one end is a place.
+}
+
+// Of a chord between two intervals that do not touch, one end is a place.
+template <class Found>
+void CellChords::each_violation_apart(double* values, double weight, double tolerance,
+                                      Found& found) const {
   Waves waves;
   std::array<std::uint8_t, Waves::kMost> beyond;
   std::array<double, Waves::kMost> miss;

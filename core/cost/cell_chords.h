@@ -59,6 +59,11 @@ class CellChords {
   void each_violation_from(Point from, double* values, double weight, const Found& found) const;
   template <class Found>
   void each_violation(double* values, double weight, double tolerance, Found& found) const;
+  template <class Found>
+  void each_violation_beside(double* values, double weight, double tolerance, Found& found) const;
+  template <class Found>
+  void each_violation_apart(double* values, double weight, double tolerance, Found& found) const;
+  int next(int place) const noexcept { return place + 1 < places_ ? place + 1 : 0; }
 
   int k_;
   int places_;

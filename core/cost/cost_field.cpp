@@ -5,19 +5,15 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/cost/inflation.h"
 #include "core/grid/clearance.h"
 #include "kernels/base/power.h"
-#include "lasius/error.h"
 
 namespace lasius {
 namespace {
-
-[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_parameter, problem, remedy);
-}
 
 std::string in_cell(std::size_t i, int width) {
   return " in cell (" + std::to_string(i % width) + ", " + std::to_string(i / width) + ")";

@@ -1,7 +1,6 @@
 #include "core/cost/cost_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <optional>
 #include <span>

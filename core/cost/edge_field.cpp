@@ -11,6 +11,8 @@ namespace {
 /// Of an interval's least cost: a smaller improvement of what was spread is not spread again.
 constexpr double kImprovement = 1e-3;
 constexpr int kFreeTimes = 4, kMost = 240;
+// What a chord may be off by: of its weight, and of the greatest value.
+constexpr double kAbsolute = 1e-11, kRelative = 1e-15;
 
 }  // namespace
 
@@ -237,9 +239,8 @@ void EdgeField::spread_into(Cell cell, int place, std::uint32_t node) {
   }
   if (from_interval) return;
   const Point from = chords_->at(place);
-  for (int to = 0; to < places; ++to) {
+  for (int to = 0; to < places; ++to)
     if (value_[nodes[to]] > here) offer(nodes[to], here + weight * distance(from, chords_->at(to)));
-  }
 }
 
 void EdgeField::take(std::uint32_t node, double value) {
@@ -265,16 +266,13 @@ void EdgeField::fill(double* values, double weight) const {
   }
 }
 
-bool EdgeField::certify(Poller& poller) {
+double EdgeField::complete() {
   const int places = chords_->places();
+  std::uint32_t nodes[kMostPlaces];
+  double values[kMostPlaces];
   double most = 0;
-  marched_.append(value_.size(), 0);
-  for (std::size_t i = 0; i < value_.size(); ++i) marched_[i] = value_[i];
   for (const std::uint32_t at : cells_) {
-    std::uint32_t nodes[kMostPlaces];
-    double values[kMostPlaces];
-    const Cell cell = terrain_.cell(at);
-    places_of(cell, nodes);
+    places_of(terrain_.cell(at), nodes);
     for (int i = 0; i < places; ++i) values[i] = value_[nodes[i]];
     fill(values, terrain_.at(at) * scale_);
     for (int i = 0; i < places; ++i) {
@@ -282,16 +280,17 @@ bool EdgeField::certify(Poller& poller) {
       most = std::max(most, values[i]);
     }
   }
-  {
-    std::uint32_t nodes[kMostPlaces];
-    double values[kMostPlaces];
-    places_of(source_, nodes);
-    values_of(source_, values);
-    chords_->lower_from(source_at_, values, terrain_.weight(source_.x, source_.y));
-    for (int i = 0; i < places; ++i) value_[nodes[i]] = values[i];
-  }
-  std::vector<std::uint32_t> now = cells_, next;
+  places_of(source_, nodes);
+  values_of(source_, values);
+  chords_->lower_from(source_at_, values, terrain_.weight(source_.x, source_.y));
+  for (int i = 0; i < places; ++i) value_[nodes[i]] = values[i];
+  return most;
+}
+
+bool EdgeField::settle(double most, Poller& poller) {
   constexpr std::uint8_t kDirty = 2;
+  const int places = chords_->places();
+  std::vector<std::uint32_t> now = cells_, next;
   for (const std::uint32_t at : now) reached_[at] |= kDirty;
   for (int round = 0; round < 1000 && !now.empty(); ++round) {
     for (const std::uint32_t at : now) {
@@ -299,11 +298,10 @@ bool EdgeField::certify(Poller& poller) {
       reached_[at] &= ~kDirty;
       std::uint32_t nodes[kMostPlaces];
       double values[kMostPlaces];
-      const Cell cell = terrain_.cell(at);
-      places_of(cell, nodes);
+      places_of(terrain_.cell(at), nodes);
       for (int i = 0; i < places; ++i) values[i] = value_[nodes[i]];
       std::uint8_t lowered[kMostPlaces] = {};
-      const double tolerance = 1e-11 * terrain_.at(at) + 1e-15 * most;
+      const double tolerance = kAbsolute * terrain_.at(at) + kRelative * most;
       if (poller.stop_after(places)) return false;
       if (!chords_->lower(values, terrain_.at(at), tolerance, lowered)) continue;
       for (int i = 0; i < places; ++i) {
@@ -321,12 +319,19 @@ bool EdgeField::certify(Poller& poller) {
     next.clear();
   }
   for (const std::uint32_t at : now) reached_[at] = 1;
+  return now.empty();
+}
+
+bool EdgeField::certify(Poller& poller) {
+  marched_.append(value_.size(), 0);
+  for (std::size_t i = 0; i < value_.size(); ++i) marched_[i] = value_[i];
+  const double most = complete();
+  const bool settled = settle(most, poller);
+  if (poller.stopped()) return false;
   // Where no chord was off by more than the tolerance, none is by more than that over its length,
   // which is at least an interval.
-  const double off = 1e-11 + 1e-15 * most / terrain_.least();
-  excess_ = now.empty() && poller.cause() == StopCondition::Cause::none
-                ? 1 + 2 * off * chords_->intervals() + 1e-12
-                : measured_excess(poller);
+  const double off = kAbsolute + kRelative * most / terrain_.least();
+  excess_ = settled ? 1 + 2 * off * chords_->intervals() + 1e-12 : measured_excess(poller);
   return !poller.stopped();
 }
 

@@ -93,6 +93,11 @@ class EdgeField {
   void take(std::uint32_t node, double value);
   void reach(Cell cell);
   void fill(double* values, double weight) const;
+  /// Gives all places of all cells a value; the greatest. The source's cell: by its own chords.
+  double complete();
+  /// Lowers values until no chord of a cell is off by more than a tolerance. False if some still
+  /// are, or when stopped.
+  bool settle(double most, Poller& poller);
   double bound_of_leaving(Cell cell, int edge, const std::uint32_t* nodes, double most) const;
   double value_before(Cell cell, int place) const noexcept;
 

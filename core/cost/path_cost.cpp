@@ -1,7 +1,5 @@
 #include "core/cost/path_cost.h"
 
-#include <span>
-
 #include "lasius/cost_field.h"
 
 namespace lasius {
@@ -16,9 +14,8 @@ std::optional<double> path_cost(const Grid& grid, const CostField& costs,
     return grid.free({x, y}) ? costs.weight({x, y}) : kInfinity;
   };
   cost::PathCost sum(weight);
-  for (std::size_t i = 0; i < path.size(); ++i) {
+  for (std::size_t i = 0; i < path.size(); ++i)
     if (!inside(path[i]) || (i > 0 && !sum.add(path[i - 1], path[i]))) return std::nullopt;
-  }
   return sum.sum();
 }
 

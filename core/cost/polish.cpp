@@ -17,9 +17,8 @@ Cell around(Cell corner, int place) noexcept {
   return {corner.x + kX[place & 3], corner.y + kY[place & 3]};
 }
 int place_of(Cell corner, Cell cell) noexcept {
-  for (int place = 0; place < 3; ++place) {
+  for (int place = 0; place < 3; ++place)
     if (around(corner, place) == cell) return place;
-  }
   return 3;
 }
 
@@ -46,9 +45,8 @@ std::vector<Point> Polish::polish(Point start, std::span<const Leg> legs, Poller
     if (!flip_all(poller)) break;
   }
   std::vector<Point> path{start_};
-  for (const Crossing& crossing : crossings_) {
+  for (const Crossing& crossing : crossings_)
     if (const Point at = crossing.point(); at != path.back()) path.push_back(at);
-  }
   if (goal_ != path.back() || path.size() == 1) path.push_back(goal_);
   return path;
 }

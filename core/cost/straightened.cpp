@@ -1,7 +1,5 @@
 #include "core/cost/straightened.h"
 
-#include <algorithm>
-
 #include "core/cost/path_cost.h"
 
 namespace lasius::cost {

@@ -68,9 +68,8 @@ void BandCells::find_circles(int x, int y) {
       const int first = left ? x + 1 : x - columns;
       std::uint64_t found =
           corners_.window(type, first, corner_y) & (~std::uint64_t{0} >> (63 - columns));
-      for (; found != 0; found &= found - 1) {
+      for (; found != 0; found &= found - 1)
         circles_.push_back({first + std::countr_zero(found), corner_y, type});
-      }
     }
   }
 }

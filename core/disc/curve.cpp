@@ -50,9 +50,8 @@ class ArcSides {
 
 double curve_length(std::span<const CurvePiece> curve) noexcept {
   double length = 0;
-  for (const CurvePiece& piece : curve) {
+  for (const CurvePiece& piece : curve)
     length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * piece.radius;
-  }
   return length;
 }
 

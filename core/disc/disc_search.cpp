@@ -106,9 +106,8 @@ void DiscSearch::look_from_goal() {
     for (const int right : {1, -1}) cut_off |= view.look(Root::at(on_lines(goal_), {right, down}));
   }
   if (!cut_off) goal_horizon_ = kInfinity;
-  for (std::uint32_t i = 1; i < labels_.size(); ++i) {
+  for (std::uint32_t i = 1; i < labels_.size(); ++i)
     if (labels_[i].expanded) exits(i);
-  }
 }
 
 // Does the goal see the arc of a label, where it turns on? Every other way on is longer then.
@@ -235,9 +234,8 @@ void DiscSearch::expand(std::uint32_t number) {
   Label& label = labels_[number];
   label.expanded = true;
   horizon_ = upper_;
-  if (label.scans < kMostScans) {
+  if (label.scans < kMostScans)
     horizon_ = std::min(upper_, label.length + label.to_goal + ahead(label.scans));
-  }
   in_hand_ = number;
   const double horizon = horizon_;
   const bool cut_off = number == Labels::kStart ? leave_start()
@@ -366,13 +364,12 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   last_ = Labels::kStart;
   improvements_.begin(options);
   auto cause = StopCondition::Cause::none;
-  if (space.sees(start, goal)) {
+  if (space.sees(start, goal))
     upper_ = lower_;
-  } else if (space.joined(start, goal)) {
+  else if (space.joined(start, goal))
     cause = run(options, poller);
-  } else {
+  else
     lower_ = kInfinity;
-  }
   poller_ = nullptr;
   graph_ = nullptr;
   tell_improvement(nullptr);  // the last one; nothing is left to stop

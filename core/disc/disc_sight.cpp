@@ -69,9 +69,8 @@ bool DiscSpace::keeps_row(const Segment& segment, int y, double low_x,
   for (int x = first; x <= last; x += B::kValid) {
     const std::uint64_t mask = B::to(std::min(B::kValid - 1, last - x));
     if ((B::window(blocked, x) & mask) != 0) return false;
-    for (std::uint64_t left = B::window(band, x) & mask; left != 0; left &= left - 1) {
+    for (std::uint64_t left = B::window(band, x) & mask; left != 0; left &= left - 1)
       if (!keeps_cell(segment, x + std::countr_zero(left), y, low_x, high_x)) return false;
-    }
   }
   return true;
 }

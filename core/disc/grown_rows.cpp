@@ -14,9 +14,8 @@ namespace {
 // The most columns with columns^2 + rows^2 < limit^2; -1 for none.
 int columns_within(double limit, int rows) {
   int columns = -1;
-  while (static_cast<double>((columns + 1) * (columns + 1) + rows * rows) < limit * limit) {
+  while (static_cast<double>((columns + 1) * (columns + 1) + rows * rows) < limit * limit)
     ++columns;
-  }
   return columns;
 }
 
@@ -24,9 +23,8 @@ int columns_within(double limit, int rows) {
 
 Reach::Reach(double radius) {
   const double limit = radius - kMadeSlack;
-  for (int rows = 0; columns_within(limit, rows) >= 0; ++rows) {
+  for (int rows = 0; columns_within(limit, rows) >= 0; ++rows)
     covered.push_back(columns_within(limit, rows));
-  }
   // Cells beside each other have no gap between them.
   touched.push_back(covered[0] + 1);
   for (const int columns : covered) touched.push_back(columns + 1);

@@ -76,9 +76,8 @@ void DiscSpace::nearest_in(Cell cell, Nearest& nearest) const {
     const Arc& arc = arcs_[number];
     const double x = arc.right() * (from.x - arc.x), y = arc.down() * (from.y - arc.y);
     const double size = std::sqrt(x * x + y * y);
-    if (x >= 0 && y >= 0 && size > 0 && on_arc(arc, {x / size, y / size})) {
+    if (x >= 0 && y >= 0 && size > 0 && on_arc(arc, {x / size, y / size}))
       nearest.offer(point_on(arc, {x / size, y / size}, radius_));
-    }
     for (const double end : {arc.low, arc.high}) {
       if (distance(from, point_on(arc, normal_at(end), radius_)) < nearest.distance)
         nearest.offer(end_of(arc, end));

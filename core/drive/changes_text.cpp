@@ -20,14 +20,12 @@ namespace {
 std::optional<std::string> fault_of(std::int64_t tick, const Rectangle& part, int width,
                                     int height) {
   if (tick < 0) return "tick " + std::to_string(tick) + " is negative";
-  if (part.width < 1 || part.height < 1) {
+  if (part.width < 1 || part.height < 1)
     return size_text(part.width, part.height) + " cells are none";
-  }
-  if (part.x < 0 || part.y < 0 || part.width > width - part.x || part.height > height - part.y) {
+  if (part.x < 0 || part.y < 0 || part.width > width - part.x || part.height > height - part.y)
     return "the " + size_text(part.width, part.height) + " cells from " +
            cell_name({part.x, part.y}) + " on are not all inside the map of " +
            size_text(width, height) + " cells";
-  }
   return std::nullopt;
 }
 
@@ -56,10 +54,9 @@ class Line {
   bool blocked() const {
     static constexpr std::array<std::string_view, 2> kStates{"blocked", "free"};
     const std::string_view word = words_.back();
-    if (std::ranges::find(kStates, word) == kStates.end()) {
+    if (std::ranges::find(kStates, word) == kStates.end())
       fail("\"" + std::string(word) + "\" is neither blocked nor free",
            did_you_mean(word, kStates));
-    }
     return word == "blocked";
   }
 
@@ -78,9 +75,8 @@ class Line {
 };
 
 MovingObstacle moving_obstacle(const Line& line) {
-  if (line.size() < 7 || line.size() % 2 == 0) {
+  if (line.size() < 7 || line.size() % 2 == 0)
     line.fail("a moving obstacle has a size, a speed and a track of cells", kForms);
-  }
   MovingObstacle obstacle{.tick = line.number<std::int64_t>(0, "tick"),
                           .width = line.number<int>(2, "width"),
                           .height = line.number<int>(3, "height"),
@@ -91,9 +87,8 @@ MovingObstacle moving_obstacle(const Line& line) {
 }
 
 Change change(const Line& line) {
-  if (line.size() != 4 && line.size() != 6) {
+  if (line.size() != 4 && line.size() != 6)
     line.fail("a change has 4 or 6 words, this line " + std::to_string(line.size()), kForms);
-  }
   const Cell corner = line.cell(1);
   Change change{.tick = line.number<std::int64_t>(0, "tick"), .part = {corner.x, corner.y, 1, 1}};
   if (line.size() == 6) {
@@ -111,9 +106,8 @@ std::optional<std::string> fault_of(const Change& change, int width, int height)
 }
 
 std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, int height) {
-  if (!(obstacle.speed >= 0 && obstacle.speed <= 64)) {
+  if (!(obstacle.speed >= 0 && obstacle.speed <= 64))
     return "speed " + number_text(obstacle.speed) + " is not 0 .. 64 cells a tick";
-  }
   if (obstacle.track.empty()) return "a moving obstacle without a track";
   for (const Cell at : obstacle.track) {
     const Rectangle part{at.x, at.y, obstacle.width, obstacle.height};
@@ -123,11 +117,10 @@ std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, i
 }
 
 void check_drive(const Grid& map, const Grid& truth, const DriveOptions& options) {
-  if (map.width() != truth.width() || map.height() != truth.height()) {
-    throw invalid_parameter("the world is " + size_text(truth.width(), truth.height()) +
-                                " cells, the map " + size_text(map.width(), map.height()),
-                            "give both for the same place, in cells of the same size");
-  }
+  if (map.width() != truth.width() || map.height() != truth.height())
+    refuse("the world is " + size_text(truth.width(), truth.height()) + " cells, the map " +
+               size_text(map.width(), map.height()),
+           "give both for the same place, in cells of the same size");
   require_parameter(options.sense >= 1, "sense", options.sense, "it must be at least 1 cell");
   const double tick = options.seconds_per_tick;
   require_parameter(tick >= std::numeric_limits<double>::min(), "seconds_per_tick", tick,
@@ -140,8 +133,7 @@ void check_changes(const Changes& changes, int width, int height) {
   const auto check = [&](const auto& all, const char* what) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (const auto fault = fault_of(all[i], width, height))
-        throw invalid_parameter(what + std::to_string(i) + ": " + *fault,
-                                "correct it, or leave it out");
+        refuse(what + std::to_string(i) + ": " + *fault, "correct it, or leave it out");
     }
   };
   check(changes.cells, "change ");

@@ -1,8 +1,7 @@
 #include "core/drive/doubts.h"
 
-#include <algorithm>
-
 #include "core/drive/sensor.h"
+#include "core/grid/changed_parts.h"
 #include "core/grid/grid_view.h"
 
 namespace lasius {
@@ -21,13 +20,7 @@ void Doubts::saw_walls(const Grid& map, std::span<const Cell> cells) {
 void Doubts::saw_walls(const Grid& map, const Rectangle& part) {
   learn(map);
   if (waited_ == 0 || part.width <= 0 || part.height <= 0) return;
-  const auto end = [](int from, int size, int most) {
-    return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + size, 0, most));
-  };
-  const int left = std::clamp(part.x, 0, map.width()), top = std::clamp(part.y, 0, map.height());
-  seen_->fill({left, top, end(part.x, part.width, map.width()) - left,
-               end(part.y, part.height, map.height()) - top},
-              true);
+  seen_->fill(widened(part, 0, map), true);
 }
 
 std::vector<Cell> Doubts::wait(const Grid& map) {

@@ -80,9 +80,8 @@ class CellDrive final : public DriveLoop {
 
   /// Looks at the whole map; without obstacles only where that has changed, or the robot moved.
   bool joined(World::Without without) override {
-    if (without != World::Without::all_obstacles) {
+    if (without != World::Without::all_obstacles)
       return world_.joined(robot_, pilot_.goal(), corners_, without);
-    }
     if (joined_at_ != world_.still_changed_at() || joined_from_ != robot_) {
       joined_at_ = world_.still_changed_at();
       joined_from_ = robot_;
@@ -96,8 +95,8 @@ class CellDrive final : public DriveLoop {
     const Cell next = way_->walk[1];
     if (std::abs(std::int64_t{next.x} - robot_.x) > 1 ||
         std::abs(std::int64_t{next.y} - robot_.y) > 1)
-      throw invalid_parameter("the pilot's walk does not go on in a neighbour of the robot's cell",
-                              "give each cell of the way in Way::walk");
+      refuse("the pilot's walk does not go on in a neighbour of the robot's cell",
+             "give each cell of the way in Way::walk");
     go(next);
   }
   void stand() override { go(robot_); }

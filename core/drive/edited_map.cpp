@@ -6,6 +6,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/disc/disc_cells.h"
+#include "core/grid/changed_parts.h"
 #include "core/grid/grid_view.h"
 
 namespace lasius {
@@ -14,14 +15,9 @@ namespace {
 auto part_of(Cell c) noexcept { return std::pair(c.y >> 6, c.x >> 6); }
 
 Rectangle round(std::span<const Cell> cells) noexcept {
-  int left = cells[0].x, right = left, top = cells[0].y, bottom = top;
-  for (const Cell c : cells) {
-    left = std::min(left, c.x);
-    right = std::max(right, c.x);
-    top = std::min(top, c.y);
-    bottom = std::max(bottom, c.y);
-  }
-  return {left, top, right - left + 1, bottom - top + 1};
+  Rectangle all{cells[0].x, cells[0].y, 1, 1};
+  for (const Cell c : cells) all = round_both(all, {c.x, c.y, 1, 1});
+  return all;
 }
 
 }  // namespace
@@ -34,9 +30,8 @@ EditedMap::EditedMap(Grid map, double radius)
 void EditedMap::set(std::span<const Cell> cells, bool blocked, const OnChange& changed,
                     const OnChange& edited) {
   differing_.clear();
-  for (const Cell c : cells) {
+  for (const Cell c : cells)
     if (map_.contains(c) && map_.blocked(c) != blocked) differing_.push_back(c);
-  }
   apply(blocked, changed, edited);
 }
 
@@ -44,15 +39,12 @@ void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed
                     const OnChange& edited) {
   if (part.width <= 0 || part.height <= 0) return;
   differing_.clear();
-  const int right =
-      static_cast<int>(std::min<std::int64_t>(std::int64_t{part.x} + part.width, map_.width()));
-  const int bottom =
-      static_cast<int>(std::min<std::int64_t>(std::int64_t{part.y} + part.height, map_.height()));
+  const Rectangle inside = widened(part, 0, map_);
+  const int right = inside.x + inside.width, bottom = inside.y + inside.height;
   // Part by part, so that a large rectangle takes no more memory than a row of parts.
-  for (int y = std::max(part.y, 0); y < bottom; ++y) {
-    for (int x = std::max(part.x, 0); x < right; ++x) {
+  for (int y = inside.y; y < bottom; ++y) {
+    for (int x = inside.x; x < right; ++x)
       if (map_.blocked({x, y}) != blocked) differing_.push_back({x, y});
-    }
     if ((y & 63) == 63 || y + 1 == bottom) {
       apply(blocked, changed, edited);
       differing_.clear();
@@ -71,22 +63,19 @@ void EditedMap::apply(bool blocked, const OnChange& changed, const OnChange& edi
     const std::span<const Cell> cells(&*begin, static_cast<std::size_t>(end - begin));
     for (const Cell c : cells) map_.set_blocked(c, blocked);
     if (edited) edited(round(cells), cells);
-    if (grown_) {
+    if (grown_)
       grow(round(cells), blocked, changed);
-    } else {
+    else
       changed(round(cells), cells);
-    }
     begin = end;
   }
 }
 
 void EditedMap::grow(const Rectangle& part, bool blocked, const OnChange& changed) {
-  const int reach = growth_.reach();
+  const Rectangle around = widened(part, growth_.reach(), map_);
   grown_cells_.clear();
-  for (int y = std::max(part.y - reach, 0);
-       y < std::min(part.y + part.height + reach, map_.height()); ++y) {
-    for (int x = std::max(part.x - reach, 0);
-         x < std::min(part.x + part.width + reach, map_.width()); ++x) {
+  for (int y = around.y; y < around.y + around.height; ++y) {
+    for (int x = around.x; x < around.x + around.width; ++x) {
       const Cell cell{x, y};
       if (grown_->blocked(cell) == blocked || growth_.blocked(map_, cell) != blocked) continue;
       grown_->set_blocked(cell, blocked);

@@ -73,6 +73,39 @@ double moved_by(const Segment& s, double around) noexcept {
   return s.gear == 0 ? around * s.extent() : s.length;
 }
 
+/// All that a vehicle can do at once from a pose: arcs, sideways lines, turns in place; as long as
+/// asked for, a quarter of a turn at most.
+std::vector<Segment> single_motions(const Vehicle& vehicle, const Pose& pose, double length) {
+  std::vector<Segment> motions;
+  const Segment still{.begin = pose, .length = 0};
+  for (const int gear : {1, -1}) {
+    if (gear < 0 && !vehicle.reverse) continue;
+    const double bend = vehicle.turning_radius > 0 ? 1 / vehicle.turning_radius : 0;
+    for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+      if (bend == 0 && share != 0) continue;
+      Segment motion = still;
+      motion.curvature = share * bend;
+      motion.gear = gear;
+      motion.length = length;
+      motions.push_back(motion);
+    }
+  }
+  for (int side = 1; side < 16 && vehicle.sideways; ++side) {
+    Segment motion = still;
+    motion.angle = half_turned(side * (kTurn / 16));
+    motion.length = length;
+    motions.push_back(motion);
+  }
+  for (const int turn : {1, -1}) {
+    if (!vehicle.rotate_in_place) continue;
+    Segment motion = still;
+    motion.gear = 0;
+    motion.angle = turn * kPi / 2;
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
 }  // namespace
 
 Segment rest_of(const Segment& motion, double at) noexcept {
@@ -195,37 +228,10 @@ std::vector<Segment> ways_out(const Vehicle& vehicle, const Grid& map, const Pos
   const Window others(vehicle, part,
                       [&](Cell c) { return map.blocked(c) && !met.has(in_part(c)); });
 
-  std::vector<Segment> motions;
-  const Segment still{.begin = pose, .length = 0};
-  for (const int gear : {1, -1}) {
-    if (gear < 0 && !vehicle.reverse) continue;
-    const double bend = vehicle.turning_radius > 0 ? 1 / vehicle.turning_radius : 0;
-    for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
-      if (bend == 0 && share != 0) continue;
-      Segment motion = still;
-      motion.curvature = share * bend;
-      motion.gear = gear;
-      motion.length = most;
-      motions.push_back(motion);
-    }
-  }
-  for (int side = 1; side < 16 && vehicle.sideways; ++side) {
-    Segment motion = still;
-    motion.angle = half_turned(side * (kTurn / 16));
-    motion.length = most;
-    motions.push_back(motion);
-  }
-  for (const int turn : {1, -1}) {
-    if (!vehicle.rotate_in_place) continue;
-    Segment motion = still;
-    motion.gear = 0;
-    motion.angle = turn * kPi / 2;
-    motions.push_back(motion);
-  }
   std::vector<Segment> out;
   Poller poller(stop);
   const auto work = static_cast<std::int64_t>(cells.size());  // at a pose
-  for (const Segment& motion : motions) {
+  for (const Segment& motion : single_motions(vehicle, pose, most)) {
     const double step = kStep * motion.extent() / moved_by(motion, std::max(1.0, around));
     for (double at = step; at <= motion.extent() && !poller.stop_after(work); at += step) {
       if (!all.free(motion.pose(at))) continue;

@@ -1,10 +1,9 @@
 #include "core/drive/live_costs.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "core/base/held_bytes.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/cost/eight_moves.h"
 #include "core/cost/inflation.h"
@@ -12,25 +11,14 @@
 #include "core/cost/path_cost.h"
 #include "core/cost/polish.h"
 #include "core/cost/straightened.h"
+#include "core/grid/changed_parts.h"
 #include "core/grid/clearance.h"
 #include "core/loop/run_status.h"
 #include "core/plan/cost_paths.h"
-#include "lasius/error.h"
 #include "lasius/path.h"
 
 namespace lasius {
 namespace {
-
-/// The part of a map that is so far from a rectangle, or nearer, along each axis.
-Rectangle grown(const Rectangle& part, std::int64_t reach, const Grid& map) noexcept {
-  const auto low = [&](int at) { return static_cast<int>(std::max<std::int64_t>(at - reach, 0)); };
-  const auto high = [&](std::int64_t end, int side) {
-    return static_cast<int>(std::min<std::int64_t>(end + reach, side));
-  };
-  const int x = low(part.x), y = low(part.y);
-  return {x, y, high(std::int64_t{part.x} + part.width, map.width()) - x,
-          high(std::int64_t{part.y} + part.height, map.height()) - y};
-}
 
 Grid cut_out(const Grid& map, const Rectangle& part) {
   Grid cut(part.width, part.height);
@@ -66,11 +54,10 @@ LiveCosts::LiveCosts(const EditedMap& map, const CostField& costs,
 void LiveCosts::set(const Rectangle& part, std::span<const double> weights) {
   const CostField checked(part.width, part.height, weights);  // throws
   const Grid& map = map_.map();
-  if (const Rectangle inside = grown(part, 0, map); part.x < 0 || part.y < 0 || inside != part)
-    throw Error(ErrorCode::invalid_parameter,
-                "costs of " + size_text(part.width, part.height) + " cells from " +
-                    pair_text(part.x, part.y) + " leave the map",
-                "give those inside of it");
+  if (const Rectangle inside = widened(part, 0, map); part.x < 0 || part.y < 0 || inside != part)
+    refuse("costs of " + size_text(part.width, part.height) + " cells from " +
+               pair_text(part.x, part.y) + " leave the map",
+           "give those inside of it");
   if (inflation_) cost::check_sum(weights, *inflation_);
   for (int y = 0; y < part.height; ++y) {
     for (int x = 0; x < part.width; ++x) {
@@ -101,8 +88,8 @@ bool LiveCosts::bring_up_to_date(Poller& poller) {
 bool LiveCosts::update(const Rectangle& edit, Poller& poller) {
   const Grid& map = map_.map();
   const int inflated = inflation_ ? static_cast<int>(inflation_->radius) : 0;
-  const Rectangle part = grown(edit, std::max(inflated, map_.growth().reach()), map);
-  const Rectangle seen = grown(part, inflated, map);
+  const Rectangle part = widened(edit, std::max(inflated, map_.growth().reach()), map);
+  const Rectangle seen = widened(part, inflated, map);
   std::optional<ClearanceField> nearest;
   if (inflation_) {
     nearest = clearance(cut_out(map, seen), ClearanceOf::blocked_centres, poller);

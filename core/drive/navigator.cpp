@@ -1,6 +1,5 @@
 #include "lasius/navigator.h"
 
-#include <string>
 #include <utility>
 
 #include "core/base/held_bytes.h"
@@ -29,8 +28,7 @@ void Navigator::observe(std::span<const Cell> cells, bool blocked) {
 }
 void Navigator::set_costs(const Rectangle& part, std::span<const double> weights) {
   if (!impl_->costs)
-    throw invalid_parameter("a Navigator without costs is told of some",
-                            "give it NavigatorOptions::costs");
+    refuse("a Navigator without costs is told of some", "give it NavigatorOptions::costs");
   impl_->costs->set(part, weights);
   impl_->holds = false;
 }

@@ -35,9 +35,8 @@ namespace lasius {
 inline void check_kind(const Algorithm& algorithm, Algorithm::Kind kind, const char* option,
                        const char* whose) {
   if (algorithm.kind == kind) return;
-  throw invalid_parameter(
-      std::string(option) + " is set, which " + std::string(algorithm.name) + " ignores",
-      std::string("leave it out, or take ") + whose);
+  refuse(std::string(option) + " is set, which " + std::string(algorithm.name) + " ignores",
+         std::string("leave it out, or take ") + whose);
 }
 
 class Navigator::Impl {
@@ -66,11 +65,8 @@ class Navigator::Impl {
 
   void take_costs(const Algorithm& algorithm) {
     check_kind(algorithm, Algorithm::Kind::exact, "costs", "exact");
-    const auto refuse = [](const char* what) {
-      throw invalid_parameter(std::string(what) + " is set, and so are costs", "leave one out");
-    };
-    if (options.prepare) refuse("prepare");
-    if (options.target_gap > 0) refuse("target_gap");
+    if (options.prepare) refuse("prepare is set, and so are costs", "leave one out");
+    if (options.target_gap > 0) refuse("target_gap is set, and so are costs", "leave one out");
     const Grid& grid = map.map();
     const CostField plain(grid.width(), grid.height());
     costs.emplace(map, options.costs ? *options.costs : plain, options.inflation,
@@ -81,16 +77,16 @@ class Navigator::Impl {
   void send_colony(Cell to) {
     Params params = options.params;
     if (params.islands > 1)
-      throw invalid_parameter("islands is " + std::to_string(params.islands) +
-                                  ", but one colony follows a map that changes",
-                              "set islands to 1");
+      refuse("islands is " + std::to_string(params.islands) +
+                 ", but one colony follows a map that changes",
+             "set islands to 1");
     params.corners = corners_of(params.corners, {options.radius});
     if (robot_disc && space() == nullptr)  // a step was stopped
       robot_disc->space = disc::DiscSpace::make(map.map(), options.radius);
     colony.emplace(map.passable(), to, params, space());
   }
   const disc::DiscSpace* space() const noexcept {
-    return robot_disc && robot_disc->space ? &*robot_disc->space : nullptr;
+    return robot_disc ? space_of(&*robot_disc) : nullptr;
   }
   /// Tells a disc's free space of the edits since the last call, and looks whether the way holds.
   /// False when stopped: then there is no space until the next call.
@@ -333,11 +329,9 @@ class Navigator::Impl {
     if (!holds || !on_way || way_out_is_shut() ||
         !(way.path.empty() || go_on(static_cast<std::size_t>(here - way.walk.begin())))) {
       plan(robot, stop);
-    } else {
-      if (colony && options.search_on && robot != goal && !way.way_out) {
-        Result result = ask(robot, stop);
-        if (!result.path.empty() && result.length < way.length) take(std::move(result), stop);
-      }
+    } else if (colony && options.search_on && robot != goal && !way.way_out) {
+      Result result = ask(robot, stop);
+      if (!result.path.empty() && result.length < way.length) take(std::move(result), stop);
     }
     doubt(robot, stop);
     if (!way.path.empty() && way.walk.size() < 2) {

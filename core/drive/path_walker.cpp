@@ -164,9 +164,8 @@ void PathWalker::next(const Grid& grid, Corners corners, Cell from, std::vector<
   // A cell of the last line; of a whole path its end.
   std::int32_t end = 0;
   const Cell goal{static_cast<int>(path_.back().x), static_cast<int>(path_.back().y)};
-  for (const std::int32_t node : last_line_) {
+  for (const std::int32_t node : last_line_)
     if (nodes_[node].done && (!whole || nodes_[node].cell == goal)) end = node;
-  }
   walk.clear();
   for (std::int32_t at = end; at >= 0; at = nodes_[at].parent) walk.push_back(nodes_[at].cell);
   std::ranges::reverse(walk);
@@ -174,9 +173,8 @@ void PathWalker::next(const Grid& grid, Corners corners, Cell from, std::vector<
 }
 
 bool PathWalker::touches_rest(Cell cell) const noexcept {
-  for (std::size_t i = begun_segment_; i + 1 < path_.size(); ++i) {
+  for (std::size_t i = begun_segment_; i + 1 < path_.size(); ++i)
     if (touches(path_[i], path_[i + 1], cell)) return true;
-  }
   return path_.size() == 1 && touches(path_[0], path_[0], cell);
 }
 

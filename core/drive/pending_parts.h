@@ -1,12 +1,11 @@
 // Where a map changed, until somebody asks.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "core/base/held_bytes.h"
-#include "lasius/geometry.h"
+#include "core/grid/changed_parts.h"
 
 namespace lasius {
 
@@ -16,7 +15,7 @@ class PendingParts {
   void add(const Rectangle& part) {
     if (!parts_.empty()) {
       Rectangle& last = parts_.back();
-      const Rectangle both = round(last, part);
+      const Rectangle both = round_both(last, part);
       if (area(both) <= 4 * (area(last) + area(part))) {
         last = both;
         return;
@@ -26,7 +25,7 @@ class PendingParts {
     constexpr std::size_t kMost = 256;  // where nobody asks
     if (parts_.size() < kMost) return;
     Rectangle all = part;
-    for (const Rectangle& one : parts_) all = round(all, one);
+    for (const Rectangle& one : parts_) all = round_both(all, one);
     parts_.assign(1, all);
   }
   const std::vector<Rectangle>& parts() const noexcept { return parts_; }
@@ -36,11 +35,6 @@ class PendingParts {
 
  private:
   static std::int64_t area(const Rectangle& r) noexcept { return std::int64_t{r.width} * r.height; }
-  static Rectangle round(const Rectangle& a, const Rectangle& b) noexcept {
-    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-    return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-            std::max(a.y + a.height, b.y + b.height) - top};
-  }
 
   std::vector<Rectangle> parts_;
 };

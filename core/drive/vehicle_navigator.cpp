@@ -9,6 +9,7 @@
 #include "core/drive/doubts.h"
 #include "core/drive/kept_way.h"
 #include "core/drive/vehicle_window.h"
+#include "core/grid/changed_parts.h"
 #include "core/loop/run_status.h"
 #include "core/vehicle/angle.h"
 #include "lasius/vehicle/navigator.h"
@@ -49,12 +50,9 @@ class Navigator::Impl {
   }
   void observe(const Rectangle& part, bool blocked) {
     if (blocked) doubts_.saw_walls(map_, part);
-    const auto end = [](int from, int size, int most) {
-      return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + size, 0, most));
-    };
-    for (int y = std::max(part.y, 0); y < end(part.y, part.height, map_.height()); ++y)
-      for (int x = std::max(part.x, 0); x < end(part.x, part.width, map_.width()); ++x)
-        set({x, y}, blocked);
+    const Rectangle inside = widened(part, 0, map_);
+    for (int y = inside.y; y < inside.y + inside.height; ++y)
+      for (int x = inside.x; x < inside.x + inside.width; ++x) set({x, y}, blocked);
   }
 
   void set_costs(CostField costs) {

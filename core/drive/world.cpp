@@ -32,12 +32,10 @@ void World::advance(std::int64_t tick, const Holds& holds) {
   tick_ = tick;
   touched_.clear();
   for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, holds);
-  for (; next_ < changes_.size() && changes_[next_].tick <= tick; ++next_) {
+  for (; next_ < changes_.size() && changes_[next_].tick <= tick; ++next_)
     change(changes_[next_], holds);
-  }
-  for (Mover& mover : movers_) {
+  for (Mover& mover : movers_)
     if (mover.what.tick <= tick) move(mover, holds);
-  }
   if (!touched_.empty()) changed_at_ = tick;
   show();
 }
@@ -125,9 +123,8 @@ void World::show() {
 
 std::vector<Rectangle> World::obstacles() const {
   std::vector<Rectangle> there;
-  for (const Mover& mover : movers_) {
+  for (const Mover& mover : movers_)
     if (mover.there) there.push_back(mover.cells(mover.at));
-  }
   return there;
 }
 

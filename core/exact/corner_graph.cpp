@@ -135,9 +135,8 @@ void CornerGraph::Builder::mark_corners() {
     std::uint64_t* row = g.tiles_.at(static_cast<std::int64_t>(g.tile_of(0, y)));
     for (int w = 0; w < words_across(); ++w) {
       std::uint64_t* tile = row + std::ptrdiff_t{w} * 8;
-      for (std::uint64_t left = corners_at(y, w); left != 0; left >>= 8, ++tile) {
+      for (std::uint64_t left = corners_at(y, w); left != 0; left >>= 8, ++tile)
         if ((left & 0xff) != 0) *tile |= (left & 0xff) << ((y & 7) << 3);
-      }
     }
   }
 }

@@ -1,7 +1,6 @@
 // The corners of a map, and which of them see each other along edges of taut paths.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -165,15 +164,13 @@ class CornerGraph {
   };
 
   bool leads_back(std::uint32_t from, const GraphEdge& edge) const noexcept {
-    for (const GraphEdge& back : edges(edge.to(), edge.side() == kLine ? kColumn : kLine)) {
+    for (const GraphEdge& back : edges(edge.to(), edge.side() == kLine ? kColumn : kLine))
       if (back.to() == from) return true;
-    }
     return false;
   }
   void add_one_way(std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next)
       if (one_ways_[i].from == from) return;
-    }
     one_ways_.push_back({from, one_way_[to]});
     one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
   }
@@ -181,6 +178,8 @@ class CornerGraph {
     return static_cast<std::size_t>(y >> 3) * tiles_across_ + static_cast<std::size_t>(x >> 3);
   }
   static int place_of(int x, int y) noexcept { return (y & 7) << 3 | (x & 7); }
+  void load_corners(const Grid& grid, ArrayReader& from);
+  void load_edges(ArrayReader& from);
 
   std::size_t tiles_across_ = 0;
   ZeroArray<std::uint64_t> tiles_;    // a bit for each corner

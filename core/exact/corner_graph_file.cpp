@@ -26,35 +26,35 @@ void CornerGraph::save(ArrayWriter& to) const {
   to.value(detour_);
 }
 
-std::shared_ptr<CornerGraph> CornerGraph::load(const Grid& grid, ArrayReader& from) {
-  auto made = std::make_shared<CornerGraph>();
-  CornerGraph& g = *made;
-  const std::size_t across = static_cast<std::size_t>(grid.width() >> 3) + 1;
-  const std::size_t tile_count = across * (static_cast<std::size_t>(grid.height() >> 3) + 1);
+void CornerGraph::load_corners(const Grid& grid, ArrayReader& from) {
+  tiles_across_ = static_cast<std::size_t>(grid.width() >> 3) + 1;
+  const std::size_t tile_count = tiles_across_ * (static_cast<std::size_t>(grid.height() >> 3) + 1);
   const auto tiles = from.array<std::uint64_t>();
   from.require(tiles.size() == tile_count);
-  g.tiles_across_ = across;
-  g.tiles_ = ZeroArray<std::uint64_t>(static_cast<std::int64_t>(tile_count));
+  tiles_ = ZeroArray<std::uint64_t>(static_cast<std::int64_t>(tile_count));
   std::uint32_t count = 0;
   for (std::size_t t = 0; t < tile_count; ++t) {
-    g.tiles_[static_cast<std::int64_t>(t)] = tiles[t];
-    g.ranks_.push_back(count);
+    tiles_[static_cast<std::int64_t>(t)] = tiles[t];
+    ranks_.push_back(count);
     count += static_cast<std::uint32_t>(std::popcount(tiles[t]));
   }
-  g.corners_ = from.array<GraphCorner>();
-  from.require(g.size() == count);
+  corners_ = from.array<GraphCorner>();
+  from.require(size() == count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const GraphCorner& c = g.corners_[i];
+    const GraphCorner& c = corners_[i];
     from.require(c.x() > 0 && c.y() > 0 && c.x() < grid.width() && c.y() < grid.height() &&
-                 g.has_corner(c.x(), c.y()) && g.index(c.x(), c.y()) == i);
+                 has_corner(c.x(), c.y()) && index(c.x(), c.y()) == i);
   }
+}
+
+void CornerGraph::load_edges(ArrayReader& from) {
   const auto edges = from.array<GraphEdge>();
   std::size_t before = 0;
-  for (std::uint32_t begin = 0; begin < count; begin += kChunk) {
-    const std::uint32_t end = std::min(begin + kChunk, count);
+  for (std::uint32_t begin = 0; begin < size(); begin += kChunk) {
+    const std::uint32_t end = std::min(begin + kChunk, size());
     std::uint32_t used = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
-      const GraphCorner& c = g.corners_[i];
+      const GraphCorner& c = corners_[i];
       from.require(c.first == used && c.first <= c.middle && c.middle <= c.last);
       used = c.last;
     }
@@ -62,30 +62,36 @@ std::shared_ptr<CornerGraph> CornerGraph::load(const Grid& grid, ArrayReader& fr
     Chunk chunk{std::make_unique_for_overwrite<GraphEdge[]>(used), used};
     for (std::uint32_t i = 0; i < used; ++i) {
       const GraphEdge& edge = chunk.edges[i] = edges[before + i];
-      from.require(edge.to() < count && edge.x == g.corners_[edge.to()].x() &&
-                   edge.y == g.corners_[edge.to()].y());
+      from.require(edge.to() < size() && edge.x == corners_[edge.to()].x() &&
+                   edge.y == corners_[edge.to()].y());
     }
-    g.chunks_.push_back(std::move(chunk));
+    chunks_.push_back(std::move(chunk));
     before += used;
   }
   from.require(before == edges.size());
-  g.edge_count_ = static_cast<std::int64_t>(edges.size());
-  g.one_way_ = from.array<std::uint32_t>();
-  g.one_ways_ = from.array<OneWay>();
-  from.require(g.one_way_.size() == count && !g.one_ways_.empty());
-  for (const std::uint32_t first : g.one_way_) from.require(first < g.one_ways_.size());
-  for (std::size_t i = 1; i < g.one_ways_.size(); ++i)
-    from.require(g.one_ways_[i].from < count && g.one_ways_[i].next < i);
+  edge_count_ = static_cast<std::int64_t>(edges.size());
+  one_way_ = from.array<std::uint32_t>();
+  one_ways_ = from.array<OneWay>();
+  from.require(one_way_.size() == size() && !one_ways_.empty());
+  for (const std::uint32_t first : one_way_) from.require(first < one_ways_.size());
+  for (std::size_t i = 1; i < one_ways_.size(); ++i)
+    from.require(one_ways_[i].from < size() && one_ways_[i].next < i);
+}
+
+std::shared_ptr<CornerGraph> CornerGraph::load(const Grid& grid, ArrayReader& from) {
+  auto made = std::make_shared<CornerGraph>();
+  made->load_corners(grid, from);
+  made->load_edges(from);
   auto cells = from.array<Cell>();
   for (const Cell c : cells) from.require(grid.contains(c));
   auto distances = from.array<Landmarks::Distances>();
   from.require(cells.size() <= Landmarks::kCount &&
-               distances.size() == (cells.empty() ? 0 : count));
+               distances.size() == (cells.empty() ? 0 : made->size()));
   const auto grain = from.value<double>();
   from.require(std::isfinite(grain) && grain > 0);
-  if (!cells.empty()) g.landmarks_ = Landmarks(std::move(cells), std::move(distances), grain);
-  g.detour_ = from.value<double>();
-  from.require(g.detour_ > 0);
+  if (!cells.empty()) made->landmarks_ = Landmarks(std::move(cells), std::move(distances), grain);
+  made->detour_ = from.value<double>();
+  from.require(made->detour_ > 0);
   return made;
 }
 

@@ -23,11 +23,10 @@ class alignas(64) CornerSight {
     seen_.clear();
     quadrant_ = &quadrant;
     cone_ = &cone;
-    if (quadrant.right > 0) {
+    if (quadrant.right > 0)
       view_quadrant<1>(map, quadrant, cone, side == kLine, stack_, *this);
-    } else {
+    else
       view_quadrant<-1>(map, quadrant, cone, side == kLine, stack_, *this);
-    }
     const auto before = [&](kernels::HalfPoint a, kernels::HalfPoint b) {
       const std::int64_t ax = quadrant.along(a.x), ay = quadrant.away(a.y);
       const std::int64_t bx = quadrant.along(b.x), by = quadrant.away(b.y);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/base/held_bytes.h"
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"

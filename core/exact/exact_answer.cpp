@@ -1,7 +1,5 @@
 #include "core/exact/exact_answer.h"
 
-#include "lasius/path.h"
-
 namespace lasius::exact {
 
 void conclude(double lower, double upper, StopCondition::Cause cause, double target_gap,
@@ -15,15 +13,14 @@ void conclude(double lower, double upper, StopCondition::Cause cause, double tar
   answer.lower_bound = answer.optimal         ? answer.length
                        : std::isfinite(lower) ? rounded_down(lower)
                                               : lower;
-  if (proven) {
+  if (proven)
     answer.end = ExactEnd::proven;
-  } else if (found && upper - lower <= target_gap * lower) {
+  else if (found && upper - lower <= target_gap * lower)
     answer.end = ExactEnd::target_gap;
-  } else if (cause != StopCondition::Cause::none) {
+  else if (cause != StopCondition::Cause::none)
     answer.end = ExactEnd::stopped;
-  } else {
+  else
     answer.end = ExactEnd::unreachable;
-  }
 }
 
 }  // namespace lasius::exact

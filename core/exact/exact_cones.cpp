@@ -199,11 +199,10 @@ bool ExactSearch::goal_in_cone(const Corner& corner) const noexcept {
 
 // Of a scan that asked for limits, or was cut off by them.
 bool ExactSearch::learn_limits(bool asked, bool cut_off) noexcept {
-  if (cut_off) {
+  if (cut_off)
     near_lines_ = std::max(exact::kLeastNear, near_lines_ / 4);
-  } else if (asked) {
+  else if (asked)
     near_lines_ = std::min(exact::kMostNear, 2 * near_lines_);
-  }
   return cut_off;
 }
 

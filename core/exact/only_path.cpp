@@ -4,7 +4,6 @@
 
 #include "core/base/special_values.h"
 #include "core/exact/prepared_search.h"
-#include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
 
 namespace lasius::exact {

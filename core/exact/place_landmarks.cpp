@@ -128,11 +128,10 @@ class alignas(64) LookAcross {
     corner_ = graph_.corner(index);
     result_ = &result;
     const Quadrant across{corner_.x(), corner_.y(), -corner_.block_x(), -corner_.block_y()};
-    if (across.right > 0) {
+    if (across.right > 0)
       view_quadrant<1>(map_, across, {}, true, stack_, *this);
-    } else {
+    else
       view_quadrant<-1>(map_, across, {}, true, stack_, *this);
-    }
     look_along_column();
     look_at_landmarks();
     return !poller_.stopped();
@@ -278,9 +277,8 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
     LookAcross& look = team[static_cast<std::size_t>(thread)];
     const std::uint32_t begin = static_cast<std::uint32_t>(block) * kBlock;
     const std::uint32_t end = std::min(begin + kBlock, graph.size());
-    for (std::uint32_t v = begin; v < end; ++v) {
+    for (std::uint32_t v = begin; v < end; ++v)
       if (!look.from(v, distances[v])) return;
-    }
   });
   std::vector<std::uint32_t> shortened;
   for (std::uint32_t v = 0; v < graph.size(); ++v) {

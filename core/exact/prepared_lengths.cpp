@@ -17,9 +17,8 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   reach_all(kInfinity);
   lengths.clear();
   lengths.reserve(graph.size());
-  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i)
     lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
-  }
   poller_ = nullptr;
   return poller.stopped();
 }

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/held_bytes.h"
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/exact/corner_view.h"
 #include "core/grid/grid_view.h"
-#include "kernels/sight/sight.h"
 
 namespace lasius::exact {
 
@@ -119,9 +116,8 @@ void PreparedSearch::measure_landmarks() {
       if (here[i] - way > largest[i]) largest[i] = here[i] - way;
     }
   }
-  for (std::size_t i = 0; i < least.size(); ++i) {
+  for (std::size_t i = 0; i < least.size(); ++i)
     if (least[i] < kInfinity) goal_distances_.set(i, least[i], largest[i]);
-  }
 }
 
 double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {

@@ -45,13 +45,11 @@ Grid generate(MapKind kind, const GenerateOptions& options) { return *generate(k
 std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
                              const StopCondition& stop) {
   if (static_cast<std::size_t>(kind) >= kKinds.size())
-    throw invalid_parameter("the kind of map is none", "take one of MapKind");
+    refuse("the kind of map is none", "take one of MapKind");
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
-  if (!(options.density <= entry.most)) {
-    throw invalid_parameter(
-        "the density of " + std::string(entry.name) + " is " + number_text(options.density),
-        "it is at most " + number_text(entry.most) + "; negative: the kind's own");
-  }
+  if (!(options.density <= entry.most))
+    refuse("the density of " + std::string(entry.name) + " is " + number_text(options.density),
+           "it is at most " + number_text(entry.most) + "; negative: the kind's own");
   const double density = options.density < 0 ? entry.density : options.density;
   Grid grid(options.width, options.height);
   Poller poller(stop);
@@ -63,9 +61,8 @@ std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
 
 std::uint32_t integer_sqrt(std::uint64_t n) noexcept {
   std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1) {
+  for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1)
     if ((root + bit) * (root + bit) <= n) root += bit;
-  }
   return static_cast<std::uint32_t>(root);
 }
 

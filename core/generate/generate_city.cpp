@@ -119,11 +119,10 @@ class City {
       const Plot block = blocks.back();
       blocks.pop_back();
       if (poller.stop_after(std::max(block.width(), block.height()))) return;
-      if (std::max(block.width(), block.height()) > 7 * unit_) {
+      if (std::max(block.width(), block.height()) > 7 * unit_)
         cut(block, street_width(block), 2 * unit_, draws, blocks);
-      } else {
+      else
         cut_lots(block, draws, [&](const Plot& lot) { visit(lot, number++); });
-      }
     }
   }
 
@@ -247,9 +246,8 @@ void make_city(Grid& grid, BlockedShare share, const MapRandom& random, Poller& 
     const Building building = city.building(lot, number);
     const Plot& plot = building.plot();
     for (int y = plot.y0; y < plot.y1; ++y) {
-      for (int x = plot.x0; x < plot.x1; ++x) {
+      for (int x = plot.x0; x < plot.x1; ++x)
         if (building.covers(x, y)) grid.set_blocked({x, y});
-      }
     }
   });
   city.clear_avenues(grid, poller);

@@ -81,11 +81,10 @@ void MapNoise::load_gradients(Layer& layer, std::uint32_t index, int lattice_row
     }
   };
   if (lattice_row == layer.lattice_row) return;
-  if (lattice_row == layer.lattice_row + 1 && layer.lattice_row >= 0) {
+  if (lattice_row == layer.lattice_row + 1 && layer.lattice_row >= 0)
     std::swap(layer.above, layer.below);
-  } else {
+  else
     load(layer.above, lattice_row);
-  }
   load(layer.below, lattice_row + 1);
   layer.lattice_row = lattice_row;
 }
@@ -142,9 +141,8 @@ std::int32_t threshold_of(MapNoise& noise, const Grid& grid, BlockedShare share,
   std::vector<std::int32_t> samples;
   for (int y = 0; y + step_y <= grid.height(); y += step_y) {
     noise.row(y + draws.between(0, step_y - 1), row);
-    for (int x = 0; x + step_x <= grid.width(); x += step_x) {
+    for (int x = 0; x + step_x <= grid.width(); x += step_x)
       samples.push_back(row[x + draws.between(0, step_x - 1)]);
-    }
     if (poller.stop_after(grid.width())) break;
   }
   const std::size_t blocked = samples.size() * std::uint64_t{share} >> 32;
@@ -164,9 +162,8 @@ void cut_noise(Grid& grid, BlockedShare share, const MapRandom& random, Poller& 
   for (int y = 0; y < grid.height() && !poller.stop_after(grid.width()); ++y) {
     noise.row(y, values);
     std::ranges::fill(words, 0);
-    for (int x = 0; x < grid.width(); ++x) {
+    for (int x = 0; x < grid.width(); ++x)
       words[x >> 6] |= std::uint64_t{values[x] >= threshold} << (x & 63);
-    }
     grid.set_row(y, words.data());
   }
 }

@@ -8,7 +8,6 @@
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
-#include "core/genetic/grid_ga_memory.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
 #include "kernels/base/random_stream.h"
@@ -79,9 +78,8 @@ class GridGa final : public ColonyWorld {
   void update_trail(int q) override {
     if (q > 0) {
       const auto best = fittest(memory_.population), heir = fittest(memory_.children);
-      if (heir->length > best->length) {
+      if (heir->length > best->length)
         std::swap(*std::ranges::max_element(memory_.children, fitter), *best);
-      }
     }
     memory_.population.swap(memory_.children);
   }
@@ -115,9 +113,8 @@ class GridGa final : public ColonyWorld {
   /// Leaves too many where it is stopped before their memory is given back.
   void resize(std::vector<Individual>& group) const {
     const auto wanted = static_cast<std::size_t>(params_.population);
-    while (group.size() > wanted && request_.stop.poll() == StopCondition::Cause::none) {
+    while (group.size() > wanted && request_.stop.poll() == StopCondition::Cause::none)
       group.pop_back();
-    }
     if (group.size() < wanted) group.resize(wanted);
   }
 
@@ -154,11 +151,10 @@ class GridGa final : public ColonyWorld {
     for (const Cell c : way) made.points.push_back(centre(c));
     made.tour = path_length(made.points);
     if (params_.polish != Polish::none && !stopped) {
-      if (disc_ != nullptr) {
+      if (disc_ != nullptr)
         scratch.maker.polish(grid_, *disc_, kInfinity, way, params_, request_.stop, made.points);
-      } else {
+      else
         scratch.maker.polish(grid_, way, params_, request_.stop, made.points);
-      }
     }
     made.length = path_length(made.points);
   }

@@ -1,6 +1,5 @@
 #include "core/genetic/grid_ga_route.h"
 
-#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {

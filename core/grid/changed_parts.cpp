@@ -1,15 +1,17 @@
 #include "core/grid/changed_parts.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace lasius {
 
 Rectangle widened(const Rectangle& part, int margin, const Grid& map) noexcept {
-  const int left = std::max(0, part.x - margin), top = std::max(0, part.y - margin);
-  const int right = std::min(map.width(), part.x + part.width + margin);
-  const int bottom = std::min(map.height(), part.y + part.height + margin);
-  return {left, top, right - left, bottom - top};
+  const auto within = [](std::int64_t at, int side) {
+    return static_cast<int>(std::clamp<std::int64_t>(at, 0, side));
+  };
+  const std::int64_t x = part.x, y = part.y;
+  const int left = within(x - margin, map.width()), top = within(y - margin, map.height());
+  return {left, top, within(x + part.width + margin, map.width()) - left,
+          within(y + part.height + margin, map.height()) - top};
 }
 
 ChangedParts parts_of(std::span<const Cell> changed, int margin, const Grid& map) {
@@ -22,9 +24,7 @@ ChangedParts parts_of(std::span<const Cell> changed, int margin, const Grid& map
   for (std::size_t i = 0; i < changed.size(); ++i) {
     const Rectangle one{changed[i].x, changed[i].y, 1, 1};
     const Rectangle last = found.parts.empty() ? one : found.parts.back().cells;
-    const int left = std::min(last.x, one.x), top = std::min(last.y, one.y);
-    const Rectangle both{left, top, std::max(last.x + last.width, one.x + 1) - left,
-                         std::max(last.y + last.height, one.y + 1) - top};
+    const Rectangle both = round_both(last, one);
     const std::int64_t more = cost(both) - cost(last);
     if (found.parts.empty() || more > cost(one)) {
       found.parts.push_back({one, i + 1});

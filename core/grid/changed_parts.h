@@ -1,6 +1,7 @@
 // Cells of a map that change, as few rectangles.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,7 +11,15 @@
 
 namespace lasius {
 
-/// A rectangle and so many cells on each side, as far as these lie on the map.
+/// The least rectangle that holds both.
+inline Rectangle round_both(const Rectangle& a, const Rectangle& b) noexcept {
+  const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+  return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+          std::max(a.y + a.height, b.y + b.height) - top};
+}
+
+/// A rectangle, which may lie anywhere, and so many cells on each side, as far as these lie on the
+/// map.
 Rectangle widened(const Rectangle& part, int margin, const Grid& map) noexcept;
 
 /// Rectangles around cells of a map in the order given, each one's up to before `end`.

@@ -202,9 +202,8 @@ Components::Membership Components::membership(const Grid& grid, Cell c, Cell oth
   }
   const TileBox box = TileBox::at(grid, at.x, at.y);
   const FloodEnd end = flood(grid, box, connectivity_ == Connectivity::eight, c, other);
-  if (end.met != FloodEnd::Met::border) {
+  if (end.met != FloodEnd::Met::border)
     return {end.met == FloodEnd::Met::other ? Met::other : Met::nothing, 0, 0};
-  }
   int found = 0;
   for_each_run(border_of(grid, box), tile.marks.data(), [&](int, int last, int piece) {
     found = piece;

@@ -70,9 +70,8 @@ Piece BlockJoin::number(int part, Piece piece) noexcept {
 void BlockJoin::add_side(const Parts& parts, int side, int a, int b, bool eight) {
   Side& out = outline_.sides[side];
   const auto add = [&](int part) {
-    for (Side::Reader in(parts[part]->sides[side]); !in.done(); in.skip(in.contacts())) {
+    for (Side::Reader in(parts[part]->sides[side]); !in.done(); in.skip(in.contacts()))
       out.add(number(part, in.piece()), in.contacts());
-    }
   };
   add(a);
   if (eight) {

@@ -1,7 +1,6 @@
 #include "core/grid/components_tile.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace lasius {
 namespace {
@@ -19,9 +18,8 @@ bool bit(const Row& row, int x) noexcept { return (row[x >> 6] >> (x & 63) & 1) 
 Row free_column(const Grid& grid, const TileBox& box, int column) noexcept {
   const int x = box.x + column;
   Row free{};
-  for (int y = 0; y < box.height; ++y) {
+  for (int y = 0; y < box.height; ++y)
     free[y >> 6] |= (~grid.row(box.y + y)[x >> 6] >> (x & 63) & 1) << (y & 63);
-  }
   return free;
 }
 
@@ -37,9 +35,7 @@ void for_each_contact(const Row& own, const Row& facing, bool eight, const Visit
   for (int i = 0; i < kWords; ++i) {
     const std::uint64_t both = own[i] & facing[i];
     std::uint64_t contacts = both & ~(both << 1 | before);
-    if (eight) {
-      contacts = with_next(own, i) & with_next(facing, i) & ~(i == 0 ? both & ~1u : both);
-    }
+    if (eight) contacts = with_next(own, i) & with_next(facing, i) & ~(i == 0 ? both & ~1u : both);
     before = both >> 63;
     for (; contacts != 0; contacts &= contacts - 1) visit(i * 64 + std::countr_zero(contacts));
   }
@@ -76,9 +72,7 @@ int next_row(const Row& rows, int at, bool& down) noexcept {
     std::uint64_t bits = rows[word] & (down ? ~std::uint64_t{0} << (at & 63)
                                             : ~std::uint64_t{0} >> (63 - (at & 63)));
     while (bits == 0 && (down ? ++word < kWords : --word >= 0)) bits = rows[word];
-    if (bits != 0) {
-      return word * 64 + (down ? std::countr_zero(bits) : 63 - std::countl_zero(bits));
-    }
+    if (bits != 0) return word * 64 + (down ? std::countr_zero(bits) : 63 - std::countl_zero(bits));
   }
   return -1;
 }
@@ -98,9 +92,8 @@ class Flood {
       free = box_.free_row(grid_, row);
       for (int i = 0; i < kWords; ++i) {
         std::uint64_t seeds;
-        while ((seeds = touched(row, i) & free[i] & ~reached_[row + 1][i]) != 0) {
+        while ((seeds = touched(row, i) & free[i] & ~reached_[row + 1][i]) != 0)
           if (reach(row, run_around(free, i * 64 + std::countr_zero(seeds)))) return end_;
-        }
       }
     }
     return end_;
@@ -130,9 +123,8 @@ class Flood {
       end_ = {FloodEnd::Met::border, box_.border_position(column, row)};
       return true;
     }
-    for (const int next : {row - 1, row + 1}) {
+    for (const int next : {row - 1, row + 1})
       waiting_[next >> 6] |= std::uint64_t{1} << (next & 63);
-    }
     return false;
   }
 
@@ -186,9 +178,8 @@ Border border_of(const Grid& grid, const TileBox& box) noexcept {
   }
   if (box.height > 1) {
     const Row bottom = box.free_row(grid, box.height - 1);
-    for (int x = 1; x < right; ++x) {
+    for (int x = 1; x < right; ++x)
       if (bit(bottom, x)) set(box.border_position(x, box.height - 1));
-    }
   }
   return border;
 }
@@ -247,12 +238,10 @@ void TileLabels::add_row(const Grid& grid, const TileBox& box, int row) {
   for (int i = 0; i < kWords; ++i) {
     const std::uint64_t before = free[i] << 1 | (i == 0 ? 0 : free[i - 1] >> 63);
     const std::uint64_t after = free[i] >> 1 | (i == kWords - 1 ? 0 : free[i + 1] << 63);
-    for (std::uint64_t bits = free[i] & ~before; bits != 0; bits &= bits - 1) {
+    for (std::uint64_t bits = free[i] & ~before; bits != 0; bits &= bits - 1)
       runs_[starts++].lo = static_cast<std::uint8_t>(i * 64 + std::countr_zero(bits));
-    }
-    for (std::uint64_t bits = free[i] & ~after; bits != 0; bits &= bits - 1) {
+    for (std::uint64_t bits = free[i] & ~after; bits != 0; bits &= bits - 1)
       runs_[ends++].hi = static_cast<std::uint8_t>(i * 64 + std::countr_zero(bits));
-    }
   }
   run_count_ = starts;
 }
@@ -325,9 +314,8 @@ void TileLabels::mark_border(const TileBox& box) {
   roots.fill(kNone);
   const auto label_row = [&](int row) {
     for (int run = first_[row]; run < first_[row + 1]; ++run) {
-      for (int x = runs_[run].lo; x <= runs_[run].hi; ++x) {
+      for (int x = runs_[run].lo; x <= runs_[run].hi; ++x)
         roots[box.border_position(x, row)] = parents_[run];
-      }
     }
   };
   label_row(0);
@@ -337,16 +325,14 @@ void TileLabels::mark_border(const TileBox& box) {
     const int last = first_[row + 1] - 1;
     if (last < first) continue;
     if (runs_[first].lo == 0) roots[box.border_position(0, row)] = parents_[first];
-    if (runs_[last].hi == box.width - 1) {
+    if (runs_[last].hi == box.width - 1)
       roots[box.border_position(box.width - 1, row)] = parents_[last];
-    }
   }
   std::array<std::uint16_t, 512> runs;
   int count = 0;
   const int length = box.border_length();
-  for (int i = 0; i < length; ++i) {
+  for (int i = 0; i < length; ++i)
     if (roots[i] != kNone && (i == 0 || roots[i - 1] == kNone)) runs[count++] = roots[i];
-  }
   marks_.assign((count + 31) / 32, 0);
   const auto mark_new = [&](int i, unsigned mark) {
     if ((marked_[runs[i]] & mark) != 0) return 0;

@@ -14,8 +14,8 @@ namespace {
 
 int checked_side(const char* name, int side) {
   if (side >= 1 && side <= Grid::kMaxSide) return side;
-  throw invalid_parameter(std::string(name) + " is " + std::to_string(side),
-                          "it must be 1 to " + std::to_string(Grid::kMaxSide));
+  refuse(std::string(name) + " is " + std::to_string(side),
+         "it must be 1 to " + std::to_string(Grid::kMaxSide));
 }
 
 // Bits of the last word of a row that lie past the width.
@@ -28,9 +28,8 @@ std::uint64_t past_width(int width) noexcept {
 void check_bytes(std::size_t count, int width, int height) {
   const auto needed = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (count == needed) return;
-  throw invalid_parameter(
-      std::to_string(count) + " bytes are given for " + size_text(width, height) + " cells",
-      "give " + std::to_string(needed) + ", one a cell, row by row");
+  refuse(std::to_string(count) + " bytes are given for " + size_text(width, height) + " cells",
+         "give " + std::to_string(needed) + ", one a cell, row by row");
 }
 
 /// Eight bytes as eight bits, the first one lowest; set where the byte is not 0.
@@ -102,9 +101,9 @@ void Grid::check_inside(const Rectangle& part) const {
   const bool inside = part.x >= 0 && part.y >= 0 && part.width >= 0 && part.height >= 0 &&
                       part.width <= width_ - part.x && part.height <= height_ - part.y;
   if (inside) return;
-  throw invalid_parameter("the rectangle of " + size_text(part.width, part.height) + " cells at " +
-                              pair_text(part.x, part.y) + " is not inside the map",
-                          "the map is " + size_text(width_, height_) + " cells");
+  refuse("the rectangle of " + size_text(part.width, part.height) + " cells at " +
+             pair_text(part.x, part.y) + " is not inside the map",
+         "the map is " + size_text(width_, height_) + " cells");
 }
 
 void Grid::fill(const Rectangle& part, bool blocked) {
@@ -143,9 +142,8 @@ std::vector<std::uint8_t> Grid::bytes(const Rectangle& part, Nonzero nonzero) co
     const std::uint64_t* const words = row(y);
     for_each_word(part.x, part.width, [&](int word, int bit, int count, int first) {
       const std::uint64_t bits = words[word] >> bit;
-      for (int i = 0; i < count; ++i) {
+      for (int i = 0; i < count; ++i)
         to[first + i] = static_cast<std::uint8_t>(((bits >> i) & 1) ^ flip);
-      }
     });
   }
   return cells;

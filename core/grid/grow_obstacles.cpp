@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
@@ -33,9 +31,8 @@ class NearestRows {
     const std::int64_t newest = std::int64_t{y} + reach_;
     for (int x = 0; x < grid_.width(); ++x) {
       if (below_[x] == kNone) {
-        if (newest <= grid_.height() && blocked(x, static_cast<int>(newest))) {
+        if (newest <= grid_.height() && blocked(x, static_cast<int>(newest)))
           below_[x] = static_cast<int>(newest);
-        }
       } else if (below_[x] < y) {
         // All rows are looked at once only: after a free run was searched in vain, only the newest.
         const int last = static_cast<int>(std::min<std::int64_t>(newest, grid_.height()));
@@ -61,9 +58,8 @@ class NearestRows {
 
   bool blocked(int x, int y) const noexcept { return (grid_.row(y)[x >> 6] >> (x & 63) & 1) != 0; }
   int search(int x, int from, int to) const noexcept {
-    for (int y = from; y <= to; ++y) {
+    for (int y = from; y <= to; ++y)
       if (blocked(x, y)) return y;
-    }
     return kNone;
   }
 

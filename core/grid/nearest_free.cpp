@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
-
-#include "core/base/poller.h"
 
 namespace lasius {
 namespace {

@@ -1,7 +1,6 @@
 #include "lasius/path.h"
 
-#include <cmath>
-
+#include "core/grid/distance.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
 
@@ -9,11 +8,7 @@ namespace lasius {
 
 double path_length(std::span<const Point> path) noexcept {
   double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double dx = path[i].x - path[i - 1].x;
-    const double dy = path[i].y - path[i - 1].y;
-    length += std::sqrt(dx * dx + dy * dy);
-  }
+  for (std::size_t i = 1; i < path.size(); ++i) length += distance(path[i - 1], path[i]);
   return length;
 }
 

@@ -44,15 +44,13 @@ std::string line_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool squ
   const Span span = level ? span_of(a.x, b.x) : span_of(a.y, b.y);
   for (int i = span.first;; i += span.step) {
     const std::array<Cell, 2> here{beside(i, -1), beside(i, 0)};
-    if (blocked(here[0]) && blocked(here[1])) {
+    if (blocked(here[0]) && blocked(here[1]))
       return "runs between the blocked cells " + text(here[0]) + " and " + text(here[1]);
-    }
     if (i == span.last) return {};
     for (int side = 0; squeezes && side < 2; ++side) {
       const Cell across = beside(i + span.step, -side);
-      if (blocked(here[side]) && blocked(across)) {
+      if (blocked(here[side]) && blocked(across))
         return "squeezes between the blocked cells " + text(here[side]) + " and " + text(across);
-      }
     }
   }
 }
@@ -81,9 +79,8 @@ std::string cells_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool sq
     if (squeezes && row != rows.first && first != behind(enter) && dx != 0) {
       const Cell one{first, row - rows.step};
       const Cell two{first - step_x, row};
-      if (map.blocked(one.x, one.y) && map.blocked(two.x, two.y)) {
+      if (map.blocked(one.x, one.y) && map.blocked(two.x, two.y))
         return "squeezes between the blocked cells " + text(one) + " and " + text(two);
-      }
     }
     for (int x = first;; x += step_x) {
       if (map.blocked(x, row)) return "enters the blocked cell " + text(Cell{x, row});
@@ -131,9 +128,8 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Point p = path[i];
     const auto vertex = [&] { return "vertex " + std::to_string(i) + ' ' + text(p) + " is "; };
-    if (!(p.x >= 0 && p.x <= grid.width() && p.y >= 0 && p.y <= grid.height())) {
+    if (!(p.x >= 0 && p.x <= grid.width() && p.y >= 0 && p.y <= grid.height()))
       return vertex() + "outside the map";
-    }
     if (i > 0 && i + 1 < path.size() && !is_half(p)) return vertex() + "not at multiples of 0.5";
   }
   Point a = path[0];
@@ -156,9 +152,8 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
     before = std::exchange(a, b);
   }
   const kernels::FinePoint at = kernels::fine(a.x, a.y);
-  if (!before && !kernels::sees_fine(map, at, at)) {
+  if (!before && !kernels::sees_fine(map, at, at))
     return "the only vertex " + text(a) + " touches no free cell";
-  }
   return std::nullopt;
 }
 

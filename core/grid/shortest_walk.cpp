@@ -146,9 +146,8 @@ class WalkSearch {
     if (known.expanded()) return;
     const Length length = known.length();
     known.expand();
-    for (int k = 0; k < moves_.count; ++k) {
+    for (int k = 0; k < moves_.count; ++k)
       if (move_exists(grid_, corners_, c, moves_[k])) reach(c + moves_[k].to, length + steps_[k]);
-    }
   }
 
   // The move, made backwards, that the length of a reached cell comes from.

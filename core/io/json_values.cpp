@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "core/base/json_place.h"
 #include "core/base/number_text.h"

@@ -90,11 +90,10 @@ class PngReader {
 
     indexed_ = png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE;
     guarded([this] {
-      if (indexed_) {
+      if (indexed_)
         png_set_packing(png_);
-      } else {
+      else
         png_set_expand(png_);
-      }
       png_read_update_info(png_, info_);
     });
     if (indexed_) read_palette();

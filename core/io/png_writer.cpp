@@ -86,9 +86,8 @@ void write_png(const Grid& grid, const std::string& path) {
     png.start(grid.width(), grid.height());
     std::vector<png_byte> bytes((static_cast<std::size_t>(grid.width()) + 7) / 8);
     for (int y = 0; y < grid.height(); ++y) {
-      for (std::size_t i = 0; i < bytes.size(); ++i) {
+      for (std::size_t i = 0; i < bytes.size(); ++i)
         bytes[i] = eight_cells(grid.row(y), static_cast<int>(8 * i));
-      }
       png.row(bytes.data());
     }
     png.finish();

@@ -18,9 +18,8 @@ constexpr std::size_t kLargestFile = 1 << 16;
 class Fields {
  public:
   Fields(const ByteReader& in, const YAML::Node& root) : in_(in), root_(root) {
-    if (!root.IsMap()) {
+    if (!root.IsMap())
       in_.fail_at_line(1, "this is no list of keys and values", "start with 'image: map.pgm'");
-    }
     std::set<std::string> keys;
     for (const auto& entry : root_) {
       if (!entry.first.IsScalar() || keys.insert(entry.first.Scalar()).second) continue;
@@ -31,9 +30,8 @@ class Fields {
 
   // Line 1 for a key that is missing.
   std::int64_t line_of(const std::string& key) const {
-    for (const auto& entry : root_) {
+    for (const auto& entry : root_)
       if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.first.Mark().line + 1;
-    }
     return 1;
   }
   [[noreturn]] void fail(const std::string& key, const std::string& problem,
@@ -50,12 +48,10 @@ class Fields {
   }
   std::string text(const std::string& key, const std::string& usual) const {
     const YAML::Node node = get(key, usual);
-    if (!node.IsScalar() || node.Scalar().empty()) {
+    if (!node.IsScalar() || node.Scalar().empty())
       fail(key, "is empty or no text", "write it as '" + key + ": " + usual + "'");
-    }
-    if (node.Scalar().find('\0') != std::string::npos) {
+    if (node.Scalar().find('\0') != std::string::npos)
       fail(key, "holds a zero byte", "write it as '" + key + ": " + usual + "'");
-    }
     return node.Scalar();
   }
   double number(const std::string& key, const std::string& usual) const {
@@ -63,9 +59,8 @@ class Fields {
   }
   double number(const YAML::Node& node, const std::string& key, const std::string& usual) const {
     double value = 0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
       fail(key, "is no finite number", "write it as '" + key + ": " + usual + "'");
-    }
     return value;
   }
   bool flag(const std::string& key) const {
@@ -88,14 +83,12 @@ class Fields {
 WorldFrame read_frame(const Fields& fields) {
   WorldFrame frame;
   frame.resolution = fields.number("resolution", "0.05");
-  if (!(frame.resolution > 0)) {
+  if (!(frame.resolution > 0))
     fields.fail("resolution", "is not above 0", "give the metres a cell");
-  }
   const std::string usual = "[0.0, 0.0, 0.0]";
   const YAML::Node origin = fields.get("origin", usual);
-  if (!origin.IsSequence() || origin.size() != 3) {
+  if (!origin.IsSequence() || origin.size() != 3)
     fields.fail("origin", "is not a list of x, y and yaw", "write it as 'origin: " + usual + "'");
-  }
   frame.origin_x = fields.number(origin[0], "origin", usual);
   frame.origin_y = fields.number(origin[1], "origin", usual);
   frame.yaw = fields.number(origin[2], "origin", usual);
@@ -137,9 +130,8 @@ RosMap read_fields(const Fields& fields) {
 RosMap read_ros_yaml(ByteReader& in) {
   std::string text(kLargestFile + 1, '\0');
   text.resize(in.read(text.data(), text.size()));
-  if (text.size() > kLargestFile) {
+  if (text.size() > kLargestFile)
     in.fail_at_line(1, "larger than any ROS map description", "name the YAML file, not the image");
-  }
   end_lines_in_lf(text);
   try {
     if (documents_in(text) > 1) in.fail_at_line(1, kMoreDocuments, kOneDocument);

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <utility>
-#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/params/parameter_table.h"

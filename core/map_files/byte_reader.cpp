@@ -18,21 +18,18 @@ namespace fs = std::filesystem;
 
 std::ifstream open(const std::string& path) {
   std::error_code error;
-  if (const auto zero = path.find('\0'); zero != path.npos) {
+  if (const auto zero = path.find('\0'); zero != path.npos)
     throw Error(ErrorCode::file_missing, Error::Place{path.substr(0, zero)},
                 "its name goes on after a zero byte", "no file has such a name");
-  }
-  if (fs::is_directory(path, error)) {
+  if (fs::is_directory(path, error))
     throw Error(ErrorCode::file_broken, Error::Place{path}, "is a folder", "name a file in it");
-  }
   const OpeningPipe opening(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
+  if (!stream)
     throw Error(ErrorCode::file_missing, Error::Place{path},
                 "cannot be opened (" + std::generic_category().message(errno) + ")",
                 "check its name and that it may be read");
-  }
   return stream;
 }
 
@@ -116,9 +113,8 @@ InputFile::InputFile(const std::string& path, Empty empty)
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // UTF-8, as some editors begin a text with
   std::array<char, kMark.size()> mark;
   if (reader_.ahead(mark.size()) == kMark) reader_.read(mark.data(), mark.size());
-  if (empty == Empty::refused && reader_.peek() == ByteReader::kEnd) {
+  if (empty == Empty::refused && reader_.peek() == ByteReader::kEnd)
     reader_.fail_at_offset(0, "is empty", "write it again");
-  }
 }
 
 std::string read_text(const std::string& path, std::int64_t most, Empty empty) {

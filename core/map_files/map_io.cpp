@@ -55,8 +55,7 @@ void write_map(const Grid& grid, const std::string& path) {
   const auto write = [&]() -> void (*)(const Grid&, std::ostream&) {
     if (has_ending(path, ".pbm")) return write_pbm;
     if (has_ending(path, ".map") || is_stream(path)) return write_movingai;
-    throw invalid_parameter("cannot tell the format of '" + path + "'",
-                            "end its name in .map or .pbm");
+    refuse("cannot tell the format of '" + path + "'", "end its name in .map or .pbm");
   }();
   write_file(path, [&](std::ostream& out) { write(grid, out); });
 }

@@ -10,15 +10,13 @@ namespace lasius {
 void check_map_size(const ByteReader& in, SizePlace place, std::int64_t width,
                     std::int64_t height) {
   const Error::Place where{in.name(), place.line, place.offset};
-  if (std::min(width, height) < 1) {
+  if (std::min(width, height) < 1)
     throw Error(ErrorCode::file_broken, where, "the size is " + size_text(width, height),
                 "width and height must be at least 1");
-  }
-  if (std::max(width, height) > Grid::kMaxSide) {
+  if (std::max(width, height) > Grid::kMaxSide)
     throw Error(
         ErrorCode::file_unsupported, where, "the size is " + size_text(width, height),
         "at most " + size_text(Grid::kMaxSide, Grid::kMaxSide) + " is read: cut or scale the map");
-  }
 }
 
 void check_bytes_left(ByteReader& in, SizePlace place, std::int64_t width, std::int64_t height,

@@ -41,9 +41,8 @@ struct HeaderLine {
 
 HeaderLine header_line(ByteReader& in, std::string& line) {
   const std::int64_t number = in.line();
-  if (!in.get_line(line, kLongestHeaderLine)) {
+  if (!in.get_line(line, kLongestHeaderLine))
     in.fail_at_line(number, "the header ends early", kHeaderRemedy);
-  }
   const std::string_view text = trimmed(line, kBlanks);
   const auto gap = std::ranges::find_if(text, is_blank) - text.begin();
   return {std::string(text.substr(0, gap)), std::string(trimmed(text.substr(gap), kBlanks))};

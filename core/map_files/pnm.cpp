@@ -19,9 +19,8 @@ bool is_digit(int c) noexcept { return c >= '0' && c <= '9'; }
 constexpr auto kReversed = [] {
   std::array<std::uint8_t, 256> reversed{};
   for (int byte = 0; byte < 256; ++byte) {
-    for (int bit = 0; bit < 8; ++bit) {
+    for (int bit = 0; bit < 8; ++bit)
       if ((byte >> bit & 1) != 0) reversed[byte] |= static_cast<std::uint8_t>(128 >> bit);
-    }
   }
   return reversed;
 }();
@@ -37,13 +36,12 @@ class PnmReader {
     Map map = rule_.map(width_, height_);
     PixelRow row(map.grid, rule_);
     for (int y = 0; y < height_; ++y) {
-      if (plain_) {
+      if (plain_)
         read_plain_row(y, row);
-      } else if (bitmap_) {
+      else if (bitmap_)
         read_bit_row(y, row);
-      } else {
+      else
         read_level_row(y, row);
-      }
       row.end(y, map);
     }
     check_end();
@@ -78,13 +76,12 @@ class PnmReader {
 
   void skip_space() {
     for (int c = in_.peek();; c = in_.peek()) {
-      if (c == '#') {
+      if (c == '#')
         skip_comment();
-      } else if (is_space(c)) {
+      else if (is_space(c))
         in_.get();
-      } else {
+      else
         return;
-      }
     }
   }
 
@@ -92,17 +89,15 @@ class PnmReader {
     skip_space();
     const Mark at = mark();
     const int first = in_.peek();
-    if (first == ByteReader::kEnd) {
+    if (first == ByteReader::kEnd)
       fail(at, std::string("the file ends before its ") + what, "get the whole file");
-    }
     if (!is_digit(first)) fail(at, std::string(what) + " is not a number", "write it in digits");
     constexpr std::int64_t kMost = 100'000'000'000'000'000;  // more is told as this
     std::int64_t number = 0;
     while (is_digit(in_.peek())) number = std::min(number * 10 + (in_.get() - '0'), kMost);
     const int next = in_.peek();
-    if (next != ByteReader::kEnd && next != '#' && !is_space(next)) {
+    if (next != ByteReader::kEnd && next != '#' && !is_space(next))
       fail(mark(), std::string(what) + " is not a number", "write it in digits");
-    }
     return number;
   }
 
@@ -122,9 +117,8 @@ class PnmReader {
       skip_space();
       const Mark at_level = mark();
       const std::int64_t white = read_number("maxval");
-      if (white < 1 || white > kMaxLevel) {
+      if (white < 1 || white > kMaxLevel)
         fail(at_level, "maxval is " + std::to_string(white), "it must be 1 to 65535");
-      }
       white_ = static_cast<int>(white);
     }
     if (!plain_) start_binary_raster();
@@ -162,12 +156,11 @@ class PnmReader {
         level = c == '1' ? 0 : 1;
       } else {
         level = read_number("a grey level");
-        if (level > white_) {
+        if (level > white_)
           fail(at,
                "grey level " + std::to_string(level) + " lies above maxval, " +
                    std::to_string(white_),
                "correct either");
-        }
       }
       row.add(x, kinds_[level]);
     }
@@ -204,12 +197,11 @@ class PnmReader {
     };
     for (int x = 0; x < width_; ++x) {
       const int level = depth == 1 ? byte(x) : byte(2 * x) << 8 | byte(2 * x + 1);
-      if (level > white_) {
+      if (level > white_)
         fail(
             {in_.line(), start + std::int64_t{x} * depth},
             "grey level " + std::to_string(level) + " lies above maxval, " + std::to_string(white_),
             "correct either");
-      }
       row.add(x, kinds_[level]);
     }
   }
@@ -249,9 +241,8 @@ void write_pbm(const Grid& grid, std::ostream& out) {
   const unsigned padding = static_cast<unsigned>(bytes.size() * 8 - grid.width());
   for (int y = 0; y < grid.height(); ++y) {
     const std::uint64_t* words = grid.row(y);
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (std::size_t i = 0; i < bytes.size(); ++i)
       bytes[i] = static_cast<char>(kReversed[words[i >> 3] >> (i & 7) * 8 & 255]);
-    }
     // The grid's bits past the width are blocked; in a file they are 0.
     bytes.back() = static_cast<char>(static_cast<unsigned char>(bytes.back()) & (255U << padding));
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

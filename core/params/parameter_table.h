@@ -39,9 +39,9 @@ inline void check_goal_tolerance(double tolerance) {
 inline void check_certifies(const Algorithm& algorithm, double target_gap) {
   check_target_gap(target_gap);
   if (target_gap == 0 || algorithm.kind == Algorithm::Kind::exact) return;
-  throw invalid_parameter("target_gap is " + number_text(target_gap) + ", but " +
-                              std::string(algorithm.name) + " certifies no gap",
-                          "leave it 0, or ask exact");
+  refuse("target_gap is " + number_text(target_gap) + ", but " + std::string(algorithm.name) +
+             " certifies no gap",
+         "leave it 0, or ask exact");
 }
 
 /// @throws Error(invalid_parameter) unless it is a number of threads that may be asked for.
@@ -119,13 +119,12 @@ class ParameterTable {
     }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       const auto found = std::ranges::find(info.choices, text);
-      if (found != info.choices.end()) {
+      if (found != info.choices.end())
         return put(fields, static_cast<int>(found - info.choices.begin()));
-      }
-      throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                              nearest_name(text, info.choices)
-                                  ? did_you_mean(text, info.choices) + " It must be " + info.range()
-                                  : "it must be " + info.range());
+      refuse(std::string(info.name) + " is \"" + std::string(text) + "\"",
+             nearest_name(text, info.choices)
+                 ? did_you_mean(text, info.choices) + " It must be " + info.range()
+                 : "it must be " + info.range());
     }
   };
 
@@ -191,8 +190,8 @@ class ParameterTable {
         known.push_back(e.info);
       }
     }
-    throw invalid_parameter("unknown parameter \"" + std::string(name) + "\"",
-                            did_you_mean(name, std::span<const Parameter>(known)));
+    refuse("unknown parameter \"" + std::string(name) + "\"",
+           did_you_mean(name, std::span<const Parameter>(known)));
   }
 
   /// "evaporation" sets the persistence to 1 less it, where there is one.
@@ -200,11 +199,9 @@ class ParameterTable {
   void set(Fields& fields, std::string_view name, std::string_view text) const {
     if (name == kEvaporation || name == "rho") {
       const Entry& kept = entry(kPersistence);
-      if (name == "rho") {
-        throw invalid_parameter(
-            "rho is the share lost in some sources and the share kept in others",
-            "set persistence, the share kept, or evaporation, the share lost");
-      }
+      if (name == "rho")
+        refuse("rho is the share lost in some sources and the share kept in others",
+               "set persistence, the share kept, or evaporation, the share lost");
       Parameter lost = kept.info;
       lost.name = kEvaporation;
       const auto& number = std::get<Bounded<double>>(kept.value);
@@ -232,10 +229,9 @@ class ParameterTable {
             std::visit([&](const auto& value) { return value.same(fields, published); }, e.value);
         if (same || algorithm.has(e.info.name)) continue;
         const std::string name(e.info.name);
-        throw invalid_parameter(
-            name + " is " + text_of(fields, e) + ", but " + std::string(algorithm.name) +
-                " does not read it",
-            "leave it at " + text_of(published, e) + ", or choose an algorithm that does");
+        refuse(name + " is " + text_of(fields, e) + ", but " + std::string(algorithm.name) +
+                   " does not read it",
+               "leave it at " + text_of(published, e) + ", or choose an algorithm that does");
       }
     }
   }

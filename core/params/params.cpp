@@ -40,9 +40,8 @@ constexpr void add_readers(Words& words, std::string_view kind, std::string_view
   const bool most = 2 * readers > rules.size();
   words.add(most ? "any " : "").add(kind);
   std::string_view before = most ? " except " : "=";
-  for (const auto& rule : rules) {
+  for (const auto& rule : rules)
     if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
-  }
 }
 // The rules that read a parameter; empty: it does not depend on them.
 constexpr Words readers_of(std::string_view parameter) {
@@ -281,6 +280,58 @@ void find_waiting(const Params& params, const Params& published, const OwnParts&
   }
 }
 
+/// Numbers that go together. @throws Error(invalid_parameter).
+void check_numbers(const Params& params) {
+  const double first =
+      params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
+  const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
+  const double end = params.pheromone_rule + params.distance_rule_last + params.combined_rule;
+  if (!(last > 0) || (params.critical_time > 0 && !(first > 0)) ||
+      (params.settling_time > 0 && !(end > 0)))
+    refuse("the shares of the pheromone, distance and combined rules are all 0",
+           "give one of them a share above 0");
+  for (const auto& [name, value] : {std::pair{"initial_pheromone", params.initial_pheromone},
+                                    std::pair{"deposit", params.deposit}})
+    if (value != 0 && value < kLeastPheromone)
+      refuse(std::string(name) + " is positive, but below 1e-12",
+             "give both pheromones larger values: only their ratio counts");
+  if (params.islands > params.ants)
+    refuse("islands is " + std::to_string(params.islands) + ", and ants " +
+               std::to_string(params.ants),
+           "give each island an ant or more, ten are usual");
+  if (params.settling_time > 0 && params.settling_time <= params.critical_time)
+    refuse("settling_time is " + std::to_string(params.settling_time) +
+               ", not after critical_time, " + std::to_string(params.critical_time),
+           "set it to more, or to 0 for a share that stays");
+}
+
+/// Choices that go together. @throws Error(invalid_parameter).
+void check_rules(const Params& params) {
+  const bool inverse = params.selection == Selection::inverse_roulette;
+  const bool index = params.update == Update::terminal_index;
+  const bool learning = params.update == Update::learning;
+  const bool cells = params.trail == Trail::cells;
+  const bool straight_deposits = straight_paths_deposit(params);
+  if (!cells && straight_deposits)
+    refuse("straight_deposit lays pheromone on cells, but the trail is on arcs",
+           "set trail to cells or straight_deposit to none");
+  if (inverse != index)
+    refuse(
+        "the inverse roulette discards large weights, which only the terminal index gives to "
+        "bad moves",
+        "set selection to inverse-roulette and update to terminal-index, or neither");
+  if (inverse && (mixes_rules(params) || params.greedy > 0))
+    refuse("the inverse roulette knows one rule and no greedy steps",
+           "set greedy and the shares of the pheromone and distance rules to 0");
+  if ((index || learning) && !cells)
+    refuse("this update keeps one value a cell, not one an arc", "set trail to cells");
+  if (index && straight_deposits)
+    refuse("the terminal index is no pheromone that could be laid", "set straight_deposit to none");
+  if ((params.heuristic == Heuristic::learned) != learning)
+    refuse("the learned heuristic and the update learning belong together",
+           "set heuristic to learned and update to learning, or neither");
+}
+
 }  // namespace
 
 std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
@@ -327,66 +378,15 @@ void validate(const Params& params, const OwnParts& own) {
   find_waiting(params, published, own, [&](const Entry& e) {
     const std::string name =
         e.info.name == kPersistence ? "persistence (1 - evaporation)" : std::string(e.info.name);
-    throw invalid_parameter(
-        name + " is " + kTable.get(params, e.info.name) + ", but " +
-            why_unread(params, e.info.name),
-        "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
+    refuse(name + " is " + kTable.get(params, e.info.name) + ", but " +
+               why_unread(params, e.info.name),
+           "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
   });
-  const double first =
-      params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
-  const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
-  const double end = params.pheromone_rule + params.distance_rule_last + params.combined_rule;
-  if (!(last > 0) || (params.critical_time > 0 && !(first > 0)) ||
-      (params.settling_time > 0 && !(end > 0))) {
-    throw invalid_parameter("the shares of the pheromone, distance and combined rules are all 0",
-                            "give one of them a share above 0");
-  }
-  for (const auto& [name, value] : {std::pair{"initial_pheromone", params.initial_pheromone},
-                                    std::pair{"deposit", params.deposit}}) {
-    if (value == 0 || value >= kLeastPheromone) continue;
-    throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
-                            "give both pheromones larger values: only their ratio counts");
-  }
-  if (params.islands > params.ants)
-    throw invalid_parameter("islands is " + std::to_string(params.islands) + ", and ants " +
-                                std::to_string(params.ants),
-                            "give each island an ant or more, ten are usual");
-  if (params.settling_time > 0 && params.settling_time <= params.critical_time) {
-    throw invalid_parameter("settling_time is " + std::to_string(params.settling_time) +
-                                ", not after critical_time, " +
-                                std::to_string(params.critical_time),
-                            "set it to more, or to 0 for a share that stays");
-  }
-  const bool mixture = mixes_rules(params);
-  const bool inverse = params.selection == Selection::inverse_roulette;
-  const bool index = params.update == Update::terminal_index;
-  const bool learning = params.update == Update::learning;
-  const bool cells = params.trail == Trail::cells;
-  const bool straight_deposits = straight_paths_deposit(params);
-  const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
-    if (wrong) throw invalid_parameter(problem, remedy);
-  };
-  refuse_if(!cells && straight_deposits,
-            "straight_deposit lays pheromone on cells, but the trail is on arcs",
-            "set trail to cells or straight_deposit to none");
-  refuse_if(inverse != index,
-            "the inverse roulette discards large weights, which only the "
-            "terminal index gives to bad moves",
-            "set selection to inverse-roulette and update to terminal-index, or neither");
-  refuse_if(inverse && (mixture || params.greedy > 0),
-            "the inverse roulette knows one rule and no greedy steps",
-            "set greedy and the shares of the pheromone and distance rules to 0");
-  refuse_if((index || learning) && !cells, "this update keeps one value a cell, not one an arc",
-            "set trail to cells");
-  refuse_if(index && straight_deposits, "the terminal index is no pheromone that could be laid",
-            "set straight_deposit to none");
-  refuse_if((params.heuristic == Heuristic::learned) != learning,
-            "the learned heuristic and the update learning belong together",
-            "set heuristic to learned and update to learning, or neither");
-  if (algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight) {
-    throw invalid_parameter(params.algorithm() + " knows moves to 4 or 8 neighbours only",
-                            "set neighbours to 4 or 8");
-  }
+  check_numbers(params);
+  check_rules(params);
+  if (algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight)
+    refuse(params.algorithm() + " knows moves to 4 or 8 neighbours only",
+           "set neighbours to 4 or 8");
 }
 
 }  // namespace lasius

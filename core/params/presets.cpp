@@ -301,15 +301,12 @@ Params::Params(std::string_view algorithm, Preset preset) {
   const Algorithm& found = find_algorithm(algorithm);
   algorithm_ = found.name;
   const Listed& entry = listed(found);
-  if (to_string(preset).empty())
-    throw invalid_parameter("the preset is none", "take one of Preset");
+  if (to_string(preset).empty()) refuse("the preset is none", "take one of Preset");
   if (preset == Preset::book && entry.set_book == nullptr) {
     std::string others;
-    for (const Listed& one : kListed) {
+    for (const Listed& one : kListed)
       if (one.set_book != nullptr) (others += others.empty() ? "" : ", ") += one.name;
-    }
-    throw invalid_parameter(algorithm_ + " has no preset book",
-                            "those with the numbers of a textbook: " + others);
+    refuse(algorithm_ + " has no preset book", "those with the numbers of a textbook: " + others);
   }
   (preset == Preset::book ? entry.set_book : entry.set)(*this);
 }

@@ -2,9 +2,7 @@
 
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <tuple>
-#include <utility>
 
 #include "core/base/special_values.h"
 #include "core/colony/colony.h"
@@ -186,11 +184,90 @@ namespace {
 /// Why a path is none; `on_grid`: what of it goes over the map's cells.
 std::optional<std::string> fault_of(const PlanningMap& map, const Result& result,
                                     std::span<const Point> on_grid, Corners corners) {
-  if (map.disc != nullptr && map.disc->space)
+  if (space_of(map.disc) != nullptr)
     return disc_path_fault(map.disc->map(), map.disc->radius, result.path, result.curve);
   if (map.terrain == nullptr) return path_fault(map.grid, on_grid, corners);
   if (cost::cost_of(*map.terrain, result.path) < kInfinity) return std::nullopt;
   return "it enters what is blocked";
+}
+
+/// A question whose ends are judged, and who answers it.
+struct Question {
+  bool exact() const noexcept { return algorithm.kind == Algorithm::Kind::exact; }
+  const disc::DiscSpace* space() const noexcept { return space_of(map.disc); }
+  /// Is it a disc without a space? Its grown obstacles hold cells that legs to points may cross.
+  bool legs_alone() const noexcept { return map.disc != nullptr && space() == nullptr; }
+
+  const PlanningMap& map;
+  const Params& params;
+  const Algorithm& algorithm;
+  const Observer& observer;
+  const OwnRules& own;
+  WorkspaceMemory& memory;
+  Corners corners;  // of the path
+  Places places;
+  Request request;  // between the cells that are walked from and to
+};
+
+/// Between the centres of cells.
+Result walk(const Question& q, const Observer& observer) {
+  const Request& request = q.request;
+  if (request.start == request.goal) {
+    Result there;
+    there.status = Status::solved;
+    there.path = {centre(request.start)};
+    return there;
+  }
+  if (q.algorithm.kind == Algorithm::Kind::genetic) {
+    const auto joined = [&](Cell c) {
+      return q.map.connected(request.start, c, q.corners).value_or(false);
+    };
+    return run_grid_ga(q.map.grid, request, q.params, joined, q.memory.genetic, observer,
+                       q.space());
+  }
+  return q.map.search ? q.map.search(request, observer)
+                      : run_colony(q.map.grid, request, q.params, q.memory.colony, observer, q.own,
+                                   q.space(), q.map.terrain);
+}
+
+/// By an algorithm that walks between centres of cells.
+Result walked(const Question& q) {
+  const auto [from, to] = std::pair(q.places.from, q.places.to);
+  Params polish = q.params;
+  if (q.legs_alone()) polish.polish = Polish::none;
+  const PathEnds joins(q.map.grid, q.space(), polish, from, to);
+  const bool centres = from == centre(q.request.start) && to == centre(q.request.goal);
+  const auto run = [&](const Observer& look) { return walk(q, look); };
+  Result result = centres ? run(q.observer) : with_ends(joins, q.request.stop, q.observer, run);
+  result.own_rules = q.algorithm.kind == Algorithm::Kind::colony && !q.own.none();
+  return result;
+}
+
+/// A glance at the words along the path, which is not to be cut short.
+/// @throws std::logic_error where it enters what is blocked.
+void check_path(const Question& q, const Result& result) {
+  if (result.path.size() < 2) return;
+  std::span<const Point> on_grid = result.path;
+  if (q.legs_alone() && q.places.from != centre(q.request.start)) on_grid = on_grid.subspan(1);
+  if (q.legs_alone() && q.places.to != centre(q.request.goal))
+    on_grid = on_grid.first(on_grid.size() - 1);
+  // What an edge was stored for was looked at then, or since the map's edit.
+  const bool stored = q.exact() && q.map.disc == nullptr && !q.map.search && !q.map.from_file &&
+                      q.memory.exact_answer.stored_legs && on_grid.size() > 2;
+  auto fault = fault_of(q.map, result, stored ? on_grid.first(2) : on_grid, q.corners);
+  if (stored && !fault) fault = fault_of(q.map, result, on_grid.last(2), q.corners);
+  if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
+}
+
+/// Leg by leg, each a question of its own.
+Result answer_through(const PlanningMap& map, const Request& asked, const Params& params,
+                      Workspace* workspace, const Observer& observer, const OwnRules& own) {
+  const auto plan = [&](const Request& leg) {
+    return answer(map, leg, params, workspace, observer, own);
+  };
+  Result whole = plan_legs(asked, plan);
+  if (map.disc == nullptr) refuse_squeezes(map.grid, asked, corners_of_paths(params, {}), whole);
+  return whole;
 }
 
 }  // namespace
@@ -200,47 +277,36 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_alternatives(asked, algorithm, robot);
-  if (!asked.via.empty()) {
-    const auto plan = [&](const Request& leg) {
-      return answer(map, leg, given, workspace, observer, own);
-    };
-    Result whole = plan_legs(asked, plan);
-    if (map.disc == nullptr) refuse_squeezes(map.grid, asked, corners_of_paths(given, {}), whole);
-    return whole;
-  }
+  if (!asked.via.empty()) return answer_through(map, asked, given, workspace, observer, own);
   validate(given, own);
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
   check_serves(algorithm, robot);
-  const Grid& grid = map.grid;
-  check_own_rules(own, grid, given);
+  check_own_rules(own, map.grid, given);
   Params params = given;
   params.corners = corners_of(params.corners, robot);
-  const Corners corners = corners_of_paths(params, robot);
-  const disc::DiscSpace* const space =
-      map.disc != nullptr && map.disc->space ? &*map.disc->space : nullptr;
+  const disc::DiscSpace* const space = space_of(map.disc);
   const bool curved = space != nullptr && algorithm.kind == Algorithm::Kind::exact && !map.search;
-  // Whose grown obstacles hold cells that legs to points may cross.
-  const bool legs_alone = map.disc != nullptr && space == nullptr;
+  const Corners corners = corners_of_paths(params, robot);
   const Ends ends(map, curved ? space : nullptr, corners);
   const Asked start(ends.map_alone(), asked.start, asked.start_point);
   const Asked goal(ends.map_alone(), asked.goal, asked.goal_point);
   Places places;
   if (auto refusal = refused(ends, asked, start, goal, places)) return std::move(*refusal);
-  Request request = asked;
-  std::tie(request.start, request.goal) = curved
-                                              ? std::pair(cell_at(places.from), cell_at(places.to))
-                                              : ends.walk(places.from, places.to);
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
+  Question q{map, params, algorithm, observer, own, memory, corners, places, asked};
+  std::tie(q.request.start, q.request.goal) =
+      curved ? std::pair(cell_at(places.from), cell_at(places.to))
+             : ends.walk(places.from, places.to);
   Result result;
   if (places.from == places.to) {
     static_cast<SearchResult&>(result) = already_there<SearchResult>();
     result.path = {places.from};
-  } else if (algorithm.kind == Algorithm::Kind::exact) {
-    result = map.search ? map.search(request, observer)
-                        : run_exact(map, request, places, memory, observer);
+  } else if (q.exact()) {
+    result = map.search ? map.search(q.request, observer)
+                        : run_exact(map, q.request, places, memory, observer);
     // Cells may be joined where a disc is not: then the search has proven it. Of a point the cells
     // prove more: it is within rounding of a corner, and the search lost its ways.
     if (result.status == Status::unreachable && map.disc == nullptr) {
@@ -251,52 +317,17 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
       return result;
     }
     if (result.status == Status::unreachable) {
-      request = asked;
-      request.goal_tolerance = 0;  // what would be named as the nearest is what has no way
-      return apart(ends, request, start, goal, places.from);
+      Request apart_from = asked;
+      apart_from.goal_tolerance = 0;  // what would be named as the nearest is what has no way
+      return apart(ends, apart_from, start, goal, places.from);
     }
   } else {
-    const auto walk = [&](const Observer& look) {
-      if (request.start == request.goal) {
-        Result there;
-        there.status = Status::solved;
-        there.path = {centre(request.start)};
-        return there;
-      }
-      if (algorithm.kind == Algorithm::Kind::genetic) {
-        const auto joined = [&](Cell c) {
-          return map.connected(request.start, c, corners).value_or(false);
-        };
-        return run_grid_ga(grid, request, params, joined, memory.genetic, look, space);
-      }
-      return map.search
-                 ? map.search(request, look)
-                 : run_colony(grid, request, params, memory.colony, look, own, space, map.terrain);
-    };
-    const bool centres = places.from == centre(request.start) && places.to == centre(request.goal);
-    Params polish = params;
-    if (legs_alone) polish.polish = Polish::none;
-    const PathEnds joins(grid, space, polish, places.from, places.to);
-    result = centres ? walk(observer) : with_ends(joins, request.stop, observer, walk);
-    result.own_rules = algorithm.kind != Algorithm::Kind::genetic && !own.none();
+    result = walked(q);
   }
-  if (request.goal_tolerance > 0) result.goal_reached = request.goal;
-  // Not to be cut short: a glance at the words along the path.
-  if (result.path.size() > 1) {
-    std::span<const Point> on_grid = result.path;
-    if (legs_alone && places.from != centre(request.start)) on_grid = on_grid.subspan(1);
-    if (legs_alone && places.to != centre(request.goal))
-      on_grid = on_grid.first(on_grid.size() - 1);
-    // What an edge was stored for was looked at then, or since the map's edit.
-    const bool stored = algorithm.kind == Algorithm::Kind::exact && map.disc == nullptr &&
-                        !map.search && !map.from_file && memory.exact_answer.stored_legs &&
-                        on_grid.size() > 2;
-    auto fault = fault_of(map, result, stored ? on_grid.first(2) : on_grid, corners);
-    if (stored && !fault) fault = fault_of(map, result, on_grid.last(2), corners);
-    if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
-  }
-  if (request.alternatives > 0 && result.optimal)
-    add_alternatives(map, request, places, memory, result);
+  if (asked.goal_tolerance > 0) result.goal_reached = q.request.goal;
+  check_path(q, result);
+  if (asked.alternatives > 0 && result.optimal)
+    add_alternatives(map, q.request, places, memory, result);
   if (places.way_out) lead_out(result, start.at, *places.way_out, curved);
   return result;
 }

@@ -29,6 +29,11 @@ struct DiscMap {
   const Grid& map() const noexcept { return space ? space->map() : *alone; }
 };
 
+/// Where `exact` may go with a disc; null for a point, and a radius that it does not serve.
+inline const disc::DiscSpace* space_of(const DiscMap* disc) noexcept {
+  return disc != nullptr && disc->space ? &*disc->space : nullptr;
+}
+
 /// A map, and what its owner knows about it.
 struct PlanningMap {
   const Grid& grid;  ///< where `disc` is given, the cells that its centre may walk on

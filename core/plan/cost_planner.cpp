@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/invalid_parameter.h"
 #include "core/colony/own_update.h"
 #include "core/cost/cost_search.h"
 #include "core/cost/merged.h"
@@ -12,12 +13,10 @@
 #include "core/disc/disc_search.h"
 #include "core/grid/components.h"
 #include "core/loop/run_status.h"
-#include "core/params/grid_parameters.h"
 #include "core/plan/cost_paths.h"
 #include "core/plan/legs.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
-#include "lasius/error.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -26,12 +25,24 @@ namespace {
 using cost::CostAnswer;
 using cost::Terrain;
 
+/// @throws Error(invalid_parameter) where `exact` cannot do all that is asked for at once.
+void check_asked(const CostOptions& options, bool disc) {
+  if (options.proof && options.eight_moves)
+    refuse("a proof is asked for of eight moves", "ask for one of any angle");
+  if (options.eight_moves && options.corners == Corners::allow)
+    refuse("corners of eight moves are allow",
+           "use forbid or one_side: walks over costs squeeze nowhere");
+  if (disc && (options.proof || options.eight_moves))
+    refuse(options.proof ? "a proof is asked for of a disc" : "eight moves of a disc are asked for",
+           "ask for paths of any angle alone, or plan for a point");
+}
+
 }  // namespace
 
 struct CostPlanner::Impl {
   Impl(Planner p, const DiscMap* disc, const CostField& costs)
       : planner(std::move(p)),
-        space(disc != nullptr && disc->space ? &*disc->space : nullptr),
+        space(space_of(disc)),
         terrain(space != nullptr ? space->blocked_cells() : planner.grid(), costs),
         costs_hash(costs.hash()) {
     if (space != nullptr) whole.emplace(planner.grid(), costs);
@@ -50,6 +61,10 @@ struct CostPlanner::Impl {
   CostAnswer search_for_disc(Run& run) const;
   bool uniform() const noexcept { return terrain.least() == terrain.most(); }
   CostResult shortest(const Request& request) const;
+  CostResult over_uniform(const Request& request, const CostOptions& options,
+                          const Observer& observer) const;
+  bool join_ends(const Request& between, const Asked& start, const Asked& goal,
+                 CostResult& result) const;
   CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
                     const Observer& observer) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
@@ -117,9 +132,6 @@ CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
 CostResult CostPlanner::Impl::colony(const Planner::Impl& map, const Request& request,
                                      const CostOptions& options, const Observer& observer) const {
   const Params& params = options.params;
-  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
-  };
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
     refuse(std::string(params.algorithm()) + " plans by length alone",
            "take exact or a colony over costs");
@@ -160,6 +172,46 @@ CostResult CostPlanner::Impl::shortest(const Request& request) const {
   return result;
 }
 
+// Every cell costs the same: the shortest path is the cheapest.
+CostResult CostPlanner::Impl::over_uniform(const Request& request, const CostOptions& options,
+                                           const Observer& observer) const {
+  CostResult result;
+  static_cast<Result&>(result) = planner.plan(request, Params(), nullptr, observer);
+  result.cost = result.length * terrain.least();
+  if (result.lower_bound) *result.lower_bound *= terrain.least();
+  if (!options.proof || result.path.empty()) return result;
+  const Observer none;
+  Kept found(terrain, space, none);
+  Run run{request, result.goal_reached.value_or(request.goal), options, found};
+  const bool there = request.start == run.goal;
+  result.proof = proof(run, there ? 0 : search(terrain, run).lower_bound);
+  return result;
+}
+
+// A path between points inside cells is led on to those that were asked for. False where a disc
+// cannot go so.
+bool CostPlanner::Impl::join_ends(const Request& between, const Asked& start, const Asked& goal,
+                                  CostResult& result) const {
+  std::vector<Point>& path = result.path;
+  double less = 0;
+  const auto put = [&](Point from, Point to) {
+    if (path.front() != from) return;  // a goal's tolerance leads elsewhere
+    less += cost::cost_of(terrain, std::array{from, to});
+    move_end(path, to);
+  };
+  put(*between.start_point, start.at);
+  std::ranges::reverse(path);
+  put(*between.goal_point, goal.at);
+  std::ranges::reverse(path);
+  if (const auto fewer = cost::merged(terrain, path); can_go(space, fewer)) path = fewer;
+  if (!can_go(space, path)) return false;
+  result.cost = cost::cost_of(terrain, path);
+  result.length = path_length(path);
+  if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
+  result.optimal = result.optimal && less == 0;
+  return true;
+}
+
 std::optional<double> CostResult::gap() const {
   if (cost == 0) return 0;
   if (path.empty() || !lower_bound || !(*lower_bound > 0)) return std::nullopt;
@@ -187,8 +239,8 @@ double CostPlanner::least_weight() const noexcept {
 CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
                              const Observer& observer) const {
   if (asked.alternatives != 0)
-    throw Error(ErrorCode::invalid_parameter, "alternatives are asked for over costs",
-                "ask a Planner: they are ways beside a shortest path");
+    refuse("alternatives are asked for over costs",
+           "ask a Planner: they are ways beside a shortest path");
   if (!asked.via.empty()) return plan_through(asked, options, observer);
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);
@@ -218,40 +270,19 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
     if (exact && !(leads(start, *request.start_point) && leads(goal, *request.goal_point)))
       return impl_->shortest(asked);
     if (!exact)
-      throw Error(
-          ErrorCode::invalid_parameter,
-          "a colony over costs is asked for a disc between points that are no cells' centres",
-          "take exact, or cells");
+      refuse("a colony over costs is asked for a disc between points that are no cells' centres",
+             "take exact, or cells");
   }
   CostResult result = plan_cells(request, options, observer);
   if (result.path.empty() || !moved) return result;
-  const Terrain& terrain = impl_->terrain;
-  std::vector<Point>& path = result.path;
-  double less = 0;
-  const auto put = [&](Point from, Point to) {
-    if (path.front() != from) return;  // a goal's tolerance leads elsewhere
-    less += cost::cost_of(terrain, std::array{from, to});
-    move_end(path, to);
-  };
-  put(*request.start_point, start.at);
-  std::ranges::reverse(path);
-  put(*request.goal_point, goal.at);
-  std::ranges::reverse(path);
-  if (const auto fewer = cost::merged(terrain, path); can_go(space, fewer)) path = fewer;
-  if (!can_go(space, path)) return impl_->shortest(asked);
-  result.cost = cost::cost_of(terrain, path);
-  result.length = path_length(path);
-  if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
-  result.optimal = result.optimal && less == 0;
-  return result;
+  return impl_->join_ends(request, start, goal, result) ? result : impl_->shortest(asked);
 }
 
 // Lengths of a colony's `best` are costs, but plan_legs() puts the lengths of the legs before it.
 CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options,
                                      const Observer& observer) const {
   if (options.proof)
-    throw Error(ErrorCode::invalid_parameter, "a proof is asked for of a path through points",
-                "ask for one of each part");
+    refuse("a proof is asked for of a path through points", "ask for one of each part");
   CostResult whole;
   double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
   const auto plan_leg = [&](const Request& leg) -> Result {
@@ -277,39 +308,16 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   const bool disc = impl_->space != nullptr;
   if (find_algorithm(options.params.algorithm()).kind != Algorithm::Kind::exact)
     return impl_->colony(*impl_->planner.impl_, request, options, observer);
-  const Params params;  // of exact
+  check_asked(options, disc);
+  if (impl_->uniform() && !options.eight_moves)
+    return impl_->over_uniform(request, options, observer);
   CostResult result;
   Result& plain = result;
-  if (options.proof && options.eight_moves) {
-    throw Error(ErrorCode::invalid_parameter, "a proof is asked for of eight moves",
-                "ask for one of any angle");
-  }
-  if (options.eight_moves && options.corners == Corners::allow)
-    throw Error(ErrorCode::invalid_parameter, "corners of eight moves are allow",
-                "use forbid or one_side: walks over costs squeeze nowhere");
-  if (disc && (options.proof || options.eight_moves)) {
-    throw Error(
-        ErrorCode::invalid_parameter,
-        options.proof ? "a proof is asked for of a disc" : "eight moves of a disc are asked for",
-        "ask for paths of any angle alone, or plan for a point");
-  }
-  if (impl_->uniform() && !options.eight_moves) {
-    plain = impl_->planner.plan(request, params, nullptr, observer);
-    result.cost = result.length * terrain.least();
-    if (result.lower_bound) *result.lower_bound *= terrain.least();
-    if (!options.proof || result.path.empty()) return result;
-    const Observer none;
-    Kept found(terrain, impl_->space, none);
-    Impl::Run run{request, result.goal_reached.value_or(request.goal), options, found};
-    const bool there = request.start == run.goal;
-    result.proof = impl_->proof(run, there ? 0 : impl_->search(terrain, run).lower_bound);
-    return result;
-  }
   // Start and goal are judged as for `exact`, which has no time to search.
   Request judged = request;
   judged.stop.deadline = Clock::time_point::min();
   judged.stop.time = nullptr;
-  plain = impl_->planner.plan(judged, params);
+  plain = impl_->planner.plan(judged);
   if (result.status == Status::invalid || result.status == Status::unreachable) return result;
   const Cell goal = result.goal_reached.value_or(request.goal);
   const Point from = request.start_point.value_or(centre(request.start));

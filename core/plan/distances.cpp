@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/parallel.h"
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
@@ -176,9 +177,8 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Point> sou
     for (const Point p : points)
       if (!clear_at(p)) {
         const Asked end(impl_->map(), {}, p);
-        throw Error(ErrorCode::invalid_parameter,
-                    (end.is_point ? "the point " : "the cell ") + end.name() + " is not free",
-                    "ask from and to free cells of the map");
+        refuse((end.is_point ? "the point " : "the cell ") + end.name() + " is not free",
+               "ask from and to free cells of the map");
       }
   const bool same = sources.data() == targets.data() && sources.size() == targets.size();
   const int team = static_cast<int>(thread_count(threads));

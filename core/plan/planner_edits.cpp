@@ -30,10 +30,9 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> e
   Grid now = map();
   for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
   for (const Edit& edit : edits) {
-    if (!now.contains(edit.cell)) {
-      throw invalid_parameter("edited cell " + cell_name(edit.cell) + " is outside",
-                              "the map is " + size_text(now.width(), now.height()) + " cells");
-    }
+    if (!now.contains(edit.cell))
+      refuse("edited cell " + cell_name(edit.cell) + " is outside",
+             "the map is " + size_text(now.width(), now.height()) + " cells");
     now.set_blocked(edit.cell, edit.blocked);
   }
   std::vector<Cell> shut;
@@ -100,15 +99,13 @@ std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
   std::vector<Direction> directions = impl_->excluded;
   std::set<Key> known = keys_of(directions);
   for (const Direction& d : reported) {
-    if (!impl_->grid.contains(d.from)) {
-      throw invalid_parameter("excluded direction starts outside the map, at " + cell_name(d.from),
-                              "give a cell of the map");
-    }
+    if (!impl_->grid.contains(d.from))
+      refuse("excluded direction starts outside the map, at " + cell_name(d.from),
+             "give a cell of the map");
     const auto one = [](int step) { return step >= -1 && step <= 1; };
-    if (!one(d.dx) || !one(d.dy) || (d.dx == 0 && d.dy == 0)) {
-      throw invalid_parameter(pair_text(d.dx, d.dy) + " is no direction",
-                              "give one of the eight steps to a neighbour");
-    }
+    if (!one(d.dx) || !one(d.dy) || (d.dx == 0 && d.dy == 0))
+      refuse(pair_text(d.dx, d.dy) + " is no direction",
+             "give one of the eight steps to a neighbour");
     if (known.insert(key_of(d)).second) directions.push_back(d);
   }
   return if_made(impl_->next({}, std::move(directions), stop));
@@ -120,9 +117,8 @@ std::optional<Planner> Planner::allow(std::span<const Direction> gone,
                                       const StopCondition& stop) const {
   const std::set<Key> allowed = keys_of(gone);
   std::vector<Direction> directions;
-  for (const Direction& d : impl_->excluded) {
+  for (const Direction& d : impl_->excluded)
     if (!allowed.contains(key_of(d))) directions.push_back(d);
-  }
   return if_made(impl_->next({}, std::move(directions), stop));
 }
 

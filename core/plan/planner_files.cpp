@@ -71,6 +71,34 @@ std::string read_all(const std::string& file) {
   return text;
 }
 
+/// What a file of a map's preparation begins with. @throws Error(file_broken) where it is none.
+Header checked_header(std::string_view whole, const Grid& map, const std::string& file) {
+  Header header{};
+  if (whole.size() >= sizeof header) std::memcpy(&header, whole.data(), sizeof header);
+  if (header.name != kName)
+    refuse(file, 0, "is no file of a prepared map", "name another, or remove it");
+  if (header.version != kVersion)
+    refuse(file, 16,
+           "is of version " + std::to_string(header.version) + ", this program reads " +
+               std::to_string(kVersion));
+  if (header.labels > 1)
+    refuse(file, 20, "is damaged: it says neither that it has labels nor none");
+  if (header.map != map.hash() || header.width != static_cast<std::uint32_t>(map.width()) ||
+      header.height != static_cast<std::uint32_t>(map.height()))
+    refuse(file, 24,
+           "was prepared for another map, of " +
+               size_text(static_cast<int>(header.width), static_cast<int>(header.height)) +
+               " cells",
+           "name another file, or remove it, to have it made anew");
+  const auto length = static_cast<std::int64_t>(whole.size());
+  const std::string_view text = whole.substr(sizeof header);
+  if (text.size() < header.size) refuse(file, length, "is cut short");
+  if (text.size() > header.size) refuse(file, length, "has more than what it was written with");
+  if (checksum(text) != header.sum)
+    refuse(file, static_cast<std::int64_t>(sizeof header), "is damaged: its checksum differs");
+  return header;
+}
+
 }  // namespace
 
 void Planner::save_preparation(const std::string& file) const {
@@ -102,33 +130,11 @@ Planner Planner::load_preparation(const std::string& file) const {
     throw invalid_parameter("a disc's preparation is kept in no file", "plan for a point");
   const auto begin = Clock::now();
   const std::string whole = read_all(file);
-  const auto length = static_cast<std::int64_t>(whole.size());
-  Header header{};
-  if (whole.size() >= sizeof header) std::memcpy(&header, whole.data(), sizeof header);
-  if (header.name != kName)
-    refuse(file, 0, "is no file of a prepared map", "name another, or remove it");
-  if (header.version != kVersion)
-    refuse(file, 16,
-           "is of version " + std::to_string(header.version) + ", this program reads " +
-               std::to_string(kVersion));
-  if (header.labels > 1)
-    refuse(file, 20, "is damaged: it says neither that it has labels nor none");
   const Grid& map = impl_->grid;
-  if (header.map != map.hash() || header.width != static_cast<std::uint32_t>(map.width()) ||
-      header.height != static_cast<std::uint32_t>(map.height()))
-    refuse(file, 24,
-           "was prepared for another map, of " +
-               size_text(static_cast<int>(header.width), static_cast<int>(header.height)) +
-               " cells",
-           "name another file, or remove it, to have it made anew");
-  const std::string_view text = std::string_view(whole).substr(sizeof header);
-  if (text.size() < header.size) refuse(file, length, "is cut short");
-  if (text.size() > header.size) refuse(file, length, "has more than what it was written with");
-  if (checksum(text) != header.sum)
-    refuse(file, static_cast<std::int64_t>(sizeof header), "is damaged: its checksum differs");
+  const Header header = checked_header(whole, map, file);
   auto more =
       std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed, impl_->disc);
-  ArrayReader arrays(text, file, sizeof header);
+  ArrayReader arrays(std::string_view(whole).substr(sizeof header), file, sizeof header);
   const auto graph = exact::CornerGraph::load(map, arrays);
   Preparation& report = more->preparation;
   if (header.labels == 1) {

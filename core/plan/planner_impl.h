@@ -64,10 +64,7 @@ class Planner::Impl {
 
   /// The map as it was given, with what is excluded.
   const Grid& map() const noexcept { return disc != nullptr ? disc->map() : grid; }
-  /// Where `exact` may go with a disc; null for a point, and a radius that it does not serve.
-  const disc::DiscSpace* space() const noexcept {
-    return disc != nullptr && disc->space ? &*disc->space : nullptr;
-  }
+  const disc::DiscSpace* space() const noexcept { return space_of(disc.get()); }
   Disc robot() const noexcept { return {disc != nullptr ? disc->radius : 0}; }
 
   /// The next version: the map with some edits, and these directions excluded. Null when stopped.

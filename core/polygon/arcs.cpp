@@ -105,9 +105,8 @@ class CrowdedCorners {
   /// Whether two lines come nearer than that, a hair more to be safe.
   bool nearer(const Ring& a, const Ring& b, double than) const {
     for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-      for (std::size_t j = 0; j + 1 < b.size(); ++j) {
+      for (std::size_t j = 0; j + 1 < b.size(); ++j)
         if (apart(a[i], a[i + 1], b[j], b[j + 1]) < than + 1e-6 * margin_) return true;
-      }
     }
     return false;
   }

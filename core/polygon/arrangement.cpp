@@ -22,6 +22,20 @@ void add_outlines(const Geos& geos, const Geos::Geometry& areas,
   }
 }
 
+/// To clip by; not the boundary: what ends at it would be cut a hair before.
+Geos::Geometry box_around(const Geos& geos, const std::vector<Geos::Geometry>& lines) {
+  Point low, high;
+  for (const auto& line : lines) {
+    const Bounds box = bounds_of(geos.lines(line.get()).front());
+    low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y)};
+    high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y)};
+  }
+  const double more = high.x - low.x + high.y - low.y;
+  low = {low.x - more, low.y - more};
+  high = {high.x + more, high.y + more};
+  return geos.polygon({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+}
+
 }  // namespace
 
 Arrangement::Arrangement(const Geos& geos, const Geos::Geometry& boundary,
@@ -31,19 +45,9 @@ Arrangement::Arrangement(const Geos& geos, const Geos::Geometry& boundary,
   std::vector<Geos::Geometry> lines;
   add_outlines(geos, boundary, lines);
   if (lines.empty()) return;
-  Bounds box{{0, 0}, {0, 0}};
-  for (const auto& line : lines) {
-    const Ring ring = geos.lines(line.get()).front();
-    const auto [low, high] = bounds_of(ring);
-    box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y)};
-    box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y)};
-  }
+  const auto around = box_around(geos, lines);
   add_outlines(geos, obstacles, lines);
   for (const Ring& wall : geos.lines(walls.get())) lines.push_back(geos.line(wall));
-  // Clipped, not to the boundary: what ends at it would be cut a hair before.
-  const double more = box.high.x - box.low.x + box.high.y - box.low.y;
-  const Point low{box.low.x - more, box.low.y - more}, high{box.high.x + more, box.high.y + more};
-  const auto around = geos.polygon({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
   const auto all = geos.collection(std::move(lines), GEOS_MULTILINESTRING);
   const auto noded = geos.own(GEOSIntersectionPrec_r(context, all.get(), around.get(), 1));
 
@@ -66,17 +70,21 @@ Arrangement::Arrangement(const Geos& geos, const Geos::Geometry& boundary,
     if (GEOSPreparedIntersects_r(context, room.get(), within.get()) != 1 ||
         GEOSPreparedIntersects_r(context, taken.get(), within.get()) == 1)
       continue;
-    for (const Ring* ring : rings_of(face)) {
-      const bool outer = ring == &face.outer, turned = (doubled_area(*ring) > 0) != outer;
-      for (std::size_t i = 0; i < ring->size(); ++i) {
-        DirectedEdge way{rounded((*ring)[i]), rounded((*ring)[i + 1 < ring->size() ? i + 1 : 0])};
-        if (turned) std::swap(way.first, way.second);
-        along_[way] = outer;
-      }
-    }
+    add_edges(face);
     pieces_.push_back(face);
     prepared_.push_back(prepared(area));
     areas_.push_back(std::move(area));
+  }
+}
+
+void Arrangement::add_edges(const Polygon& piece) {
+  for (const Ring* ring : rings_of(piece)) {
+    const bool outer = ring == &piece.outer, turned = (doubled_area(*ring) > 0) != outer;
+    for (std::size_t i = 0; i < ring->size(); ++i) {
+      DirectedEdge way{rounded((*ring)[i]), rounded((*ring)[i + 1 < ring->size() ? i + 1 : 0])};
+      if (turned) std::swap(way.first, way.second);
+      along_[way] = outer;
+    }
   }
 }
 

@@ -30,7 +30,7 @@ class Arrangement {
   using Prepared = Geos::Owned<const GEOSPreparedGeometry, GEOSPreparedGeom_destroy_r>;
 
   Prepared prepared(const Geos::Geometry& area) const;
-
+  void add_edges(const Polygon& piece);
   bool inside(LatticePoint p) const;
 
   const Geos& geos_;

@@ -110,9 +110,8 @@ class CrossingColony final : public CrossingSearch {
         if (poller.stop_after(parameters_.values)) return poller.cause();
       }
     }
-    for (int a = 0; a < parameters_.ants && !poller.stop_after(gates_); ++a) {
+    for (int a = 0; a < parameters_.ants && !poller.stop_after(gates_); ++a)
       lengths_[a] = measured(a);
-    }
     return poller.cause();
   }
 
@@ -163,9 +162,8 @@ class CrossingColony final : public CrossingSearch {
             lengths_[ant]};
   }
   bool all_agree() const {
-    for (int a = 1; a < parameters_.ants; ++a) {
+    for (int a = 1; a < parameters_.ants; ++a)
       if (!std::ranges::equal(tour(a).choices, tour(0).choices)) return false;
-    }
     return true;
   }
   Point point(int gate, int value) const {
@@ -176,9 +174,8 @@ class CrossingColony final : public CrossingSearch {
     if (parameters_.values > kMostTabulated) return;
     for (int g = 0; g + 1 < gates_; ++g) {
       for (int j = 0; j < parameters_.values; ++j) {
-        for (int k = 0; k < parameters_.values; ++k) {
+        for (int k = 0; k < parameters_.values; ++k)
           legs_.push_back(distance(point(g, j), point(g + 1, k)));
-        }
       }
     }
   }
@@ -200,9 +197,8 @@ class CrossingColony final : public CrossingSearch {
 
   /// eta^beta = ((1.1 - |h - h*|) / 1.1)^beta by the difference of two values' numbers.
   void tabulate_visibility() {
-    for (int k = 0; k < parameters_.values; ++k) {
+    for (int k = 0; k < parameters_.values; ++k)
       apart_.push_back(visibility(value(k), parameters_.beta));
-    }
     row_.resize(parameters_.values);
   }
   void see_around(int gate, int best) {
@@ -210,9 +206,8 @@ class CrossingColony final : public CrossingSearch {
     trail_.set_visibility(gate, row_);
   }
   void see_around(int gate, double best) {
-    for (int k = 0; k < parameters_.values; ++k) {
+    for (int k = 0; k < parameters_.values; ++k)
       row_[k] = visibility(std::abs(value(k) - best), parameters_.beta);
-    }
     trail_.set_visibility(gate, row_);
   }
 

@@ -36,11 +36,10 @@ class CrossingGa final : public CrossingSearch {
     Poller poller(control_.stop, Poller::kSteps);
     for (int i = 0; i < parameters_.population; ++i) {
       Draws draws(parameters_.seed, i, q);
-      if (q == 0) {
+      if (q == 0)
         newcomer(children_[i], draws);
-      } else {
+      else
         breed(children_[i], draws);
-      }
       children_[i].length = measured(children_[i].genes);
       if (poller.stop_after(static_cast<std::int64_t>(route_.gates.size()))) return poller.cause();
     }
@@ -91,13 +90,11 @@ class CrossingGa final : public CrossingSearch {
     const Chromosome& other = parent(draws);
     child.genes = one.genes;
     if (draws.chance(parameters_.crossover)) {
-      for (std::size_t g = 0; g < child.genes.size(); ++g) {
+      for (std::size_t g = 0; g < child.genes.size(); ++g)
         child.genes[g] += parameters_.blend * (other.genes[g] - one.genes[g]);
-      }
     }
-    for (double& gene : child.genes) {
+    for (double& gene : child.genes)
       if (draws.chance(parameters_.mutation)) gene = draws.real();
-    }
   }
 
   double measured(const std::vector<double>& genes) const {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/poller.h"
-
 namespace lasius::polygon {
 namespace {
 
@@ -158,9 +156,8 @@ std::vector<LinkBuilder::Candidate> LinkBuilder::candidates(double above, double
     });
     for (int w = 0; w < static_cast<int>(walls_.size()); ++w) {
       const LatticePoint f = foot(i, w), a = at(walls_[w]), b = wall_ends_[w];
-      if (f != a && f != b && f != at(i) && between(a.x, b.x, f.x) && between(a.y, b.y, f.y)) {
+      if (f != a && f != b && f != at(i) && between(a.x, b.x, f.x) && between(a.y, b.y, f.y))
         consider(f, w, true);
-      }
     }
     if (poller_.stop_after(looked_at)) return list;
   }
@@ -186,9 +183,8 @@ void LinkBuilder::try_wall(int from, int wall) {
   if (sector(from, f - at(from)) != Sector::reflex) return;
   // Feet that came before have cut the wall.
   int corner = walls_[wall];
-  while (!on_segment(edges_[corner].from, edges_[corner].to, f)) {
+  while (!on_segment(edges_[corner].from, edges_[corner].to, f))
     corner = space_.corners[corner].next;
-  }
   const int next = space_.corners[corner].next;
   if (at(corner) == f || at(next) == f) return try_corner(from, at(corner) == f ? corner : next);
   if (side(at(corner), at(next), at(from)) <= 0) return;

@@ -88,9 +88,8 @@ class MidpointSearch {
   /// Offers the links of a region, all but the one that was just crossed.
   void spread(Point from, Key key, int region, int node, const std::set<int>& closed) {
     for (const Side& side : regions_.regions()[region].sides) {
-      if (side.link < 0 || (node >= 0 && side.link == node / 2) || closed.contains(side.link)) {
+      if (side.link < 0 || (node >= 0 && side.link == node / 2) || closed.contains(side.link))
         continue;
-      }
       const int next = 2 * side.link + (regions_.beside(side.link).first == region ? 1 : 0);
       const Key offer{key.first + distance(from, middle(side.link)), key.second + 1};
       if (!(offer < best_[next])) continue;
@@ -145,9 +144,8 @@ std::optional<Way> spur_way(MidpointSearch& search, const Place& start,
   std::set<int> closed(base.links.begin(), base.links.begin() + head);
   for (const Way& other : found) {
     if (other.links.size() <= spur) continue;
-    if (std::equal(other.links.begin(), other.links.begin() + head, base.links.begin())) {
+    if (std::equal(other.links.begin(), other.links.begin() + head, base.links.begin()))
       closed.insert(other.links[spur]);
-    }
   }
   const Point from = spur == 0 ? start.given : search.middle(base.links[spur - 1]);
   const auto sources = spur == 0 ? start.regions : std::vector<int>{base.regions[spur]};

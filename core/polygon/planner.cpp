@@ -39,11 +39,7 @@ Maklink maklink_of(const Regions& regions) {
   }
   for (const Region& region : regions.regions()) {
     auto& corners = graph.regions.emplace_back();
-    auto& lines = graph.region_lines.emplace_back();
-    for (const Side& side : region.sides) {
-      corners.push_back(space.point(regions.at(side.corner)));
-      if (side.link >= 0) lines.push_back(side.link);
-    }
+    for (const Side& side : region.sides) corners.push_back(space.point(regions.at(side.corner)));
   }
   graph.free_space = space.pieces;
   return graph;
@@ -78,8 +74,7 @@ bool covered(const World& world, Point p) {
 
 GrowOptions with_margin(GrowOptions options, double margin) {
   options.margin = options.margin.value_or(margin);
-  if (const auto wrong = margin_fault(*options.margin))
-    throw invalid_parameter(*wrong, kMarginRemedy);
+  if (const auto wrong = margin_fault(*options.margin)) refuse(*wrong, kMarginRemedy);
   return options;
 }
 
@@ -242,12 +237,11 @@ Result apart(Point start, Point goal) {
 Point end_of(const char* what, const std::optional<Point>& asked,
              const std::optional<Point>& written) {
   const auto& point = asked ? asked : written;
-  if (!point)
-    throw invalid_parameter(std::string("the world has no ") + what, std::string("give a ") + what);
+  if (!point) refuse(std::string("the world has no ") + what, std::string("give a ") + what);
   if (std::isfinite(point->x) && std::isfinite(point->y)) return *point;
-  throw invalid_parameter(std::string("the ") + what + " is (" + number_text(point->x) + ", " +
-                              number_text(point->y) + ")",
-                          "give finite coordinates");
+  refuse(std::string("the ") + what + " is (" + number_text(point->x) + ", " +
+             number_text(point->y) + ")",
+         "give finite coordinates");
 }
 
 Result exact(const ShortestPath& shortest, const Observer& observer) {
@@ -365,8 +359,8 @@ TourResult plan_tour(const Planner& planner, const TourRequest& request,
   check_threads(request.threads);
   for (const Point p : request.points)
     if (!std::isfinite(p.x) || !std::isfinite(p.y))
-      throw invalid_parameter("a stop is (" + number_text(p.x) + ", " + number_text(p.y) + ")",
-                              "give finite coordinates");
+      refuse("a stop is (" + number_text(p.x) + ", " + number_text(p.y) + ")",
+             "give finite coordinates");
   return lasius::plan_tour(StopsAmongPolygons(planner), request, observer);
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/poller.h"
-
 namespace lasius::polygon {
 
 Regions::Regions(FreeSpace space, Poller& poller) : space_(std::move(space)) {
@@ -13,9 +11,8 @@ Regions::Regions(FreeSpace space, Poller& poller) : space_(std::move(space)) {
   links_ = builder.links();
   cut(builder);
   join_pieces();
-  for (const Corner& c : space_.corners) {
+  for (const Corner& c : space_.corners)
     reflex_.push_back(convex_turn(at(c.next) - c.at, at(c.previous) - c.at) ? 0 : 1);
-  }
 }
 
 /// Walks around every region: at a corner always the first way out, clockwise from where it came.
@@ -50,9 +47,8 @@ void Regions::cut(const LinkBuilder& builder) {
     walk(c, -1);
     for (const int link : fans[c]) walk(c, link);
   }
-  for (std::size_t l = 0; l < links_.size(); ++l) {
+  for (std::size_t l = 0; l < links_.size(); ++l)
     beside_.emplace_back(of_link[2 * l], of_link[2 * l + 1]);
-  }
   around_.resize(corners);
   for (int r = 0; r < static_cast<int>(regions_.size()); ++r) {
     for (Side& side : regions_[r].sides) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "lasius/path.h"
 
@@ -41,11 +40,10 @@ std::vector<Bend> funnel(const Route& route) {
       }
     }
     if (side(apex, left.at, l) <= 0) {
-      if (left.at == apex || side(apex, right.at, l) > 0 || right.at == apex) {
+      if (left.at == apex || side(apex, right.at, l) > 0 || right.at == apex)
         left = {l, i};
-      } else {
+      else
         i = restart(right);
-      }
     }
   }
   bends.push_back({route.goal.at, goal});
@@ -107,9 +105,8 @@ std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller&
     const auto from_start = [&](int k) {
       return distance(route.start.given, route.gates[0].at(h(k))) + ahead[k];
     };
-    for (int k = 1; k < values; ++k) {
+    for (int k = 1; k < values; ++k)
       if (from_start(k) < from_start(best)) best = k;
-    }
     for (int g = 0; g < gates; ++g) {
       chosen.push_back(h(best));
       best = next[static_cast<std::size_t>(g) * values + best];
@@ -132,11 +129,10 @@ Crossing sequence_optimum(const Route& route, const FreeSpace& space) {
     crossing.lines.push_back(gate.link);
     while (bends[at + 1].gate <= g) ++at;
     const LatticePoint bend = bends[at].at;
-    if (bend == gate.left || bend == gate.right) {
+    if (bend == gate.left || bend == gate.right)
       crossing.values.push_back((bend == gate.left) == gate.a_is_left ? 0.0 : 1.0);
-    } else {
+    else
       crossing.values.push_back(meeting(gate, point_of(bends[at]), point_of(bends[at + 1])));
-    }
   }
   for (const Bend& bend : bends) append(crossing.path, point_of(bend));
   crossing.length = path_length(crossing.path);

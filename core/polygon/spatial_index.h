@@ -72,9 +72,8 @@ class SpatialIndex {
         to = ay + slope * (std::clamp((c + 1) * side_ + 1, ax, bx) - ax);
       }
       const int top = row(std::max(from, to) + 1);
-      for (int r = row(std::min(from, to) - 1); r <= top; ++r) {
+      for (int r = row(std::min(from, to) - 1); r <= top; ++r)
         if (!visit(index(c, r))) return false;
-      }
     }
     return true;
   }

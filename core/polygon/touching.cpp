@@ -22,11 +22,10 @@ void join_points(std::vector<Point*>& points, double reach) {
     const auto at = std::find_if(
         known.begin() + static_cast<std::ptrdiff_t>(first), known.end(),
         [&](Point q) { return std::abs(p->y - q.y) <= reach && distance(*p, q) <= reach; });
-    if (at != known.end()) {
+    if (at != known.end())
       *p = *at;
-    } else {
+    else
       known.push_back(*p);
-    }
   }
 }
 

@@ -25,9 +25,8 @@ struct Step {
 };
 
 constexpr int move_index(int dx, int dy) {
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
     if (kMoves[i].dx == dx && kMoves[i].dy == dy) return i;
-  }
   return kNone;
 }
 
@@ -111,9 +110,8 @@ std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> wa
       const std::uint64_t bit = std::uint64_t{1} << step.bit;
       if ((tile.unseen & bit) == 0 || !allowed(grid, corners, e, i)) continue;
       tile.unseen ^= bit;
-      for (int plane = 0; plane < 3; ++plane) {
+      for (int plane = 0; plane < 3; ++plane)
         if ((i >> plane & 1) != 0) tile.moves[plane] |= bit;
-      }
       queue_.push_back({to, step.bit});
     }
   }
@@ -122,9 +120,8 @@ std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> wa
   for (Cell c = walk.front(); c != walk.back(); way_.push_back(c)) {
     const Tile& tile = tiles_[at.tile];
     int move = 0;
-    for (int plane = 0; plane < 3; ++plane) {
+    for (int plane = 0; plane < 3; ++plane)
       move |= static_cast<int>(tile.moves[plane] >> at.bit & 1) << plane;
-    }
     // Against the move that reached it.
     c = {c.x - kMoves[move].dx, c.y - kMoves[move].dy};
     const Step back = kSteps[at.bit][move < 4 ? move ^ 1 : 11 - move];

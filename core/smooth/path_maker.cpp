@@ -69,11 +69,10 @@ void PathMaker::make(const Grid& grid, std::span<const Cell> way, const Params& 
     return take_centres();
   }
   straightener_.run(grid, way, stop);
-  if (on_cells) {
+  if (on_cells)
     straightener_.straighten(grid, stop);
-  } else {
+  else
     taut_string_.run(grid, straightener_.vertices(), params.corners, stop);
-  }
   const auto string = on_cells ? straightener_.string() : taut_string_.path();
   const bool shorter = straightener_.vertices().size() > 2 &&
                        stop.poll() == StopCondition::Cause::none &&

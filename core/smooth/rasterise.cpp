@@ -18,11 +18,10 @@ void append_segment(const kernels::BitmapView& map, Cell a, Cell b, std::vector<
   while (a != b) {
     if (ahead == 0) {
       const bool by_column = !map.blocked(a.x + step_x, a.y);
-      if (by_column) {
+      if (by_column)
         cells.push_back({a.x + step_x, a.y});
-      } else if (!map.blocked(a.x, a.y + step_y)) {
+      else if (!map.blocked(a.x, a.y + step_y))
         cells.push_back({a.x, a.y + step_y});
-      }
       a = {a.x + step_x, a.y + step_y};
       ahead += 2 * dy - 2 * dx;
     } else if (ahead < 0) {

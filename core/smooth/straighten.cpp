@@ -6,10 +6,8 @@
 #include <string>
 
 #include "core/base/invalid_parameter.h"
-#include "core/base/poller.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
-#include "kernels/sight/sight.h"
 #include "lasius/smooth.h"
 
 namespace lasius {
@@ -189,9 +187,8 @@ bool Straightener::string_on_cells(const Grid& grid, std::span<const Point> stri
     layers_.insert(layers_.end(), 2, around);
   }
   layers_.push_back({.cell = {best_.back()}, .count = 1});
-  for (std::size_t i = 1; i < layers_.size(); ++i) {
+  for (std::size_t i = 1; i < layers_.size(); ++i)
     if (!connect(map, poller, layers_[i - 1], layers_[i])) return false;
-  }
   pulled_.clear();
   for (std::size_t i = layers_.size(), k = 0; i-- > 0; k = layers_[i].from[k]) {
     const Cell c = layers_[i].cell[k];
@@ -209,9 +206,8 @@ bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const
   for (int k = 0; k < layer.count; ++k) {
     const Cell to = layer.cell[k];
     std::array<double, kCells> length;
-    for (int j = 0; j < before.count; ++j) {
+    for (int j = 0; j < before.count; ++j)
       length[j] = before.length[j] + distance(before.cell[j], to);
-    }
     for (int left = before.count; left > 0; --left) {
       const auto least = std::min_element(length.begin(), length.begin() + before.count);
       if (*least == kInfinity) break;

@@ -4,8 +4,6 @@
 #include <bit>
 #include <utility>
 
-#include "core/base/poller.h"
-
 namespace lasius {
 namespace {
 

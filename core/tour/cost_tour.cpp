@@ -3,12 +3,12 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/grid/distance.h"
 #include "core/tour/map_pricer.h"
 #include "core/tour/route_tour.h"
-#include "lasius/error.h"
 
 namespace lasius {
 
@@ -132,9 +132,8 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
   const int n = stops.size();
   if (n == 0) return tour;
   if (n > kMostOverCosts)
-    throw Error(ErrorCode::invalid_parameter,
-                number_text(n) + " stops are too many for a tour over costs",
-                "give at most " + number_text(kMostOverCosts) + ", or plan by length");
+    refuse(number_text(n) + " stops are too many for a tour over costs",
+           "give at most " + number_text(kMostOverCosts) + ", or plan by length");
   if (request.stop.token.stop_requested()) {
     tour.status = Status::interrupted;
     return tour;

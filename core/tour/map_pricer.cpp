@@ -1,6 +1,5 @@
 #include "core/tour/map_pricer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

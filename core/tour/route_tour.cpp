@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/tour/order/search.h"
-#include "core/tour/routes/exact_routes.h"
 #include "core/tour/routes/find_routes.h"
 #include "core/tour/routes/route_bound.h"
 #include "core/tour/visited.h"
-#include "lasius/error.h"
 
 namespace lasius {
 
@@ -20,10 +19,6 @@ using tour::RoutesFound;
 namespace {
 
 constexpr int kMostRouted = 2000;  // stops, whose tasks are compared pair by pair
-
-[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_parameter, problem, remedy);
-}
 
 Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops& stops,
                         const TourRequest& request, double scale, const TourObserver& observer) {

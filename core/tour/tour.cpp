@@ -1,9 +1,9 @@
 #include "lasius/tour.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/tour/ants/ant_colony.h"
@@ -11,7 +11,6 @@
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/exact_routes.h"
-#include "lasius/error.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -130,9 +129,8 @@ TourResult plan_tour(const TourWorld& world, const TourRequest& request,
   const int n = stops.size();
   if (n == 0) return tour;
   if (n > kMostInWorld)
-    throw Error(ErrorCode::invalid_parameter,
-                number_text(n) + " stops are too many for a tour in this world",
-                "give at most " + number_text(kMostInWorld));
+    refuse(number_text(n) + " stops are too many for a tour in this world",
+           "give at most " + number_text(kMostInWorld));
   auto lengths = world.distances(stops.places, request.threads, without_deadline(request.stop));
   if (!lengths) {
     tour.status = Status::interrupted;
@@ -154,8 +152,7 @@ TourResult plan_tour(const Tsplib& problem, const TourRequest& request,
                      const TourObserver& observer) {
   check(request, problem.size);
   if (is_routed(request))
-    throw Error(ErrorCode::invalid_parameter, "problems of TSPLIB have no groups and no robots",
-                "leave them out");
+    refuse("problems of TSPLIB have no groups and no robots", "leave them out");
   const int n = problem.size;
   const Costs costs(n, problem.matrix.data());
   std::vector<int> all(n);

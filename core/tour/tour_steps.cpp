@@ -1,8 +1,8 @@
 #include "core/tour/tour_steps.h"
 
-#include <algorithm>
 #include <chrono>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
@@ -10,8 +10,6 @@
 #include "core/tour/order/bound.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
-#include "core/tour/visited.h"
-#include "lasius/error.h"
 
 namespace lasius {
 
@@ -183,22 +181,16 @@ void check_circle(int n, const std::vector<Before>& relation) {
   if (circle.empty()) return;
   std::string text = "the order is a circle: ";
   for (const int stop : circle) text += "stop " + number_text(stop) + " before ";
-  throw Error(ErrorCode::invalid_parameter, text + "stop " + number_text(circle.front()),
-              "leave one of these out");
+  refuse(text + "stop " + number_text(circle.front()), "leave one of these out");
 }
 
 void check(const TourRequest& request, int n) {
   for (const auto& end : {request.start, request.goal})
     if (end && (*end < 0 || *end >= n))
-      throw Error(ErrorCode::invalid_parameter, "there is no stop " + number_text(*end),
-                  "give the index of one, from 0");
+      refuse("there is no stop " + number_text(*end), "give the index of one, from 0");
   validate(request.ants);
   if (request.generations < 0)
-    throw Error(ErrorCode::invalid_parameter, "generations are " + number_text(request.generations),
-                "give 0 or more");
-  const auto refuse = [](const std::string& problem, const std::string& remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
-  };
+    refuse("generations are " + number_text(request.generations), "give 0 or more");
   for (const auto& [lists, size] :
        {std::pair("after", request.after.size()), {"load", request.load.size()}})
     if (size != 0 && size != static_cast<std::size_t>(n))
@@ -213,8 +205,7 @@ void check(const TourRequest& request, int n) {
   if (request.capacity && *request.capacity < 0)
     refuse("the capacity is " + number_text(*request.capacity), "give 0 or more");
   if (!(request.target_gap >= 0))
-    throw Error(ErrorCode::invalid_parameter, "target gap is " + number_text(request.target_gap),
-                "give 0 or more");
+    refuse("target gap is " + number_text(request.target_gap), "give 0 or more");
   check_routes(request, n);
 }
 

@@ -31,6 +31,35 @@ std::vector<std::vector<int>> tasks_of(const TourRequest& request, int stops) {
   return tasks;
 }
 
+bool holds(const StopPlaces& places, int stop, int region) {
+  const std::vector<int>& own = places.regions[stop];
+  return std::find(own.begin(), own.end(), region) != own.end();
+}
+
+// The region that holds most ends, of these the first robot's or the start; then most tasks. -1: no
+// stop lies in one.
+int chosen_region(const StopPlaces& places, const TourRequest& request,
+                  const std::vector<std::vector<int>>& tasks, const std::vector<int>& ends) {
+  int regions = 0;
+  for (const auto& own : places.regions)
+    for (const int region : own) regions = std::max(regions, region + 1);
+  int chosen = -1;
+  std::vector<std::int64_t> most;
+  for (int region = 0; region < regions; ++region) {
+    const auto in = [&](int stop) { return holds(places, stop, region); };
+    std::vector<std::int64_t> worth{std::count_if(ends.begin(), ends.end(), in)};
+    if (request.robots.empty()) worth[0] = 0;
+    for (const auto& end : {request.start, request.goal})
+      if (request.robots.empty()) worth.push_back(end && in(*end));
+    if (!request.robots.empty()) worth.push_back(in(request.robots.front()));
+    worth.push_back(std::count_if(tasks.begin(), tasks.end(), [&](const auto& stops) {
+      return std::any_of(stops.begin(), stops.end(), in);
+    }));
+    if (chosen < 0 || worth > most) chosen = region, most = std::move(worth);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 void tell_of_group(LeftOut& out, int group) {
@@ -84,31 +113,10 @@ StopPlaces places_of(const TourWorld& world, std::span<const Point> points) {
 
 std::vector<int> visited(const StopPlaces& places, const TourRequest& request, TourResult& tour) {
   const int n = static_cast<int>(places.regions.size());
-  int regions = 0;
-  for (const auto& own : places.regions)
-    for (const int region : own) regions = std::max(regions, region + 1);
-  const auto holds = [&](int stop, int region) {
-    const std::vector<int>& own = places.regions[stop];
-    return std::find(own.begin(), own.end(), region) != own.end();
-  };
   const std::vector<std::vector<int>> tasks = tasks_of(request, n);
   const std::vector<int> ends = ends_of(request);
-  // The region that holds most ends, of these the first robot's or the start; then most tasks.
-  int chosen = -1;
-  std::vector<std::int64_t> most;
-  for (int region = 0; region < regions; ++region) {
-    const auto in = [&](int stop) { return holds(stop, region); };
-    std::vector<std::int64_t> worth{std::count_if(ends.begin(), ends.end(), in)};
-    if (request.robots.empty()) worth[0] = 0;
-    for (const auto& end : {request.start, request.goal})
-      if (request.robots.empty()) worth.push_back(end && in(*end));
-    if (!request.robots.empty()) worth.push_back(in(request.robots.front()));
-    worth.push_back(std::count_if(tasks.begin(), tasks.end(), [&](const auto& stops) {
-      return std::any_of(stops.begin(), stops.end(), in);
-    }));
-    if (chosen < 0 || worth > most) chosen = region, most = std::move(worth);
-  }
-  const auto in = [&](int stop) { return chosen >= 0 && holds(stop, chosen); };
+  const int chosen = chosen_region(places, request, tasks, ends);
+  const auto in = [&](int stop) { return chosen >= 0 && holds(places, stop, chosen); };
   const auto why_not = [&](int i) {
     return "stop " + number_text(i) + " at " + stop_name(request, i) +
            (places.outside[i]           ? " is outside the map"
@@ -127,8 +135,7 @@ std::vector<int> visited(const StopPlaces& places, const TourRequest& request, T
         tell_of_group(tour.left_out.back(), request.group[i]);
     }
   }
-  std::sort(tour.left_out.begin(), tour.left_out.end(),
-            [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
+  std::ranges::sort(tour.left_out, {}, &LeftOut::stop);
   std::vector<int> indices;
   for (int i = 0; i < n; ++i)
     if (in(i)) indices.push_back(i);

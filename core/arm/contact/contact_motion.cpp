@@ -120,40 +120,14 @@ class Contact::Search {
 
   /// Makes intervals of what a glance leaves open.
   void begin() {
+    const bool glances = straight_ != nullptr && straight_->lanes_hold;
+    if (glances && !glance()) return;
     constexpr double kPiece = 3.2;
-    const int pieces = parts_of(curve_.way(), kPiece), lanes = lanes_of(curve_.way());
-    const bool glance = straight_ != nullptr && straight_->lanes_hold;
-    std::vector<kernels::LaneMiss> misses;
+    const int pieces = parts_of(curve_.way(), kPiece);
     std::vector<std::pair<PairTable::Doubt, std::size_t>> doubts;
-    std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
-    for (int b = 0; glance && b < lanes / kernels::kLanes; ++b) {
-      const kernels::LaneMotion parts{straight_->from.data(), straight_->to.data(), lanes,
-                                      b * kernels::kLanes, clearance_};
-      const auto sweep = [&](std::span<const kernels::LaneObstacle> obstacles, int first) {
-        std::size_t m = misses.size();
-        contact_.glance_.sweep(contact_.robot_->lanes().robot, obstacles, parts, misses);
-        for (; m < misses.size(); ++m) misses[m].obstacle += first;
-        return true;
-      };
-      if (!contact_.glance(poller_, sweep) && poller_.stopped()) return;
-      until[b + 1] = misses.size();
-    }
-    // Far apart ones first: what is blocked at all is found sooner.
-    for (int i = 0; i < lanes && !misses.empty(); ++i) {
-      const int place = mirrored(i, lanes), batch = place / kernels::kLanes;
-      const std::size_t first = left_.size();
-      for (std::size_t m = until[batch]; m < until[batch + 1]; ++m) {
-        if ((misses[m].parts >> (place % kernels::kLanes) & 1) == 0) continue;
-        const auto& [body, ball, obstacle, bits] = misses[m];
-        left_.push_back({contact_.robot_->lanes().nodes[body][ball], contact_.obstacles_[obstacle],
-                         contact_.to_world_[body + 1]});
-      }
-      if (left_.size() > first)
-        intervals_.push_back({(place + 0.5) / lanes, 0.5 / lanes, first, left_.size()});
-    }
     std::size_t first = left_.size();
     const auto& pairs = contact_.pairs_;
-    for (std::size_t i = glance ? contact_.own_ : 0; i < pairs.size(); ++i) {
+    for (std::size_t i = glances ? contact_.own_ : 0; i < pairs.size(); ++i) {
       const PairTable* const table = straight_ == nullptr || i < contact_.own_
                                          ? nullptr
                                          : contact_.robot_->table(i - contact_.own_);
@@ -173,6 +147,39 @@ class Contact::Search {
       const double half = 0.5 * (doubt.last - doubt.first);
       intervals_.push_back({doubt.first + half, half, first, first + 1});
     }
+  }
+
+  /// Of the lanes. False when stopped.
+  bool glance() {
+    const int lanes = lanes_of(curve_.way());
+    std::vector<kernels::LaneMiss> misses;
+    std::array<std::size_t, kMostParts / kernels::kLanes + 1> until{};
+    for (int b = 0; b < lanes / kernels::kLanes; ++b) {
+      const kernels::LaneMotion parts{straight_->from.data(), straight_->to.data(), lanes,
+                                      b * kernels::kLanes, clearance_};
+      const auto sweep = [&](std::span<const kernels::LaneObstacle> obstacles, int first) {
+        std::size_t m = misses.size();
+        contact_.glance_.sweep(contact_.robot_->lanes().robot, obstacles, parts, misses);
+        for (; m < misses.size(); ++m) misses[m].obstacle += first;
+        return true;
+      };
+      if (!contact_.glance(poller_, sweep) && poller_.stopped()) return false;
+      until[b + 1] = misses.size();
+    }
+    // Far apart ones first: what is blocked at all is found sooner.
+    for (int i = 0; i < lanes && !misses.empty(); ++i) {
+      const int place = mirrored(i, lanes), batch = place / kernels::kLanes;
+      const std::size_t first = left_.size();
+      for (std::size_t m = until[batch]; m < until[batch + 1]; ++m) {
+        if ((misses[m].parts >> (place % kernels::kLanes) & 1) == 0) continue;
+        const auto& [body, ball, obstacle, bits] = misses[m];
+        left_.push_back({contact_.robot_->lanes().nodes[body][ball], contact_.obstacles_[obstacle],
+                         contact_.to_world_[body + 1]});
+      }
+      if (left_.size() > first)
+        intervals_.push_back({(place + 0.5) / lanes, 0.5 / lanes, first, left_.size()});
+    }
+    return true;
   }
 
   /// False where something is touched, or told to stop. Adds to `next` what may still touch within

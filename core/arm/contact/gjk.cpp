@@ -3,8 +3,6 @@
 namespace lasius::arm {
 namespace {
 
-double square(Vec3 v) noexcept { return dot(v, v); }
-
 Vec3 on_segment(Vec3 a, Vec3 b, GjkSimplex& of) noexcept {
   const Vec3 d = b - a;
   const double whole = square(d), share = -dot(a, d);

@@ -22,20 +22,18 @@ void add_row(Vec3 from, Vec3 to, double radius, std::vector<InnerBall>& balls) {
   }
 }
 
-double squared(Vec3 v) { return dot(v, v); }
-
 /// The square of the distance from the origin to a triangle.
 double squared_distance(Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 normal = cross(b - a, c - a);
-  const double area = squared(normal);
+  const double area = square(normal);
   if (area > 0 && dot(cross(b, c), normal) > 0 && dot(cross(c, a), normal) > 0 &&
       dot(cross(a, b), normal) > 0)
     return dot(a, normal) * dot(a, normal) / area;
   const auto edge = [](Vec3 p, Vec3 q) {
     const Vec3 d = q - p;
-    const double whole = squared(d);
+    const double whole = square(d);
     const double share = whole > 0 ? std::clamp(-dot(p, d) / whole, 0.0, 1.0) : 0;
-    return squared(p + share * d);
+    return square(p + share * d);
   };
   return std::min({edge(a, b), edge(b, c), edge(c, a)});
 }
@@ -76,7 +74,7 @@ class Inside {
     for (const Face& f : faces_) {
       const double near = root + f.longest;
       const Vec3 a = f.a - p;
-      if (squared(a) >= near * near) continue;
+      if (square(a) >= near * near) continue;
       const double found = squared_distance(a, f.b - p, f.c - p);
       if (found >= least) continue;
       least = found;

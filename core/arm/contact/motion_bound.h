@@ -9,8 +9,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "core/arm/robot/kinematics.h"
 

@@ -8,7 +8,7 @@ namespace lasius::arm {
 RobotShapes::RobotShapes(const Robot& robot, double clearance)
     : clearance_(clearance), arm_(robot) {
   const int links = static_cast<int>(robot.links.size());
-  std::vector<const Shape*> whole(links, nullptr);              // of each link
+  LinkShapes whole(links, nullptr);
   std::vector<std::vector<InnerBall>> inner(robot.size() + 1);  // of each body
   std::vector<std::vector<int>> of_body(robot.size() + 1);      // links with solids
   for (int l = 0; l < links; ++l) {
@@ -36,19 +36,28 @@ RobotShapes::RobotShapes(const Robot& robot, double clearance)
   for (std::vector<InnerBall>& balls : inner)
     std::ranges::stable_sort(balls, std::greater<>(), &InnerBall::radius);
   lanes_.emplace(robot, bodies_, inner);
+  add_pairs(robot, whole, of_body);
+  for (const ShapePair& pair : pairs_) {
+    tables_.push_back(
+        pair.body <= pair.from + 2 ? std::make_unique<PairTable>(arm_, pair, clearance) : nullptr);
+  }
+}
 
+// As few pairs as cover those that are checked, and no others.
+void RobotShapes::add_pairs(const Robot& robot, const LinkShapes& whole,
+                            const std::vector<std::vector<int>>& of_body) {
+  const std::size_t links = whole.size();
   std::vector<std::vector<char>> checked(links, std::vector<char>(links, 0));
   for (const auto& [a, b, check] : link_pairs(robot))
     checked[a][b] = checked[b][a] = check == LinkPair::Check::yes;
   for (int i = 1; i <= robot.size(); ++i) {
     for (int j = 0; j < i; ++j) {
-      // As few pairs as cover those that are checked, and no others.
+      if (of_body[j].empty() || of_body[i].empty()) continue;
       std::vector<int> wholly, partly;
       for (const int a : of_body[i]) {
         const bool all = std::ranges::all_of(of_body[j], [&](int b) { return checked[a][b] != 0; });
         (all ? wholly : partly).push_back(a);
       }
-      if (of_body[j].empty() || of_body[i].empty()) continue;
       if (partly.empty()) {
         pairs_.push_back({bodies_[i], bodies_[j], i, j});
         continue;
@@ -59,10 +68,6 @@ RobotShapes::RobotShapes(const Robot& robot, double clearance)
           if (checked[a][b] != 0) pairs_.push_back({whole[a], whole[b], i, j});
       }
     }
-  }
-  for (const ShapePair& pair : pairs_) {
-    tables_.push_back(
-        pair.body <= pair.from + 2 ? std::make_unique<PairTable>(arm_, pair, clearance) : nullptr);
   }
 }
 

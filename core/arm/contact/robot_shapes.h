@@ -32,6 +32,11 @@ class RobotShapes {
   const LaneModel& lanes() const noexcept { return *lanes_; }
 
  private:
+  using LinkShapes = std::vector<const Shape*>;  // the whole of each link; null: nothing
+
+  void add_pairs(const Robot& robot, const LinkShapes& whole,
+                 const std::vector<std::vector<int>>& of_body);
+
   double clearance_;
   Kinematics arm_;
   ShapeStore store_;

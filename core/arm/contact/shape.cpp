@@ -93,30 +93,33 @@ Shape& ShapeStore::make() const {
   return shape;
 }
 
+const Shape* ShapeStore::add_mesh(const Triangles& given, const Placement& at, int number) {
+  Shape::Mesh& mesh = *meshes_.emplace_back(std::make_unique<Shape::Mesh>());
+  // Corners that are one are kept once: the same triangles in any file make the same hulls.
+  std::vector<int> by_place(3 * given.size());
+  const auto place = [&](int i) -> const Eigen::Vector3d& { return given[i / 3][i % 3]; };
+  for (std::size_t i = 0; i < by_place.size(); ++i) by_place[i] = static_cast<int>(i);
+  std::ranges::sort(by_place, [&](int a, int b) {
+    const auto &p = place(a), &q = place(b);
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  });
+  mesh.triangles.resize(given.size());
+  for (std::size_t i = 0; i < by_place.size(); ++i) {
+    const int corner = by_place[i];
+    if (i == 0 || place(corner) != place(by_place[i - 1]))
+      mesh.corners.push_back(at * Vec3(place(corner)));
+    mesh.triangles[corner / 3][corner % 3] = static_cast<int>(mesh.corners.size()) - 1;
+  }
+  mesh.order.resize(given.size());
+  for (std::size_t t = 0; t < given.size(); ++t) mesh.order[t] = static_cast<int>(t);
+  return cover(mesh, 0, static_cast<int>(given.size()), number, true);
+}
+
 const Shape* ShapeStore::add(const Solid& solid, int number) {
   const Placement at = from_eigen(solid.pose);
   if (solid.shape == Solid::Shape::mesh) {
     if (solid.triangles == nullptr || solid.triangles->empty()) return nullptr;
-    Shape::Mesh& mesh = *meshes_.emplace_back(std::make_unique<Shape::Mesh>());
-    // Corners that are one are kept once: the same triangles in any file make the same hulls.
-    const Triangles& given = *solid.triangles;
-    std::vector<int> by_place(3 * given.size());
-    const auto place = [&](int i) -> const Eigen::Vector3d& { return given[i / 3][i % 3]; };
-    for (std::size_t i = 0; i < by_place.size(); ++i) by_place[i] = static_cast<int>(i);
-    std::ranges::sort(by_place, [&](int a, int b) {
-      const auto &p = place(a), &q = place(b);
-      return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
-    });
-    mesh.triangles.resize(given.size());
-    for (std::size_t i = 0; i < by_place.size(); ++i) {
-      const int corner = by_place[i];
-      if (i == 0 || place(corner) != place(by_place[i - 1]))
-        mesh.corners.push_back(at * Vec3(place(corner)));
-      mesh.triangles[corner / 3][corner % 3] = static_cast<int>(mesh.corners.size()) - 1;
-    }
-    mesh.order.resize(given.size());
-    for (std::size_t t = 0; t < given.size(); ++t) mesh.order[t] = static_cast<int>(t);
-    return cover(mesh, 0, static_cast<int>(given.size()), number, true);
+    return add_mesh(*solid.triangles, at, number);
   }
   Shape& shape = make();
   shape.exact = true;

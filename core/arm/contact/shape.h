@@ -55,6 +55,7 @@ class ShapeStore {
  private:
   friend const Shape::Parts& parts_of(const Shape& shape);
   Shape& make() const;
+  const Shape* add_mesh(const Triangles& given, const Placement& at, int number);
   const Shape::Parts& make_parts(const Shape& shape) const;
   const Shape* cover(Shape::Mesh& mesh, int first, int count, int number, bool root) const;
 

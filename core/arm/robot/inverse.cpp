@@ -12,6 +12,8 @@ namespace {
 
 /// A position and a turn, or what they change by.
 using Six = std::array<double, 6>;
+/// What a frame changes by where a joint does, by joint.
+using Columns = std::array<Six, Robot::kMaxJoints>;
 
 /// What is left of an error beyond its tolerance. Steps aim a little within it.
 double share_left(double size, double tolerance) noexcept {
@@ -20,9 +22,8 @@ double share_left(double size, double tolerance) noexcept {
 }
 
 /// Solves (J J^T + damping) x = b by Cholesky, in place of b, over `rows` rows.
-void solve(const std::array<Six, Robot::kMaxJoints>& column,
-           const std::array<bool, Robot::kMaxJoints>& held, int joints, int rows, double damping,
-           Six& b) noexcept {
+void solve(const Columns& column, const std::array<bool, Robot::kMaxJoints>& held, int joints,
+           int rows, double damping, Six& b) noexcept {
   std::array<Six, 6> l{};
   for (int j = 0; j < joints; ++j) {
     if (held[j]) continue;
@@ -45,6 +46,70 @@ void solve(const std::array<Six, Robot::kMaxJoints>& column,
     for (int k = r + 1; k < rows; ++k) b[r] -= l[k][r] * b[k];
     b[r] /= l[r][r];
   }
+}
+
+/// The way of a frame to its target, and its turn, what the tolerances leave of them: of six rows
+/// or of the way's three. A radian counts as `arm` metres.
+Six error_of(const TipTarget& target, const Placement& at, int rows, double arm) noexcept {
+  const Vec3 way = target.at.position - at.position;
+  const double left = share_left(length(way), target.position_tolerance);
+  Six error{left * way.x, left * way.y, left * way.z};
+  if (rows < 6) return error;
+  const Vec3 turn = turn_between(at.rotation, target.at.rotation);
+  const double more = arm * share_left(length(turn), target.angle_tolerance);
+  error[3] = more * turn.x;
+  error[4] = more * turn.y;
+  error[5] = more * turn.z;
+  return error;
+}
+
+Columns columns_of(const Kinematics& joints, const Kinematics::Poses& poses, Vec3 position,
+                   double arm) noexcept {
+  Columns column{};
+  for (int j = 0; j < joints.size(); ++j) {
+    const Vec3 along = joints.axis(j, poses);
+    const bool slides = joints.slides(j);
+    const Vec3 v = slides ? along : cross(along, position - poses[j].position);
+    column[j] = {v.x, v.y, v.z};
+    if (slides) continue;
+    column[j][3] = arm * along.x;
+    column[j][4] = arm * along.y;
+    column[j][5] = arm * along.z;
+  }
+  return column;
+}
+
+/// One damped step against an error. A joint that it would push past its limit is held there, and
+/// the step taken anew.
+void step(const Kinematics& joints, const Columns& column, int rows, Six error,
+          std::span<double> q) noexcept {
+  constexpr double kDamping = 0.02;     // of the squared error
+  constexpr double kLongestStep = 0.5;  // radians or metres
+  double square = 0;
+  for (int r = 0; r < rows; ++r) square += error[r] * error[r];
+  std::array<bool, Robot::kMaxJoints> held{};
+  JointArray change{};
+  for (bool pushed = true; pushed;) {
+    Six force = error;
+    solve(column, held, joints.size(), rows, kDamping * square + 1e-12, force);
+    double longest = 0;
+    for (int j = 0; j < joints.size(); ++j) {
+      change[j] = 0;
+      for (int r = 0; r < rows && !held[j]; ++r) change[j] += column[j][r] * force[r];
+      longest = std::max(longest, std::abs(change[j]));
+    }
+    pushed = false;
+    for (int j = 0; j < joints.size(); ++j) {
+      if (longest > kLongestStep) change[j] *= kLongestStep / longest;
+      const double next = q[j] + change[j];
+      if (held[j] || (next >= joints.low(j) && next <= joints.high(j))) continue;
+      const double limit = std::clamp(next, joints.low(j), joints.high(j));
+      for (int r = 0; r < rows; ++r) error[r] -= (limit - q[j]) * column[j][r];
+      q[j] = limit;
+      held[j] = pushed = true;
+    }
+  }
+  for (int j = 0; j < joints.size(); ++j) q[j] += held[j] ? 0 : change[j];
 }
 
 }  // namespace
@@ -83,63 +148,16 @@ bool Kinematics::is_at(const TipTarget& target, std::span<const double> q) const
 
 bool Kinematics::reach_pose(const TipTarget& target, std::span<double> q) const noexcept {
   constexpr int kMostSteps = 100;
-  constexpr double kDamping = 0.02;     // of the squared error
-  constexpr double kLongestStep = 0.5;  // radians or metres
   if (distance(target.at.position, shoulder()) > reach_ + target.position_tolerance) return false;
   const int rows = target.angle_tolerance >= std::numbers::pi ? 3 : 6;
   const double arm = 0.25 * reach_;  // metres that a radian of orientation counts as
-
   Poses poses;
   for (int count = 0; count < kMostSteps; ++count) {
     if (is_at(target, q)) return true;
     place(q, poses);
     const Placement at = tip_frame(poses);
-    const Vec3 way = target.at.position - at.position;
-    const double left = share_left(length(way), target.position_tolerance);
-    Six error{left * way.x, left * way.y, left * way.z};
-    if (rows == 6) {
-      const Vec3 turn = turn_between(at.rotation, target.at.rotation);
-      const double more = arm * share_left(length(turn), target.angle_tolerance);
-      error[3] = more * turn.x;
-      error[4] = more * turn.y;
-      error[5] = more * turn.z;
-    }
-    std::array<Six, Robot::kMaxJoints> column{};
-    for (int j = 0; j < size(); ++j) {
-      const Vec3 along = axis(j, poses);
-      const Vec3 v = slides(j) ? along : cross(along, at.position - poses[j].position);
-      column[j] = {v.x, v.y, v.z};
-      if (slides(j)) continue;
-      column[j][3] = arm * along.x;
-      column[j][4] = arm * along.y;
-      column[j][5] = arm * along.z;
-    }
-    double square = 0;
-    for (int r = 0; r < rows; ++r) square += error[r] * error[r];
-    // A joint that the step would push past its limit is held there, and the step taken anew.
-    std::array<bool, Robot::kMaxJoints> held{};
-    JointArray change{};
-    for (bool pushed = true; pushed;) {
-      Six force = error;
-      solve(column, held, size(), rows, kDamping * square + 1e-12, force);
-      double longest = 0;
-      for (int j = 0; j < size(); ++j) {
-        change[j] = 0;
-        for (int r = 0; r < rows && !held[j]; ++r) change[j] += column[j][r] * force[r];
-        longest = std::max(longest, std::abs(change[j]));
-      }
-      pushed = false;
-      for (int j = 0; j < size(); ++j) {
-        if (longest > kLongestStep) change[j] *= kLongestStep / longest;
-        const double next = q[j] + change[j];
-        if (held[j] || (next >= low(j) && next <= high(j))) continue;
-        const double limit = std::clamp(next, low(j), high(j));
-        for (int r = 0; r < rows; ++r) error[r] -= (limit - q[j]) * column[j][r];
-        q[j] = limit;
-        held[j] = pushed = true;
-      }
-    }
-    for (int j = 0; j < size(); ++j) q[j] += held[j] ? 0 : change[j];
+    step(*this, columns_of(*this, poses, at.position, arm), rows, error_of(target, at, rows, arm),
+         q);
   }
   return is_at(target, q);
 }

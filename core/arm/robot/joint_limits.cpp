@@ -48,16 +48,14 @@ class Level {
     const YAML::Node value = node_[key];
     bool is = false;
     if (!value.IsDefined()) return false;
-    if (!value.IsScalar() || !YAML::convert<bool>::decode(value, is)) {
+    if (!value.IsScalar() || !YAML::convert<bool>::decode(value, is))
       fail(value, key, "is neither true nor false", "write it as " + key + ": true");
-    }
     return is;
   }
   double factor(const std::string& key) const {
     const double value = number(key, 1);
-    if (!(value > 0 && value <= 1)) {
+    if (!(value > 0 && value <= 1))
       fail(node_[key], key, "is " + number_text(value), "it must be above 0, at most 1");
-    }
     return value;
   }
   YAML::Node at(const std::string& key) const { return node_[key]; }

@@ -63,9 +63,8 @@ double JsonFields::number(std::string_view name, double least, double most) cons
   const Json& value = at(name);
   if (!value.is_number()) fail(name, "is not a number", "it must be " + range_text(least, most));
   const double number = value.get<double>();
-  if (!(number >= least && number <= most)) {
+  if (!(number >= least && number <= most))
     fail(name, "is " + json_text(value), "it must be " + range_text(least, most));
-  }
   return number;
 }
 double JsonFields::number_or(std::string_view name, double least, double most,
@@ -78,14 +77,12 @@ std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count
   const Json& value = at(name);
   const std::string remedy =
       "it must be " + std::to_string(count) + " numbers from " + range_text(-most, most);
-  if (!value.is_array() || value.size() != count) {
+  if (!value.is_array() || value.size() != count)
     fail(name, "is not a list of " + std::to_string(count), remedy);
-  }
   std::vector<double> numbers;
   for (const Json& entry : value) {
-    if (!entry.is_number() || !(std::abs(entry.get<double>()) <= most)) {
+    if (!entry.is_number() || !(std::abs(entry.get<double>()) <= most))
       fail(name, "holds " + json_text(entry), remedy);
-    }
     numbers.push_back(entry.get<double>());
   }
   return numbers;
@@ -109,15 +106,13 @@ std::vector<JsonFields> JsonFields::list(std::string_view name, std::size_t leas
                                          std::initializer_list<std::string_view> known) const {
   const Json& value = at(name);
   if (!value.is_array()) fail(name, "is not a list", "write it as [...]");
-  if (value.size() < least || value.size() > most) {
+  if (value.size() < least || value.size() > most)
     fail(name, "has " + std::to_string(value.size()) + " entries",
          "it must have " + std::to_string(least) + " .. " + std::to_string(most));
-  }
   std::vector<JsonFields> entries;
   const std::string path = (path_.empty() ? "" : path_ + ".") + std::string(name);
-  for (std::size_t i = 0; i < value.size(); ++i) {
+  for (std::size_t i = 0; i < value.size(); ++i)
     entries.emplace_back(value[i], text_, file_, path + "[" + std::to_string(i) + "]", known);
-  }
   return entries;
 }
 
@@ -130,10 +125,9 @@ std::vector<std::pair<int, int>> JsonFields::pairs(std::string_view name, int mo
   };
   if (!value.is_array()) fail(name, "is not a list", "write it as [[a, b], ...]");
   for (const Json& entry : value) {
-    if (!entry.is_array() || entry.size() != 2 || !whole(entry[0]) || !whole(entry[1])) {
+    if (!entry.is_array() || entry.size() != 2 || !whole(entry[0]) || !whole(entry[1]))
       fail(name, "holds " + json_text(entry),
            "it must hold pairs of whole numbers from 0 to " + std::to_string(most));
-    }
     pairs.emplace_back(entry[0].get<int>(), entry[1].get<int>());
   }
   return pairs;
@@ -143,12 +137,11 @@ std::shared_ptr<const nlohmann::json> parse_json(std::string_view text, const st
                                                  std::string_view format) {
   nlohmann::json document = read_json(text, file);
   const bool named = document.is_object() && document.contains("format");
-  if (!named || document["format"] != format) {
+  if (!named || document["format"] != format)
     throw Error(
         ErrorCode::file_broken, {.file = file, .line = json_line(text, "format")},
         named ? "format is " + json_text(document["format"]) : "the document has no \"format\"",
         "it must be \"" + std::string(format) + "\"");
-  }
   return std::make_shared<const nlohmann::json>(std::move(document));
 }
 

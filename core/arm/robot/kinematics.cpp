@@ -81,15 +81,12 @@ std::string joint_name(const Robot& robot, int joint) {
 }
 
 void check_values(const Robot& robot, std::span<const double> q, double most) {
-  if (q.size() != robot.joints.size()) {
-    throw invalid_parameter(
-        "a position has " + std::to_string(q.size()) + " values",
-        "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
-  }
-  if (!std::ranges::all_of(q, [most](double value) { return std::abs(value) <= most; })) {
-    throw invalid_parameter("a position has a joint value that is no number or too large",
-                            "give numbers from -1000000 to 1000000");
-  }
+  if (q.size() != robot.joints.size())
+    refuse("a position has " + std::to_string(q.size()) + " values",
+           "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
+  if (!std::ranges::all_of(q, [most](double value) { return std::abs(value) <= most; }))
+    refuse("a position has a joint value that is no number or too large",
+           "give numbers from -1000000 to 1000000");
 }
 
 double extent(const Robot& robot, int body) {
@@ -106,9 +103,8 @@ JointArray levers_of(const Robot& robot, int body, double far) {
   for (int j = body - 1; j >= 0; --j) {
     const Joint& joint = robot.joints[j];
     lever[j] = joint.kind == Joint::Kind::prismatic ? 1 : far;
-    if (joint.kind == Joint::Kind::prismatic) {
+    if (joint.kind == Joint::Kind::prismatic)
       far += std::max(std::abs(joint.low), std::abs(joint.high));
-    }
     far += length(from_eigen(joint.frame).position);
   }
   return lever;
@@ -142,19 +138,17 @@ void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
     const Link& link = links_[j];
     const Rotation frame = link.turned ? at.rotation * link.frame.rotation : at.rotation;
     const Vec3 origin = at * link.frame.position;
-    if (link.slides) {
+    if (link.slides)
       at = {frame, origin + q[j] * (frame * link.axis)};
-    } else {
+    else
       at = {frame * rotation_about(link.axis, q[j]), origin};
-    }
     poses[j] = at;
   }
 }
 
 void Kinematics::bend(std::span<double> q, double amount) const noexcept {
-  for (std::size_t j = 0; j < q.size(); ++j) {
+  for (std::size_t j = 0; j < q.size(); ++j)
     q[j] = std::clamp(q[j] + (j == 0 ? -amount : amount), links_[j].low, links_[j].high);
-  }
 }
 
 double Kinematics::step_towards(Vec3 target, const Poses& poses, std::span<const double> rest,

@@ -9,7 +9,6 @@
 #include <cctype>
 #include <exception>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "core/arm/robot/refusals.h"
@@ -39,25 +38,22 @@ void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices != 3) continue;  // points and lines
-      if (triangles.size() == kMostTriangles) {
+      if (triangles.size() == kMostTriangles)
         unsupported({.file = file}, "the mesh has too many triangles",
                     "at most " + std::to_string(kMostTriangles) + " are read: simplify it");
-      }
       triangles.emplace_back();
       for (unsigned i = 0; i < 3; ++i) {
         const aiVector3D p = at * mesh.mVertices[face.mIndices[i]];
         for (unsigned k = 0; k < 3; ++k) {
-          if (!(std::abs(p[k]) <= static_cast<float>(kFar))) {
+          if (!(std::abs(p[k]) <= static_cast<float>(kFar)))
             broken({.file = file}, "a corner is not within 1000 m", "scale the mesh");
-          }
         }
         triangles.back()[i] = Vec3(p.x, p.y, p.z);
       }
     }
   }
-  for (unsigned i = 0; i < node.mNumChildren; ++i) {
+  for (unsigned i = 0; i < node.mNumChildren; ++i)
     add_node(scene, *node.mChildren[i], at, file, triangles);
-  }
 }
 
 Triangles import_mesh(const std::string& text, const std::string& file, const char* ending) {
@@ -72,9 +68,8 @@ Triangles import_mesh(const std::string& text, const std::string& file, const ch
   } catch (const std::exception& e) {
     fault = e.what();
   }
-  if (scene == nullptr || scene->mRootNode == nullptr) {
+  if (scene == nullptr || scene->mRootNode == nullptr)
     broken({.file = file}, "the mesh cannot be read (" + fault + ")", "save it as STL");
-  }
   Triangles triangles;
   add_node(*scene, *scene->mRootNode, aiMatrix4x4(), file, triangles);
   if (triangles.empty()) broken({.file = file}, "the mesh has no triangles", "save it again");
@@ -104,16 +99,14 @@ Triangles read_mesh(const std::string& path) {
   constexpr std::int64_t kMostBytes = 64 << 20;
   const std::string ending = ending_of(path);
   if (ending == ".stl") return read_stl(path);
-  if (ending != ".obj" && ending != ".dae") {
+  if (ending != ".obj" && ending != ".dae")
     unsupported({.file = path}, "meshes of the format \"" + ending + "\" are not read",
                 "save it as .stl, .obj or .dae");
-  }
   std::string text = read_text(path, kMostBytes);
-  if (ending == ".dae") {
+  if (ending == ".dae")
     check_xml(text, path);
-  } else {
+  else
     leave_materials_out(text);
-  }
   return import_mesh(text, path, ending.c_str() + 1);
 }
 
@@ -146,10 +139,9 @@ std::string mesh_path(const Error::Place& place, const std::string& name,
   const auto slash = std::min(rest.find('/'), rest.size());
   const std::string package = rest.substr(0, slash);
   const auto known = packages.find(package);
-  if (known == packages.end()) {
+  if (known == packages.end())
     unsupported(place, "the mesh \"" + name + "\" is in a package that is not known",
                 "say where it is: --package " + package + "=FOLDER");
-  }
   return (std::filesystem::path(known->second) / rest.substr(std::min(slash + 1, rest.size())))
       .string();
 }

@@ -20,9 +20,4 @@ namespace lasius::arm {
   throw Error(ErrorCode::file_unsupported, std::move(place), problem, remedy);
 }
 
-/// @throws Error(invalid_parameter), of a value that a caller gave.
-[[noreturn]] inline void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_parameter, problem, remedy);
-}
-
 }  // namespace lasius::arm

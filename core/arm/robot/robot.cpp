@@ -5,15 +5,14 @@
 
 #include "core/arm/robot/json_fields.h"
 #include "core/arm/robot/kinematics.h"
-#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/solid.h"
 #include "core/arm/robot/urdf.h"
 #include "core/arm/robot/vec3.h"
 #include "core/base/file_kind.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
@@ -30,9 +29,8 @@ Robot parse_short(std::string_view text, const std::string& file) {
   const Vec3 base = top.vector_or("base", kFar, {});
   const double base_radius = top.number_or("base_radius", 0, kFar, 0);
   robot.links.emplace_back();
-  if (base_radius > 0) {
+  if (base_radius > 0)
     robot.links[0].solids = {capsule({base.x, base.y, 0}, {0, 0, base.z}, base_radius)};
-  }
   Vec3 origin = base;
   for (const JsonFields& fields : top.list("joints", 1, Robot::kMaxJoints,
                                            {"name", "type", "axis", "link", "radius", "limits",
@@ -43,9 +41,8 @@ Robot parse_short(std::string_view text, const std::string& file) {
     if (!joint.name.empty() && std::ranges::any_of(robot.joints, same))
       fields.fail("name", "is another joint's, too", "give each joint a name of its own");
     const std::string type = fields.text_or("type", "revolute");
-    if (type != "revolute" && type != "prismatic") {
+    if (type != "revolute" && type != "prismatic")
       fields.fail("type", "is \"" + type + "\"", "it must be \"revolute\" or \"prismatic\"");
-    }
     joint.kind = type == "prismatic" ? Joint::Kind::prismatic : Joint::Kind::revolute;
     const Vec3 axis = fields.vector("axis", kFar);
     if (!(length(axis) > 1e-9)) fields.fail("axis", "has no length", "as in [0, 0, 1]");
@@ -80,9 +77,8 @@ void check_rotation(const Pose& pose, const std::string& what) {
       good = good && std::abs(product - (i == j)) < 1e-6;
     }
   }
-  if (!good) {
+  if (!good)
     refuse(what + ": its rotation is none", "its rows must be orthonormal, its determinant 1");
-  }
 }
 
 /// Whether the corners of meshes are looked at, too.
@@ -92,14 +88,12 @@ void check_solid(const Solid& s, const std::string& what, Corners corners) {
   if (const int shape = static_cast<int>(s.shape); shape < 0 || shape >= std::ssize(kShapeNames))
     refuse(what + ": its shape is " + std::to_string(shape), "0 is a box, 4 a capsule");
   const auto size = [&](double v, const char* name) {
-    if (!(v > 0 && v <= kFar)) {
+    if (!(v > 0 && v <= kFar))
       refuse(what + ": its " + name + " is out of range",
              "above 0 (of a capsule 0 or more), at most 1000 m");
-    }
   };
-  if (!finite(from_eigen(s.pose).position)) {
+  if (!finite(from_eigen(s.pose).position))
     refuse(what + ": its position is out of range", "within 1000 m");
-  }
   check_rotation(s.pose, what);
   switch (s.shape) {
     case Solid::Shape::box:
@@ -119,9 +113,8 @@ void check_solid(const Solid& s, const std::string& what, Corners corners) {
     case Solid::Shape::mesh:
       if (s.triangles == nullptr || corners == Corners::left_out) break;
       for (const auto& triangle : *s.triangles) {
-        for (const Eigen::Vector3d& corner : triangle) {
+        for (const Eigen::Vector3d& corner : triangle)
           if (!finite(corner)) refuse(what + ": a corner is out of range", "within 1000 m");
-        }
       }
       break;
   }
@@ -135,13 +128,11 @@ void check_links(const Robot& robot, Corners corners) {
   };
   for (int i = 0; i < count; ++i) {
     const Link& link = robot.links[i];
-    if (link.body < 0 || link.body > robot.size()) {
+    if (link.body < 0 || link.body > robot.size())
       refuse(field(i, "body", link.body),
              "0 is the base, the last joint is " + std::to_string(robot.size()));
-    }
-    if (link.parent < -1 || link.parent >= count) {
+    if (link.parent < -1 || link.parent >= count)
       refuse(field(i, "parent", link.parent), "links are counted from 0, -1 is none");
-    }
     const std::string what = link_name(robot, i);
     for (const Solid& solid : link.solids) check_solid(solid, what, corners);
     solids += link.solids.size();
@@ -153,40 +144,33 @@ void check_links(const Robot& robot, Corners corners) {
     if (at >= 0 && seen[at] == i)
       refuse(field(at, "parent", robot.links[at].parent), "no link may hang on itself, in a loop");
   }
-  if (solids > Robot::kMaxSolids) {
+  if (solids > Robot::kMaxSolids)
     refuse("the robot has " + std::to_string(solids) + " solids",
            "at most " + std::to_string(Robot::kMaxSolids) + " are checked");
-  }
   for (const auto& [a, b] : robot.may_touch) {
-    if (a < 0 || b < 0 || a >= count || b >= count) {
+    if (a < 0 || b < 0 || a >= count || b >= count)
       refuse("may_touch names links " + std::to_string(a) + " and " + std::to_string(b),
              "links are counted from 0 to " + std::to_string(count - 1));
-    }
   }
 }
 
 void check(const Robot& robot, Corners corners) {
-  if (robot.joints.empty() || robot.size() > Robot::kMaxJoints) {
+  if (robot.joints.empty() || robot.size() > Robot::kMaxJoints)
     refuse("the robot has " + std::to_string(robot.joints.size()) + " joints",
            "it must have 1 .. " + std::to_string(Robot::kMaxJoints));
-  }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
     const std::string what = joint_name(robot, j);
-    if (!finite(from_eigen(joint.frame).position)) {
+    if (!finite(from_eigen(joint.frame).position))
       refuse(what + ": its origin is out of range", "within 1000 m");
-    }
     check_rotation(joint.frame, what);
-    if (!(std::abs(length(joint.axis) - 1) < 1e-6)) {
+    if (!(std::abs(length(joint.axis) - 1) < 1e-6))
       refuse(what + ": its axis is not of length 1", "divide it by its length");
-    }
-    if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
+    if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn))
       refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
-    }
     const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e6; };
-    if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
+    if (!is_limit(joint.velocity) || !is_limit(joint.acceleration))
       refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e6");
-    }
     if (!(joint.jerk == 0 || (joint.jerk >= 1e-9 && joint.jerk <= 1e9)))
       refuse(what + ": its jerk is out of range", "1e-9 .. 1e9, or 0 for no limit");
     if (const int kind = static_cast<int>(joint.kind);
@@ -249,9 +233,8 @@ void validate(const Robot& robot) { check(robot, Corners::looked_at); }
 void validate_but_corners(const Robot& robot) { check(robot, Corners::left_out); }
 
 void validate(const Scene& scene) {
-  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
     check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1), Corners::looked_at);
-  }
 }
 
 Eigen::Vector3d tip_position(const Robot& robot, const JointRef& q) {
@@ -267,9 +250,8 @@ std::vector<Link> place_links(const Robot& robot, const JointRef& q) {
   std::vector<Link> placed = robot.links;
   for (Link& link : placed) {
     if (link.body == 0) continue;
-    for (Solid& solid : link.solids) {
+    for (Solid& solid : link.solids)
       solid.pose = to_eigen(poses[link.body - 1] * from_eigen(solid.pose));
-    }
   }
   return placed;
 }

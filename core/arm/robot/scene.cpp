@@ -20,9 +20,8 @@ constexpr double kMostMetres = 100;  // of a mesh in metres: a hall
 Obstacle::Shape shape_of(const JsonFields& fields) {
   const auto names = std::span(kShapeNames).first<4>();
   const std::string name = fields.text("shape");
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (name == names[i]) return static_cast<Obstacle::Shape>(i);
-  }
   fields.fail("shape", "is \"" + name + "\"",
               did_you_mean(name, names, "it must be box|sphere|cylinder|mesh"));
 }
@@ -30,9 +29,8 @@ Obstacle::Shape shape_of(const JsonFields& fields) {
 void refuse_foreign(const JsonFields& fields, std::string_view shape,
                     std::initializer_list<std::string_view> foreign) {
   for (const auto name : foreign) {
-    if (fields.has(name)) {
+    if (fields.has(name))
       fields.fail(name, "is not a field of a " + std::string(shape), "leave it out");
-    }
   }
 }
 
@@ -46,9 +44,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
     case Obstacle::Shape::box:
       refuse_foreign(fields, "box", {"radius", "length", "file", "scale"});
       o.size = fields.vector("size", kFar);
-      if (!(o.size[0] >= kThin && o.size[1] >= kThin && o.size[2] >= kThin)) {
+      if (!(o.size[0] >= kThin && o.size[1] >= kThin && o.size[2] >= kThin))
         fields.fail("size", "is too small", "every side must be 0.000001 .. 1000");
-      }
       break;
     case Obstacle::Shape::sphere:
       refuse_foreign(fields, "sphere", {"size", "length", "file", "scale"});
@@ -67,9 +64,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
       for (auto& triangle : triangles) {
         for (Eigen::Vector3d& corner : triangle) {
           corner = scale * Vec3(corner);
-          if (!(length(corner) <= kFar)) {
+          if (!(length(corner) <= kFar))
             fields.fail("scale", "makes the mesh larger than 1000 m", "scale it down");
-          }
         }
       }
       o.triangles = std::make_shared<const Triangles>(std::move(triangles));
@@ -101,11 +97,10 @@ Scene parse_scene(std::string_view text, const std::string& file) {
       if (!fields.has("scale"))
         warn_of_size(*mesh, scene.obstacles.back().file, kMostMetres, scene.warnings);
     }
-    if (triangles > kMostTriangles) {
+    if (triangles > kMostTriangles)
       fields.fail("file",
                   "brings the scene's meshes to " + std::to_string(triangles) + " triangles",
                   "at most " + std::to_string(kMostTriangles) + " are read: simplify the meshes");
-    }
   }
   return scene;
 }

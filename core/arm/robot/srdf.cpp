@@ -1,6 +1,5 @@
 #include "core/arm/robot/srdf.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/arm/robot/refusals.h"
@@ -40,10 +39,9 @@ class Reader {
 
   std::string text(const TiXmlElement& at, const char* name) const {
     std::string value = attribute(&at, name);
-    if (value.empty()) {
+    if (value.empty())
       broken(place(at), "<" + at.ValueStr() + "> has no " + name,
              std::string("write it as ") + name + "=\"...\"");
-    }
     return value;
   }
   /// A name, which is kept where none of the robot's is that.
@@ -58,10 +56,9 @@ class Reader {
     each_child(at, "joint", [&](const TiXmlElement& joint) {
       const std::string name = named(joint, "name", joints_), value = text(joint, "value");
       const auto number = number_of<double>(value);
-      if (!number || !std::isfinite(*number)) {
+      if (!number || !std::isfinite(*number))
         broken(place(joint), "the value \"" + value + "\" of joint \"" + name + "\" is no number",
                "give one number");
-      }
       state.values[name] = *number;
     });
     found_.states.push_back(std::move(state));
@@ -84,10 +81,9 @@ Srdf read_srdf(const std::string& file, const std::vector<std::string_view>& lin
   check_xml(text, file);
   TiXmlDocument document;
   document.Parse(text.c_str());
-  if (document.Error()) {
+  if (document.Error())
     broken({.file = file, .line = document.ErrorRow()},
            std::string("this is no XML (") + document.ErrorDesc() + ")", "correct it");
-  }
   const TiXmlElement* const root = document.FirstChildElement("robot");
   if (root == nullptr) broken({.file = file}, "there is no <robot>", kRemedy);
   refuse_xacro(*root, file, "srdf");

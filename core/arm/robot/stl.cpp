@@ -38,10 +38,9 @@ Triangles parse_binary(const std::string& bytes, const std::string& file) {
       float v[3];
       std::memcpy(v, bytes.data() + offset, sizeof v);
       triangles[i][corner] = Vec3(v[0], v[1], v[2]);
-      if (!in_range(triangles[i][corner])) {
+      if (!in_range(triangles[i][corner]))
         broken({.file = file, .offset = static_cast<std::int64_t>(offset)},
                "a corner is not within 1000 m", "scale the mesh");
-      }
     }
   }
   return triangles;
@@ -87,9 +86,8 @@ Triangles parse_ascii(std::string_view text, const std::string& file) {
       corner = (corner + 1) % 3;
     }
   }
-  if (corner != 0) {
+  if (corner != 0)
     broken({.file = file}, "the last facet has fewer than 3 vertices", "a facet has exactly 3");
-  }
   if (solid) broken({.file = file}, "the file ends before its endsolid", "save the mesh again");
   return triangles;
 }

@@ -12,6 +12,7 @@
 #include "core/arm/robot/urdf_joints.h"
 #include "core/arm/robot/vec3.h"
 #include "core/base/did_you_mean.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "lasius/error.h"
 
@@ -33,9 +34,8 @@ std::vector<std::string_view> names_of(const Map& map) {
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 10;
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
     text += (i > 0 ? ", " : "") + names[i];
-  }
   return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more"
                               : text;
 }
@@ -123,10 +123,9 @@ void RobotMaker::place_chain() {
   std::vector<LinkPtr> links;  // from the tip down to the base
   LinkPtr last = tip_;
   for (; last != nullptr && last != base_; last = last->getParent()) links.push_back(last);
-  if (last != base_) {
+  if (last != base_)
     refuse("link " + in_quotes(tip_->name) + " does not hang on " + in_quotes(base_->name),
            "choose a base between the root and the tip");
-  }
   std::ranges::reverse(links);
   std::vector<std::string> invented;  // accelerations
   Placement at;
@@ -134,35 +133,31 @@ void RobotMaker::place_chain() {
   for (const LinkPtr& link : links) {
     const urdf::Joint& joint = *link->parent_joint;
     at = at * placement(joint.parent_to_joint_origin_transform);
-    if (joint.mimic != nullptr) {
+    if (joint.mimic != nullptr)
       unsupported(
           source_.joint(joint.name),
           "joint \"" + joint.name + "\" of the chain follows \"" + joint.mimic->joint_name + '"',
           "choose a base or tip that leaves it out, or take its <mimic> out");
-    }
     if (moves(joint)) {
       robot_.joints.push_back(moving_joint(joint, at, source_, limits_, robot_.notes));
       at = {};
       const auto limit = limits_.joints.find(joint.name);
-      if (limit == limits_.joints.end() || std::isnan(limit->second.acceleration)) {
+      if (limit == limits_.joints.end() || std::isnan(limit->second.acceleration))
         invented.push_back(joint.name);
-      }
     } else if (joint.type != urdf::Joint::FIXED) {
       unsupported(source_.joint(joint.name),
                   "joint \"" + joint.name + "\" is neither fixed nor turns or slides",
                   "planar and floating joints are not supported");
     }
-    if (robot_.size() > Robot::kMaxJoints) {
+    if (robot_.size() > Robot::kMaxJoints)
       unsupported(source_.joint(joint.name), "the chain has too many joints",
                   "at most " + std::to_string(Robot::kMaxJoints) + " are supported");
-    }
     places_[link->name] = {robot_.size(), at};
   }
   if (model_.joints_.empty()) broken(source_.whole(), "it has no joint", "give it one that moves");
-  if (robot_.joints.empty()) {
+  if (robot_.joints.empty())
     refuse("no joint moves between " + in_quotes(base_->name) + " and " + in_quotes(tip_->name),
            "choose another base or tip");
-  }
   robot_.tip = to_eigen(at);
   if (!invented.empty()) {
     robot_.notes.push_back(
@@ -172,19 +167,16 @@ void RobotMaker::place_chain() {
 }
 
 void RobotMaker::check_set(const urdf::Joint& joint, double value) const {
-  if (in_chain(joint.name)) {
+  if (in_chain(joint.name))
     refuse("joint " + in_quotes(joint.name) + " is one of the chain, whose values are planned",
            "set only joints beside it");
-  }
-  if (!moves(joint)) {
+  if (!moves(joint))
     refuse("joint " + in_quotes(joint.name) + " does not move",
            "set only joints that turn or slide");
-  }
   const auto [low, high] = range_of(joint, limits_);
-  if (!(value >= low && value <= high)) {
+  if (!(value >= low && value <= high))
     refuse("joint " + in_quotes(joint.name) + " is set to " + number_text(value),
            "its limits are " + number_text(low) + " .. " + number_text(high));
-  }
 }
 
 /// The value of a joint beside the chain.
@@ -192,23 +184,20 @@ double RobotMaker::fixed_value(const urdf::Joint& joint) {
   const urdf::Joint* at = &joint;
   double times = 1, plus = 0;  // of the value of `at`
   for (std::size_t step = 0;; ++step) {
-    if (const auto set = chain_.set_joints.find(at->name); set != chain_.set_joints.end()) {
+    if (const auto set = chain_.set_joints.find(at->name); set != chain_.set_joints.end())
       return times * set->second + plus;
-    }
     if (at->mimic == nullptr) break;
     const std::string& leader = at->mimic->joint_name;
-    if (in_chain(leader)) {
+    if (in_chain(leader))
       unsupported(source_.joint(joint.name),
                   "joint \"" + joint.name + "\" follows \"" + leader + "\", which moves",
                   "set it to a value at which it stands (--set-joint " + joint.name + "=VALUE)");
-    }
     plus += times * at->mimic->offset;
     times *= at->mimic->multiplier;
     at = model_.getJoint(leader).get();
-    if (at == nullptr || step > model_.joints_.size()) {
+    if (at == nullptr || step > model_.joints_.size())
       broken(source_.joint(joint.name), "joint \"" + joint.name + "\" follows no joint that stands",
              "name a joint in its <mimic>");
-    }
   }
   const auto [low, high] = range_of(*at, limits_);
   const double value = low <= 0 && high >= 0 ? 0 : 0.5 * (low + high);
@@ -220,10 +209,9 @@ Placement RobotMaker::placement_of(const urdf::Joint& joint) {
   const Placement at = placement(joint.parent_to_joint_origin_transform);
   if (joint.type == urdf::Joint::FIXED) return at;
   const double value = moves(joint) ? fixed_value(joint) : 0;
-  if (!std::isfinite(value)) {
+  if (!std::isfinite(value))
     broken(source_.joint(joint.name), "joint \"" + joint.name + "\" has limits that are no numbers",
            "give it a <limit> with lower below upper");
-  }
   robot_.notes.push_back("joint " + in_quotes(joint.name) + " stands at " + number_text(value));
   const Vec3 axis = vec(joint.axis);
   if (value == 0 || !(length(axis) > 1e-9)) return at;
@@ -271,13 +259,11 @@ void RobotMaker::add_links() {
     }
     for (const auto& child : link->child_links) open.emplace_back(child, parent);
   }
-  if (robot_.links.empty()) {
+  if (robot_.links.empty())
     broken(source_.whole(), "no link has collision geometry",
            "take what is drawn (--use-visual), or plan for the tip alone (--bodiless)");
-  }
-  if (!without.empty()) {
+  if (!without.empty())
     robot_.notes.push_back("links without collision geometry have no body: " + listed(without));
-  }
 }
 
 void RobotMaker::allow_contacts() {
@@ -286,23 +272,19 @@ void RobotMaker::allow_contacts() {
     if (first == numbers_.end() || second == numbers_.end()) return;  // without a body
     robot_.may_touch.emplace_back(first->second, second->second);
   };
-  for (const auto& [a, b] : chain_.allow_contact) {
-    allow(find_link(a)->name, find_link(b)->name);
-  }
+  for (const auto& [a, b] : chain_.allow_contact) allow(find_link(a)->name, find_link(b)->name);
   if (chain_.srdf.empty()) return;
   const Srdf srdf = read_srdf(chain_.srdf, names_of(model_.links_), names_of(model_.joints_));
   robot_.files.push_back(chain_.srdf);
-  if (srdf.robot != model_.getName()) {
+  if (srdf.robot != model_.getName())
     robot_.notes.push_back("the SRDF is of a robot of another name: " + in_quotes(srdf.robot));
-  }
   if (!srdf.unknown.empty()) {
     robot_.notes.push_back("the SRDF names what the robot has not: " +
                            listed({srdf.unknown.begin(), srdf.unknown.end()}));
   }
   for (const auto& [a, first] : numbers_) {
-    for (const auto& [b, second] : numbers_) {
+    for (const auto& [b, second] : numbers_)
       if (first < second && srdf.may_touch(a, b)) robot_.may_touch.emplace_back(first, second);
-    }
   }
   read_states(srdf);
 }

@@ -10,10 +10,8 @@
 #include <set>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "core/arm/robot/refusals.h"
-#include "core/arm/robot/xml_text.h"
 
 namespace lasius::arm {
 namespace {
@@ -69,14 +67,12 @@ using Above = std::map<std::string_view, const Edge*>;
   constexpr int kMostNames = 10;
   const auto next = [&](const Edge* at) { return above.at(at->parent); };
   const Edge* first = &joint;
-  for (const Edge* at = next(&joint); at != &joint; at = next(at)) {
+  for (const Edge* at = next(&joint); at != &joint; at = next(at))
     if (at->line < first->line) first = at;
-  }
   std::string names = in_quotes(first->child);
   int count = 1;
-  for (const Edge* at = next(first); at != first; at = next(at)) {
+  for (const Edge* at = next(first); at != first; at = next(at))
     if (++count <= kMostNames) names.insert(0, in_quotes(at->child) + ", ");
-  }
   if (count > kMostNames) names.insert(0, "..., ");
   place.line = first->line;
   broken(place, "the links " + names + " are joined in a loop", "take one of its joints out");
@@ -88,20 +84,18 @@ void check_tree(const std::vector<Edge>& joints, const Error::Place& whole) {
   for (const Edge& joint : joints) {
     Error::Place place = whole;
     place.line = joint.line;
-    if (joint.parent == joint.child) {
+    if (joint.parent == joint.child)
       broken(
           place,
           "joint " + in_quotes(joint.name) + " joins link " + in_quotes(joint.child) + " to itself",
           "name another link as its parent or its child");
-    }
     const auto [known, is_new] = above.emplace(joint.child, &joint);
-    if (!is_new) {
+    if (!is_new)
       broken(place,
              "link " + in_quotes(joint.child) + " is the child of two joints, " +
                  in_quotes(known->second->name) + " (line " + std::to_string(known->second->line) +
                  ") and " + in_quotes(joint.name),
              "a link has one parent: take one of the two joints out");
-    }
   }
   std::set<std::string_view> hung;  // links that hang on a root
   for (const Edge& joint : joints) {
@@ -152,17 +146,15 @@ void UrdfFile::read_xml(const std::string& text) {
     const Edge& edge = joints.back();
     const bool is_new = joints_.emplace(edge.name, edge.line).second;
     twice |= !is_new;
-    if (edge.parent.empty() || edge.child.empty()) {
+    if (edge.parent.empty() || edge.child.empty())
       broken(line(edge.line),
              "joint " + in_quotes(edge.name) + " has no " +
                  (edge.parent.empty() ? "<parent link=...>" : "<child link=...>"),
              "name the links that it joins");
-    }
   });
-  if (std::max(links_.size(), joints.size()) > kMostLinks) {
+  if (std::max(links_.size(), joints.size()) > kMostLinks)
     unsupported(whole(), "the robot has too many links",
                 "at most " + std::to_string(kMostLinks) + " are read");
-  }
   if (!twice) check_tree(joints, whole());
 }
 
@@ -190,10 +182,9 @@ void UrdfFile::parse(const std::string& text) {
            "check it with check_urdf");
   }
   // What the parser cannot read it leaves out: a link would pass through obstacles.
-  if (!complaint.empty()) {
+  if (!complaint.empty())
     broken(line(row), "a part of it cannot be read (" + complaint + ")",
            "check it with check_urdf");
-  }
 }
 
 }  // namespace lasius::arm

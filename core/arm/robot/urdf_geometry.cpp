@@ -45,14 +45,12 @@ Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link, Robot& 
   const std::string file = mesh_path(source_.link(link.name), mesh.filename, chain_.packages);
   Triangles triangles = read_mesh(file);
   triangles_ += triangles.size();
-  if (triangles_ > kMostTriangles) {
+  if (triangles_ > kMostTriangles)
     unsupported(source_.link(link.name), "the robot's meshes have too many triangles",
                 "at most " + std::to_string(kMostTriangles) + " are read: simplify them");
-  }
   for (auto& triangle : triangles) {
-    for (Eigen::Vector3d& c : triangle) {
+    for (Eigen::Vector3d& c : triangle)
       c = Vec3(c[0] * mesh.scale.x, c[1] * mesh.scale.y, c[2] * mesh.scale.z);
-    }
   }
   robot.files.push_back(file);
   if (mesh.scale.x == 1 && mesh.scale.y == 1 && mesh.scale.z == 1)
@@ -65,9 +63,8 @@ Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link, Robot& 
 
 Solid LinkGeometry::solid(const urdf::Geometry& shape, const urdf::Link& link, Robot& robot) {
   const auto check_sizes = [&](std::initializer_list<double> sizes) {
-    for (const double size : sizes) {
+    for (const double size : sizes)
       if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, source_);
-    }
   };
   Solid solid;
   switch (shape.type) {

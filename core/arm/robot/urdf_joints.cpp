@@ -47,25 +47,22 @@ Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile
   made.name = joint.name;
   made.frame = to_eigen(at);
   const Vec3 axis = vec(joint.axis);
-  if (!(length(axis) > 1e-9)) {
+  if (!(length(axis) > 1e-9))
     broken(source.joint(joint.name), "joint \"" + joint.name + "\" has an axis of no length",
            "as in xyz=\"0 0 1\"");
-  }
   made.axis = (1 / length(axis)) * axis;
   made.kind = joint.type == urdf::Joint::PRISMATIC ? Joint::Kind::prismatic : Joint::Kind::revolute;
   std::tie(made.low, made.high) = range_of(joint, limits);
   made.continuous = joint.type == urdf::Joint::CONTINUOUS && made.low == -kLargestLimit &&
                     made.high == kLargestLimit;
-  if (!(made.low < made.high)) {
+  if (!(made.low < made.high))
     broken(source.joint(joint.name),
            "joint \"" + joint.name + "\" has limits that leave it no room",
            "give it a <limit> with lower below upper, and soft limits within");
-  }
-  if (made.low < -kLargestLimit || made.high > kLargestLimit) {
+  if (made.low < -kLargestLimit || made.high > kLargestLimit)
     broken(source.joint(joint.name),
            "joint \"" + joint.name + "\" has limits beyond " + number_text(kLargestLimit),
            "give it a <limit> within, or take it for continuous");
-  }
   const auto limit = limits.joints.find(joint.name);
   const bool listed = limit != limits.joints.end();
   const bool given = listed && !std::isnan(limit->second.velocity);
@@ -78,15 +75,13 @@ Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile
   } else {
     made.velocity = limits.velocity * joint.limits->velocity;
   }
-  if (!(made.velocity > 0)) {
+  if (!(made.velocity > 0))
     broken(source.joint(joint.name),
            "joint \"" + joint.name + "\" has the velocity limit " + number_text(made.velocity),
            "give it one above 0 here or in a joint_limits.yaml");
-  }
   made.acceleration = limits.acceleration * 4 * made.velocity;
-  if (listed && !std::isnan(limit->second.acceleration)) {
+  if (listed && !std::isnan(limit->second.acceleration))
     made.acceleration = limit->second.acceleration;
-  }
   if (listed && !std::isnan(limit->second.jerk)) made.jerk = limit->second.jerk;
   return made;
 }

@@ -43,7 +43,8 @@ inline double dot(Vec3 a, Vec3 b) noexcept { return a.x * b.x + a.y * b.y + a.z 
 inline Vec3 cross(Vec3 a, Vec3 b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double length(Vec3 a) noexcept { return std::sqrt(dot(a, a)); }
+inline double square(Vec3 a) noexcept { return dot(a, a); }
+inline double length(Vec3 a) noexcept { return std::sqrt(square(a)); }
 inline double distance(Vec3 a, Vec3 b) noexcept { return length(a - b); }
 /// To the nearest whole numbers.
 inline std::array<int, 3> rounded(Vec3 a) noexcept {
@@ -63,9 +64,8 @@ inline std::array<int, 3> rounded(Vec3 a) noexcept {
 inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
   Rotation c;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < 3; ++j)
       c[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
-    }
   }
   return c;
 }

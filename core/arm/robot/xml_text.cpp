@@ -25,10 +25,9 @@ std::size_t end_of_tag(std::string_view text) {
 void check_xml(std::string_view text, const std::string& file) {
   constexpr int kDeepest = 256;
   constexpr std::size_t kLongestTag = 8192;
-  if (const auto zero = text.find('\0'); zero != text.npos) {
+  if (const auto zero = text.find('\0'); zero != text.npos)
     broken({.file = file, .line = line_at(text, zero)}, "there is a zero byte",
            "leave it out: XML is text");
-  }
   int depth = 0;
   bool rooted = false;
   for (auto at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
@@ -42,22 +41,19 @@ void check_xml(std::string_view text, const std::string& file) {
     } else if (!tag.starts_with("<?") && !tag.starts_with("<!")) {
       const auto end = end_of_tag(tag);
       if (end == tag.npos) return;
-      if (end > kLongestTag) {
+      if (end > kLongestTag)
         broken({.file = file, .line = line_at(text, at)}, "a tag is too long",
                "none has more than " + std::to_string(kLongestTag) + " bytes");
-      }
-      if (depth == 0 && std::exchange(rooted, true)) {
+      if (depth == 0 && std::exchange(rooted, true))
         broken({.file = file, .line = line_at(text, at)}, "a second document follows the first",
                "keep one document a file");
-      }
       if (tag[end - 1] != '/') ++depth;
       at += end;
     }
     if (at == text.npos) return;
-    if (depth > kDeepest) {
+    if (depth > kDeepest)
       broken({.file = file, .line = line_at(text, at)}, "elements nest too deep",
              "none goes deeper than " + std::to_string(kDeepest));
-    }
   }
 }
 

@@ -1,10 +1,8 @@
 // Hub labels of a map's corners, and for each tile of cells which corners they see.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/exact/corner_graph.h"

@@ -4,34 +4,24 @@
 
 namespace lasius::exact {
 
-void CornerLabels::save(ArrayWriter& to) const {
-  const LabelArrays& a = arrays_;
-  to.array(a.corners);
-  to.array(a.groups);
-  to.array(a.hubs);
-  to.array(a.lengths);
-  to.array(a.steps);
-  to.array(a.tiles);
-  to.array(a.live);
-  to.array(a.dead);
-  to.array(a.masks);
+namespace {
+
+/// All of them, in the order of the file.
+template <class Arrays, class Act>
+void for_each_array(Arrays& a, const Act& act) {
+  act(a.corners);
+  act(a.groups);
+  act(a.hubs);
+  act(a.lengths);
+  act(a.steps);
+  act(a.tiles);
+  act(a.live);
+  act(a.dead);
+  act(a.masks);
 }
 
-std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const CornerGraph& graph,
-                                                       ArrayReader& from) {
-  auto made = std::make_shared<CornerLabels>();
-  LabelArrays& a = made->arrays_;
-  made->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
-  a.corners = from.array<LabelCorner>();
-  a.groups = from.array<LabelGroup>();
-  a.hubs = from.array<std::uint32_t>();
-  a.lengths = from.array<double>();
-  a.steps = from.array<LabelStep>();
-  a.tiles = from.array<Tile>();
-  a.live = from.array<TileCorner>();
-  a.dead = from.array<std::uint32_t>();
-  a.masks = from.array<std::uint64_t>();
-  const std::uint32_t count = graph.size();
+/// @throws Error(file_broken) unless these are labels of `count` corners.
+void check_labels(const LabelArrays& a, std::uint32_t count, ArrayReader& from) {
   const std::size_t entries = a.hubs.size();
   from.require(a.corners.size() == count && !a.groups.empty() && a.lengths.size() == entries &&
                a.steps.size() == entries && a.groups.back().first == entries);
@@ -47,11 +37,13 @@ std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const C
     const LabelStep step = a.steps[e];
     from.require(a.hubs[e] < count && step.corner < count && a.lengths[e] > 0);
     // Ways get shorter: none goes round for ever.
-    from.require(step.entry == kArrived ||
+    from.require(step.entry == CornerLabels::kArrived ||
                  (step.entry < entries && a.lengths[step.entry] < a.lengths[e]));
   }
-  const std::size_t tiles =
-      made->tiles_across_ * static_cast<std::size_t>((grid.height() + 7) >> kTileBits);
+}
+
+/// @throws Error(file_broken) unless these are what so many tiles see of `count` corners.
+void check_tiles(const LabelArrays& a, std::size_t tiles, std::uint32_t count, ArrayReader& from) {
   from.require(a.tiles.size() == tiles + 1);
   for (std::size_t t = 0; t < tiles; ++t) {
     const Tile &tile = a.tiles[t], &next = a.tiles[t + 1];
@@ -66,6 +58,24 @@ std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const C
                a.tiles.front().dead_full == 0 && a.tiles.front().masks == 0);
   for (const TileCorner& c : a.live) from.require(c.number < count);
   for (const std::uint32_t v : a.dead) from.require(v < count);
+}
+
+}  // namespace
+
+void CornerLabels::save(ArrayWriter& to) const {
+  for_each_array(arrays_, [&](const auto& list) { to.array(list); });
+}
+
+std::shared_ptr<const CornerLabels> CornerLabels::load(const Grid& grid, const CornerGraph& graph,
+                                                       ArrayReader& from) {
+  auto made = std::make_shared<CornerLabels>();
+  LabelArrays& a = made->arrays_;
+  made->tiles_across_ = static_cast<std::size_t>((grid.width() + 7) >> kTileBits);
+  for_each_array(a, [&]<class Value>(std::vector<Value>& list) { list = from.array<Value>(); });
+  check_labels(a, graph.size(), from);
+  const std::size_t tiles =
+      made->tiles_across_ * static_cast<std::size_t>((grid.height() + 7) >> kTileBits);
+  check_tiles(a, tiles, graph.size(), from);
   return made;
 }
 

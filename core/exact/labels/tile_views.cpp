@@ -77,9 +77,8 @@ class TileLister {
       const auto begin = static_cast<std::uint32_t>(block) * kBlock;
       Worker& worker = *team[static_cast<std::size_t>(thread)];
       auto& part = seen[static_cast<std::size_t>(block)];
-      for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v) {
+      for (std::uint32_t v = begin; v < std::min(begin + kBlock, n) && !stopped_; ++v)
         if (bytes_ <= most_) bytes_ += look(v, worker, part);
-      }
       if (worker.poller.stopped()) stopped_ = true;
     });
     team.clear();

@@ -26,13 +26,11 @@ class GeoJsonReader {
 
   World read() {
     const Json json = read_json(text_, name_);
-    if (!json.is_object() || text_of(json, "type") != "FeatureCollection") {
+    if (!json.is_object() || text_of(json, "type") != "FeatureCollection")
       fail("", "is no FeatureCollection", kShape);
-    }
     const auto features = json.find("features");
-    if (features == json.end() || !features->is_array()) {
+    if (features == json.end() || !features->is_array())
       fail("", "has no list of features", kShape);
-    }
     read_crs(json);
     read_margin(json);
     if (const auto more = json.find("properties"); more != json.end()) read_margin(*more);
@@ -80,14 +78,12 @@ class GeoJsonReader {
     const std::string role =
         properties != feature.end() ? text_of(*properties, "role") : std::string();
     if (role.empty()) fail(place, "has no role", kShape);
-    if (std::ranges::find(kRoles, role) == kRoles.end()) {
+    if (std::ranges::find(kRoles, role) == kRoles.end())
       fail(place, "has the role \"" + role + "\"", did_you_mean(role, kRoles));
-    }
     place += " (" + role + ")";
     const auto geometry = feature.find("geometry");
-    if (geometry == feature.end() || !geometry->is_object()) {
+    if (geometry == feature.end() || !geometry->is_object())
       fail(place, "has no geometry", "give it one, or take the feature out");
-    }
     if (role == "obstacle") return add_obstacle(*geometry, place);
     const std::string type = type_of(*geometry);
     const char* wanted = role == "boundary" ? "Polygon" : "Point";
@@ -144,25 +140,22 @@ class GeoJsonReader {
 
   Point position(const Json& json, const std::string& place) const {
     const auto is_number = [](const Json& value) { return value.is_number(); };
-    if (!json.is_array() || json.size() < 2 || !std::ranges::all_of(json, is_number)) {
+    if (!json.is_array() || json.size() < 2 || !std::ranges::all_of(json, is_number))
       fail(place, "has a position that is no list of two numbers", "write it as [x, y]");
-    }
     return {json[0].get<double>(), json[1].get<double>()};
   }
 
   Polygon polygon(const Json& json, const std::string& place) const {
-    if (!json.is_array() || json.empty()) {
+    if (!json.is_array() || json.empty())
       fail(place, "has no rings", "give a list of rings, the outer one first");
-    }
     Polygon result;
     for (std::size_t r = 0; r < json.size(); ++r) {
       const std::string at = place + ", ring " + std::to_string(r);
       Ring points = maker_.closed(positions(json[r], at), at);
-      if (r == 0) {
+      if (r == 0)
         result.outer = std::move(points);
-      } else {
+      else
         result.holes.push_back(std::move(points));
-      }
     }
     return result;
   }

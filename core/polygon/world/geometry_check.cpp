@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"
@@ -61,9 +60,8 @@ void drop_repeats(Ring& ring) {
 
 std::optional<std::string> fault(const Geos& geos, const Polygon& polygon) {
   const auto rings = rings_of(polygon);
-  for (std::size_t r = 0; r < rings.size(); ++r) {
+  for (std::size_t r = 0; r < rings.size(); ++r)
     if (auto wrong = points_fault(*rings[r], "ring " + std::to_string(r), 3)) return wrong;
-  }
   const auto context = geos.context();
   const auto geometry = geos.polygon(polygon);
   char* reason = nullptr;

@@ -33,9 +33,7 @@ Geos::Geos() : context_(GEOS_init_r()) {
 
 Geos::~Geos() { GEOS_finish_r(context_); }
 
-void Geos::fail() const {
-  throw invalid_parameter("GEOS cannot work with this geometry: " + said_, "simplify it");
-}
+void Geos::fail() const { refuse("GEOS cannot work with this geometry: " + said_, "simplify it"); }
 
 // GEOS takes over the parts of what it makes, also where that fails.
 
@@ -107,9 +105,7 @@ std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {
     if (GEOSisEmpty_r(context_, g) == 1) return list;
     Polygon p{ring(GEOSGetExteriorRing_r(context_, g)), {}};
     const int holes = GEOSGetNumInteriorRings_r(context_, g);
-    for (int i = 0; i < holes; ++i) {
-      p.holes.push_back(ring(GEOSGetInteriorRingN_r(context_, g, i)));
-    }
+    for (int i = 0; i < holes; ++i) p.holes.push_back(ring(GEOSGetInteriorRingN_r(context_, g, i)));
     list.push_back(std::move(p));
   } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
     const int parts = GEOSGetNumGeometries_r(context_, g);

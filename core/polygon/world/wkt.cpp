@@ -2,7 +2,6 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -93,9 +92,8 @@ class WktReader {
     const auto read = std::from_chars(number.data(), number.data() + number.size(), margin);
     if (read.ec == std::errc::invalid_argument) return;
     begin_ = at_;
-    if (read.ptr != number.data() + number.size()) {
+    if (read.ptr != number.data() + number.size())
       fail(at_, "margin " + std::string(number) + " is no number", "write it as in \"margin 1.5\"");
-    }
     maker_.set_margin(read.ec == std::errc() ? margin : HUGE_VAL, "");
   }
 
@@ -247,11 +245,9 @@ World parse_wkt(std::string_view text, const std::string& name, const ReadOption
 
 std::string to_wkt(const World& world) {
   check(world);
-  if (world.goal && !world.start) {
-    throw invalid_parameter(
-        "the world has a goal but no start",
-        "give it a start, or write GeoJSON: WKT reads its first point as the start");
-  }
+  if (world.goal && !world.start)
+    refuse("the world has a goal but no start",
+           "give it a start, or write GeoJSON: WKT reads its first point as the start");
   const Geos geos;
   std::string lines = "# margin " + number_text(world.margin) + "\n";
   const auto add = [&](const GEOSGeometry* g) { lines += geos.write_wkt(g) + "\n"; };

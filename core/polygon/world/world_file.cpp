@@ -30,9 +30,8 @@ World read_world(const std::string& path, const ReadOptions& options) {
   const std::string text = read_text(path, kMostBytes);
   std::size_t first = 0;
   while (first < text.size() && std::isspace(static_cast<unsigned char>(text[first])) != 0) ++first;
-  if (first == text.size()) {
+  if (first == text.size())
     throw Error(ErrorCode::file_broken, {.file = path}, "is empty", "give a GeoJSON or WKT world");
-  }
   refuse_other_kinds(text, path, {FileKind::geojson}, "give a GeoJSON or WKT world");
   const bool wkt = is_wkt(std::string_view(text).substr(first), path);
   return wkt ? parse_wkt(text, path, options) : parse_geojson(text, path, options);

@@ -80,11 +80,10 @@ void WorldMaker::add_wall(Ring line, const std::string& place) {
 }
 
 Ring WorldMaker::closed(Ring points, const std::string& place) const {
-  if (points.size() > 1 && points.front() == points.back()) {
+  if (points.size() > 1 && points.front() == points.back())
     points.pop_back();
-  } else if (!options_.repair) {
+  else if (!options_.repair)
     fail_(place, "is not closed", "end it with its first point, or read the world with --repair");
-  }
   return points;
 }
 
@@ -112,16 +111,12 @@ void WorldMaker::set_margin(double margin, const std::string& place) {
 }
 
 World WorldMaker::finish() {
-  if (!has_boundary_) {
+  if (!has_boundary_)
     fail_("", "the world has no boundary", "add a polygon with the role \"boundary\"");
-  }
   return std::move(world_);
 }
 
 void check(const World& world) {
-  const auto refuse = [](const std::string& problem, const std::string& remedy) {
-    throw invalid_parameter(problem, remedy);
-  };
   if (const auto wrong = margin_fault(world.margin)) refuse(*wrong, kMarginRemedy);
   const auto look_at = [&](const std::optional<Point>& p, const std::string& what) {
     if (p && !is_number(*p)) refuse(what + " " + kPointProblem, "correct it");
@@ -133,9 +128,8 @@ void check(const World& world) {
     if (const auto wrong = fault(geos, polygon)) refuse(what + ": " + *wrong, kCorrect);
   };
   look(world.boundary, "boundary");
-  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i)
     look(world.obstacles[i], "obstacle " + std::to_string(i));
-  }
   for (std::size_t i = 0; i < world.walls.size(); ++i) {
     if (const auto wrong = wall_fault(world.walls[i]))
       refuse("wall " + std::to_string(i) + ": " + *wrong, kCorrectLine);

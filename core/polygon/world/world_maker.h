@@ -4,7 +4,6 @@
 #include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/polygon/world/geos.h"
 #include "core/polygon/world/repair.h"

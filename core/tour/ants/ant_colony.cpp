@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
@@ -15,7 +16,6 @@
 #include "core/tour/order/window_search.h"
 #include "kernels/base/proportional.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/error.h"
 
 namespace lasius::tour {
 namespace {
@@ -132,9 +132,8 @@ class AntColony final : public ColonyWorld {
     parallel_for(ants_, threads, [&](int a, int thread) {
       Walker& walker = walkers_[a];
       Poller own(options_.stop);
-      while (!stepwise_ && static_cast<int>(walker.order.size()) < n_) {
+      while (!stepwise_ && static_cast<int>(walker.order.size()) < n_)
         if (own.stop_after(n_) || !go_on(walker, rooms[thread])) break;
-      }
       if (!own.stopped() && arrived(walker) && is_to_improve(walker))
         walker.order = improver_.improved(
             std::move(walker.order),
@@ -351,9 +350,8 @@ OrderFound find_order_by_ants(const Costs& costs, const Ends& ends, bool symmetr
                               Convergence& run) {
   check_ends(costs.size(), ends);
   if (costs.size() > kMostForAnts)
-    throw Error(ErrorCode::invalid_parameter,
-                number_text(costs.size()) + " stops are too many for " + params.algorithm(),
-                "give at most " + number_text(kMostForAnts) + ", or ask exact");
+    refuse(number_text(costs.size()) + " stops are too many for " + params.algorithm(),
+           "give at most " + number_text(kMostForAnts) + ", or ask exact");
   OrderFound found;
   const PartialOrder any, &given = options.given != nullptr ? *options.given : any;
   AntColony colony(costs, ends, symmetric, params, threads, options, given, found);

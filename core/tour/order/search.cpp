@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/tour/order/local_search.h"
@@ -14,7 +13,6 @@
 #include "core/tour/order/recombine.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
-#include "lasius/error.h"
 
 namespace lasius::tour {
 
@@ -156,9 +154,6 @@ std::vector<int> round_by_bounds(const Costs& costs, std::span<const Point> plac
 }  // namespace
 
 void check_ends(int size, const Ends& ends) {
-  const auto refuse = [](const std::string& problem, const char* remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
-  };
   for (const int end : {ends.start, ends.goal})
     if (end < -1 || end >= size)
       refuse("there is no stop " + number_text(end), "give one of the stops, from 0");

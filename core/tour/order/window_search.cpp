@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 
 #include "core/base/poller.h"
 #include "core/tour/order/path_exchange.h"

@@ -1,7 +1,5 @@
 #include "core/tour/routes/route_state.h"
 
-#include <algorithm>
-
 namespace lasius::tour {
 
 RouteState::RouteState(const RouteProblem& problem, const Costs& costs)

@@ -1,7 +1,6 @@
 // Routes as rings of tasks, with what it costs to put one in and to take one out.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/tour/routes/routes.h"
