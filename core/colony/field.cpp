@@ -252,6 +252,12 @@ void Field::bound(double least, double most) noexcept {
   most_ = most;
 }
 
+std::span<const float> Field::stored(int number, Cell& first) const noexcept {
+  const Tile& tile = *used_[number];
+  first = {tile.x0, tile.y0};
+  return {tile.tau, static_cast<std::size_t>(kTileCells) * taus()};
+}
+
 std::int64_t Field::bytes() const noexcept {
   std::int64_t total = rows_.bytes() + directory_.bytes() + blocked_rows_.bytes() +
                        heuristic_.bytes() + held_bytes(not_made_, pool_, unused_, used_);

@@ -85,6 +85,12 @@ class Field {
   void raise_untouched(double value);
   double untouched() const noexcept { return untouched_ * scale_; }
 
+  double scale() const noexcept { return scale_; }  ///< of stored values
+  double least() const noexcept { return least_; }  ///< as bound() has it
+  double most() const noexcept { return most_; }    ///< as bound() has it
+  /// Stored tau of a tile, 0 <= number < tiles(), row-major by cell; `first` is its top left one.
+  std::span<const float> stored(int number, Cell& first) const noexcept;
+
   /// tau of a cell is again what it is where nothing was ever changed.
   void forget(Cell c);
 

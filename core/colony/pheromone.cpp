@@ -6,9 +6,12 @@
 #include "core/base/number_text.h"
 #include "core/colony/stored_pheromone.h"
 #include "core/params/parameter_table.h"
+#include "kernels/walk/walk.h"
 
 namespace lasius {
 namespace {
+
+static_assert(Pheromone::kTileSide == kernels::kTileSide);
 
 std::string entry(const char* list, std::size_t i) {
   return std::string(list) + "[" + std::to_string(i) + "]";
@@ -111,5 +114,21 @@ void Pheromone::set_learned(std::span<const TrailPlace> cells, std::span<const d
   for (std::size_t i = 0; i < cells.size(); ++i)
     stored_.field.set_eta(stored_.cell(cells[i]), values[i]);
 }
+
+int Pheromone::tiles() const noexcept { return stored_.field.tiles(); }
+
+TrailTile Pheromone::tile(int number) const {
+  if (number < 0 || number >= tiles())
+    throw invalid_parameter("tile " + std::to_string(number) + " is asked for",
+                            "there are " + std::to_string(tiles()) + ", from 0");
+  TrailTile tile;
+  tile.stored = stored_.field.stored(number, tile.first);
+  return tile;
+}
+
+double Pheromone::scale() const noexcept { return stored_.field.scale(); }
+double Pheromone::untouched() const noexcept { return stored_.field.untouched(); }
+double Pheromone::least() const noexcept { return stored_.field.least(); }
+double Pheromone::most() const noexcept { return stored_.field.most(); }
 
 }  // namespace lasius

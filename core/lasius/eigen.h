@@ -24,4 +24,13 @@ inline Eigen::Map<const Eigen::Matrix2Xd> as_matrix(std::span<const Point> point
 /// A path that nobody keeps would be gone with the statement.
 void as_matrix(std::vector<Point>&& points) = delete;
 
+/// The columns (x, y) of a matrix as points, copied.
+/// @throws std::bad_alloc.
+inline std::vector<Point> as_points(const Eigen::Ref<const Eigen::Matrix2Xd>& matrix) {
+  std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(matrix.cols()));
+  for (Eigen::Index i = 0; i < matrix.cols(); ++i) points.push_back({matrix(0, i), matrix(1, i)});
+  return points;
+}
+
 }  // namespace lasius

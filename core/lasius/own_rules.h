@@ -93,6 +93,14 @@ struct LASIUS_EXPORT IterationTours {
   mutable bool stopped_ = false;
 };
 
+/// A part of the trail as it is stored, see Pheromone::tile().
+struct TrailTile {
+  Cell first;  ///< top left cell; the tile may reach beyond the map
+  /// Pheromone::kTileSide rows of as many cells, of each cell one value, with arcs one per move, in
+  /// units of Pheromone::scale().
+  std::span<const float> stored;
+};
+
 /// The trail of a colony, tau, as an update changes it: by calls that take many places at once,
 /// since tau is stored in tiles, one common factor apart, only where an ant has been. The built-in
 /// updates change it by the same steps, so what computes the same gives the same path bit for bit.
@@ -108,6 +116,7 @@ struct LASIUS_EXPORT IterationTours {
 /// different lengths.
 class LASIUS_EXPORT Pheromone {
  public:
+  static constexpr int kTileSide = 32;    ///< cells along a side of a tile
   static constexpr double kMost = 1e200;  ///< the largest number that a call takes
 
   Trail trail() const noexcept;          ///< what carries it
@@ -139,6 +148,16 @@ class LASIUS_EXPORT Pheromone {
   void get_learned(std::span<const TrailPlace> cells, std::span<double> values) const;
   void set_learned(std::span<const TrailPlace> cells,
                    std::span<const double> values);  ///< likewise
+
+  /// The trail as it is stored: tiles, in the order in which ants first came to them, which depends
+  /// on threads where there are several; tau of all other places is untouched(). tau is the stored
+  /// value times scale(), then within least() and most().
+  int tiles() const noexcept;
+  TrailTile tile(int number) const;   ///< 0 <= number < tiles(); holds until the next change
+  double scale() const noexcept;      ///< of stored values; any change may change it
+  double untouched() const noexcept;  ///< tau where nothing was ever changed
+  double least() const noexcept;      ///< as clamp() has it
+  double most() const noexcept;       ///< as clamp() has it
 
   Pheromone(const Pheromone&) = delete;
   Pheromone& operator=(const Pheromone&) = delete;

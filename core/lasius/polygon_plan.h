@@ -148,9 +148,10 @@ struct Line {
 
 /// The MAKLINK graph of a world: free space cut into convex regions by free lines.
 struct Maklink {
-  std::vector<Line> lines;                  ///< free ones, each between two regions
-  std::vector<std::vector<Point>> regions;  ///< convex, counter-clockwise
-  std::vector<Polygon> free_space;          ///< what was cut up, see Planner::free_space
+  std::vector<Line> lines;                     ///< free ones, each between two regions
+  std::vector<std::vector<Point>> regions;     ///< convex, counter-clockwise
+  std::vector<std::vector<int>> region_lines;  ///< lines on the border of each region
+  std::vector<Polygon> free_space;             ///< what was cut up, see Planner::free_space
 };
 
 /// What is asked of the planner.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lasius/geometry.h"
+#include "lasius/grid.h"
 #include "lasius/map_io.h"
 #include "lasius/polygon_export.h"
 
@@ -94,5 +95,17 @@ LASIUS_POLYGON_EXPORT void write_world(const World& world, const std::string& pa
 /// Checks a world that a program made. @throws Error(invalid_parameter) for what `read_world`
 /// refuses.
 LASIUS_POLYGON_EXPORT void check(const World& world);
+
+/// The blocked cells of a bitmap as obstacles of `resolution` per cell, the map's lower left corner
+/// at (origin_x, origin_y) of `frame`; its yaw must be 0. Cells that touch at a corner become
+/// obstacles that touch there.
+/// @throws Error(invalid_parameter) for a turned frame or a resolution that is not above 0.
+LASIUS_POLYGON_EXPORT World from_grid(const Grid& grid, const WorldFrame& frame = {});
+
+/// A bitmap of `resolution` per cell, its lower left corner at that of the boundary's bounding box:
+/// a cell is free where its centre lies in the free space, obstacles grown by the margin included,
+/// and no wall passes through it.
+/// @throws Error(invalid_parameter) for a resolution that is not above 0 or gives too many cells.
+LASIUS_POLYGON_EXPORT Map to_grid(const World& world, double resolution);
 
 }  // namespace lasius::polygon

@@ -39,7 +39,11 @@ Maklink maklink_of(const Regions& regions) {
   }
   for (const Region& region : regions.regions()) {
     auto& corners = graph.regions.emplace_back();
-    for (const Side& side : region.sides) corners.push_back(space.point(regions.at(side.corner)));
+    auto& lines = graph.region_lines.emplace_back();
+    for (const Side& side : region.sides) {
+      corners.push_back(space.point(regions.at(side.corner)));
+      if (side.link >= 0) lines.push_back(side.link);
+    }
   }
   graph.free_space = space.pieces;
   return graph;

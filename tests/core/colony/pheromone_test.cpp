@@ -49,6 +49,7 @@ TEST(Pheromone, PersistsEverywhereAndAddsToPlaces) {
     EXPECT_EQ(tau(trail, {7, 45, 119, 8}), (Values{4.5, 3.5, 0.75, 0.5}));
     trail.persist(0.25);
     EXPECT_EQ(tau(trail, {7, 45, 119, 8}), (Values{1.125, 0.875, 0.1875, 0.125}));
+    EXPECT_EQ(trail.untouched(), 0.125);
     trail.set(Places{7, 8}, Values{3, 0.0625});
     EXPECT_EQ(tau(trail, {7, 8, 9}), (Values{3, 0.0625, 0.125}));
   });
@@ -66,6 +67,8 @@ TEST(Pheromone, IsReadWithinBoundsThatNothingStoredFeels) {
   act(Trail::cells, [](Pheromone& trail) {
     trail.add(Places{7}, 3);  // 4
     trail.persist(0.5);       // 2; elsewhere 0.5
+    EXPECT_EQ(trail.least(), 0);
+    EXPECT_EQ(trail.most(), kInfinity);
     trail.clamp(0.75, 1.5);
     EXPECT_EQ(tau(trail, {7, 8}), (Values{1.5, 0.75}));
     trail.persist(0.5);  // 1; elsewhere 0.25
@@ -74,6 +77,25 @@ TEST(Pheromone, IsReadWithinBoundsThatNothingStoredFeels) {
     EXPECT_EQ(tau(trail, {8, 9}), (Values{1, 1.5}));
     trail.clamp(0, kInfinity);
     EXPECT_EQ(tau(trail, {7, 8, 9, 10}), (Values{1, 1, 4.75, 0.25}));
+  });
+}
+
+TEST(Pheromone, TilesHoldWhatIsStored) {
+  act(Trail::cells, [](Pheromone& trail) {
+    trail.persist(0.5);
+    trail.add(Places{0, 35}, 2);  // in two tiles
+    int found = 0;
+    for (int i = 0; i < trail.tiles(); ++i) {
+      const TrailTile tile = trail.tile(i);
+      ASSERT_EQ(tile.stored.size(), 32U * 32U);
+      EXPECT_EQ(tile.first.y, 0);
+      for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 32 && tile.first.x + x < 40; ++x, ++found)
+          EXPECT_EQ(tile.stored[32 * y + x] * trail.scale(),
+                    tau(trail, {40 * y + tile.first.x + x})[0]);
+      }
+    }
+    EXPECT_EQ(found, 120);
   });
 }
 
@@ -140,6 +162,7 @@ TEST(Pheromone, RefusesWhatIsNoPlaceOrNoPheromoneAndChangesNothing) {
     Values two(2);
     expect_says(refusal([&] { trail.get(Places{1}, two); }), "2 values for 1 places");
     expect_says(refusal([&] { trail.get(Places{1, 120}, two); }), "places[1] is 120");
+    expect_says(refusal([&] { (void)trail.tile(trail.tiles()); }), "tile ");
     EXPECT_EQ(tau(trail, {5, 6, 7}), (Values{1, 1, 1}));
   });
 }

@@ -17,5 +17,14 @@ TEST(Eigen, APathIsSeenWithoutACopy) {
   EXPECT_EQ(as_matrix(std::span<const Point>()).cols(), 0);
 }
 
+TEST(Eigen, ThereAndBack) {
+  const std::vector<Point> path{{0.5, 1.5}, {3.5, 5.5}, {4, 6}};
+  EXPECT_EQ(as_points(as_matrix(path)), path);
+  const Eigen::Matrix2Xd reversed = as_matrix(path).rowwise().reverse();
+  EXPECT_EQ(as_points(reversed).front(), path.back());
+  EXPECT_EQ(as_points(as_matrix(path).rightCols(2)).size(), 2u);
+  EXPECT_TRUE(as_points(Eigen::Matrix2Xd()).empty());
+}
+
 }  // namespace
 }  // namespace lasius

@@ -351,23 +351,12 @@ TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
   }
 }
 
-/// Blocked cells as obstacles, of length 1, y upwards.
-World world_of(const Grid& grid) {
-  World world = empty_world(grid.width(), grid.height());
-  for (int y = 0; y < grid.height(); ++y)
-    for (int x = 0; x < grid.width(); ++x)
-      if (const double left = x, top = grid.height() - y; grid.blocked({x, y}))
-        world.obstacles.push_back(
-            {{{left, top - 1}, {left + 1, top - 1}, {left + 1, top}, {left, top}}, {}});
-  return world;
-}
-
 TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
   int reached = 0;
   for (const MapKind kind : {MapKind::rooms, MapKind::blobs, MapKind::random}) {
     const Grid grid = generate(kind, {.width = 48, .height = 40, .seed = 2});
     const lasius::Planner cells(grid);
-    const Planner planner(world_of(grid));
+    const Planner planner(from_grid(grid));
     Dice dice(9);
     for (int i = 0; i < 6; ++i) {
       const Cell a = *cells.nearest_free({dice.whole(0, 47), dice.whole(0, 39)});

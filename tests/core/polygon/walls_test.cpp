@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/polygon/world/rings.h"
+#include "lasius/planner.h"
 #include "lasius/polygon_plan.h"
 #include "tests/worlds/random_world.h"
 
@@ -127,6 +128,15 @@ TEST(Walls, KeepTheMargin) {
     EXPECT_GE(distance_to(result.path[i], result.path[i + 1], {10, 6}), 1 - 1e-9);
   world.goal = Point{10.5, 3};
   EXPECT_EQ(Planner(world, {.margin = 1}).plan().status, Status::invalid);
+}
+
+TEST(Walls, BlockTheCellsThatTheyPass) {
+  const World world = room({{{4, 0}, {16.2, 9.7}}, {{16.2, 9.7}, {20, 9.7}}, {{-5, 8}, {-5, 90}}});
+  const Map map = to_grid(world, 0.5);
+  const lasius::Planner planner(map.grid);
+  EXPECT_EQ(planner.plan({.start = {0, 10}, .goal = {39, 10}}).status, Status::unreachable);
+  EXPECT_LT(map.grid.width() + map.grid.height(), 61);
+  EXPECT_TRUE(map.grid.free({0, 0}));
 }
 
 /// Walls made into thin areas, which reach a hair beyond their ends.

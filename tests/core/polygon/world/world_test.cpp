@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lasius/error.h"
+#include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/polygon/world/refusal.h"
@@ -223,6 +224,7 @@ TEST(World, IsRefusedWhereItsNumbersAreNone) {
     World world = good;
     world.margin = margin;
     EXPECT_THROW(check(world), Error) << margin;
+    EXPECT_THROW(to_grid(world, 1), Error) << "free space without the margin, " << margin;
   }
   World world = good;
   world.start = Point{nan, 1};
@@ -271,6 +273,20 @@ TEST(Check, RefusesWorldsThatProgramsMade) {
   world.boundary.outer = {{0, 0}, {4, 0}, {4, std::numeric_limits<double>::quiet_NaN()}};
   EXPECT_THROW(check(world), Error);
   EXPECT_THROW(Planner{world}, Error);
+}
+
+TEST(Bitmap, BecomesAWorldAndBackAgain) {
+  const Grid grid = generate(MapKind::rooms, {.width = 60, .height = 40, .seed = 3});
+  for (const double resolution : {1.0, 0.05}) {
+    const World world = from_grid(grid, {.resolution = resolution, .origin_x = -3, .origin_y = 2});
+    EXPECT_NO_THROW(check(world));
+    const Map map = to_grid(world, resolution);
+    EXPECT_EQ(map.grid, grid);
+    EXPECT_EQ(map.frame->origin_x, -3);
+  }
+  EXPECT_THROW(from_grid(grid, {.yaw = 0.1}), Error);
+  EXPECT_THROW(to_grid(from_grid(grid), 0), Error);
+  EXPECT_THROW(to_grid(from_grid(grid), 1e-4), Error);
 }
 
 }  // namespace
