@@ -52,7 +52,7 @@ class Search {
     if (done() || to_goal_.empty() || from_start_.empty()) return std::move(best_);
     begin_probe();
     const bool trap = probe(kProbed) && !start_leads();
-    if (done() || (trap && !options_.creeps)) return std::move(best_);
+    if (done() || trap) return std::move(best_);
     queue_.reset(0, kBucket);
     forward();
     for (int gaps = 4; gaps > 0 && options_.creeps && best_.goal < 0 && cross(); --gaps) forward();
@@ -200,9 +200,9 @@ class Search {
     return options_.lattice_tolerance > 0 ? flood : std::max(flood, least);
   }
 
-  /// On by small motions from where it came nearest to a goal. False if nothing new is met.
+  /// On by small motions from where it came nearest to a goal. False: a pocket, or nothing new.
   bool cross() {
-    if (done() || best_.full) return false;
+    if (done() || best_.full || reached_.size() < 4 * kProbed) return false;
     std::ranges::move(connectors_across(
                           prepared_, reached_, [&](int x, int y) { return flood_.at(x, y); },
                           [&](std::uint32_t i, std::vector<Segment>& to) { append_reached(i, to); },
