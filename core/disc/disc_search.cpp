@@ -20,19 +20,8 @@ constexpr double kWeight = exact::kDefaultWeight;
 // How far ahead of a label's bound its view is taken at first.
 constexpr double kHorizon = 1.0 / 1024;
 constexpr double kHorizonOfRise = 2;
-constexpr int kMostScans = 4;
 // Labels that are asked whether they see the goal before the goal takes a look.
 constexpr std::int64_t kFirstFew = 16;
-
-/// A point that lies beside a grid line by rounding looks from the line: the row beside may hold
-/// no other point that is free.
-Point on_lines(Point p) noexcept {
-  const auto on_line = [](double v) {
-    const double line = std::round(v);
-    return std::abs(v - line) <= kSlack ? line : v;
-  };
-  return {on_line(p.x), on_line(p.y)};
-}
 
 }  // namespace
 
@@ -44,6 +33,9 @@ struct DiscSearch::Sink {
   // Lines of a view are looked along when their labels are the best ones.
   void take(const Seen& seen) {
     Label found = label(seen.arc, seen.rising, seen.normal.angle(), seen.length);
+    if (search.prices_ != nullptr && search.in_hand_ == Labels::kStart)
+      found.length += search.prices_->at_start(
+          {seen.arrives.x - search.start_.x, seen.arrives.y - search.start_.y});
     if (search.dominated(found)) return;
     found.normal = seen.normal;
     add(found, seen.arrives);
@@ -74,91 +66,6 @@ struct DiscSearch::Sink {
   }
   bool go_on(std::int64_t words) { return !search.poller_->stop_after(words); }
 };
-
-// The arcs that the goal sees: turned around the other way, they are left for it.
-struct DiscSearch::GoalSink {
-  DiscSearch& search;
-
-  void take(const Seen& seen) {
-    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, false, seen.normal,
-                                                           seen.normal.angle(), seen.length};
-  }
-  template <int S>
-  kernels::ConeLimits limits(int down, int line0) const noexcept {
-    return limits_around<S>(view_of(search.space_->map()), search.goal_, search.start_,
-                            search.goal_horizon_, down, line0);
-  }
-  bool go_on(std::int64_t words) { return !search.poller_->stop_after(words); }
-};
-
-void DiscSearch::look_from_goal() {
-  goal_horizon_ = goal_looks_ < kMostScans ? std::min(upper_, lower_ + ahead(goal_looks_)) : upper_;
-  ++goal_looks_;
-  if (++exit_stamp_ == 0) {  // all numbers were used
-    std::ranges::fill(exits_, Exit{});
-    exit_stamp_ = 1;
-  }
-  exits_.resize(2 * space_->arcs().size());
-  GoalSink sink{*this};
-  View<GoalSink> view(*space_, view_, sink);
-  bool cut_off = false;
-  for (const int down : {1, -1}) {
-    for (const int right : {1, -1}) cut_off |= view.look(Root::at(on_lines(goal_), {right, down}));
-  }
-  if (!cut_off) goal_horizon_ = kInfinity;
-  for (std::uint32_t i = 1; i < labels_.size(); ++i)
-    if (labels_[i].expanded) exits(i);
-}
-
-// Does the goal see the arc of a label, where it turns on? Every other way on is longer then.
-bool DiscSearch::exits(std::uint32_t number) {
-  const Label& label = labels_[number];
-  Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
-  const double turned = label.rising ? exit.angle - label.angle : label.angle - exit.angle;
-  if (exit.stamp != exit_stamp_ || turned < -kSlack) return false;
-  if (!exit.free) {
-    const Point leaves = point_on(space_->arcs()[label.arc], exit.normal, space_->radius());
-    exit.free = space_->sees(leaves, goal_);
-    if (!exit.free) {
-      exit.stamp = 0;
-      return false;
-    }
-  }
-  const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
-  if (length < upper_) {
-    upper_ = length;
-    last_ = number;
-    last_normal_ = exit.normal;
-  }
-  return true;
-}
-
-// Is the goal where a taut path over this label goes straight to it?
-bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
-  const Label& label = labels_[number];
-  const Tangent line = tangent(root.heading.right * (goal_.x - root.x),
-                               root.heading.down * (goal_.y - root.y), root.offset);
-  // A goal at a wall's distance is met along an axis, up to rounding.
-  if (line.length < 0 || std::min(line.normal.a, line.normal.b) < -kSlack) return false;
-  const Normal n{std::max(0.0, line.normal.a), std::max(0.0, line.normal.b)};
-  const double sign = label.rising ? 1 : -1;
-  if (sign * (root.from.a * n.b - root.from.b * n.a) < -kSlack ||
-      sign * (n.a * root.to.b - n.b * root.to.a) < -kSlack)
-    return false;
-  const double turned = std::max(0.0, sign * (n.angle() - label.angle));
-  const double length = label.length + space_->radius() * turned + line.length;
-  if (length >= upper_) return true;
-  if (!space_->sees(root.leaves(n), goal_)) return false;
-  upper_ = length;
-  last_ = number;
-  last_normal_ = n;
-  return true;
-}
-
-// Asks the goal's view, if there is one. A label of the weighted search may be past its horizon.
-bool DiscSearch::leads_to_goal(std::uint32_t number, const Root& root) {
-  return goal_looks_ == 0 || weighing_ ? meets_goal(number, root) : exits(number);
-}
 
 // Goes on along edges of the graph. Returns whether some were left out at the horizon.
 bool DiscSearch::follow(std::uint32_t number) {
@@ -203,7 +110,8 @@ bool DiscSearch::leave(std::uint32_t number) {
   Root root = Root::on(*space_, label.arc, label.rising, label.normal);
   const std::uint32_t next = labels_.ahead(label, [this](std::uint32_t i) { return reached(i); });
   if (next != Labels::kStart) root.to = labels_[next].normal;
-  if (leads_to_goal(number, root)) return false;  // every other way on from here is longer
+  // Every other way on from here is longer, but may have a lower price at the goal.
+  if (leads_to_goal(number, root) && prices_ == nullptr) return false;
   Sink sink{*this, label};
   View<Sink> view(*space_, view_, sink);
   leaves_ = root.leaves(root.from);
@@ -218,7 +126,7 @@ bool DiscSearch::leave_start() {
   leaves_ = start_;
   bool cut_off = false;
   for (const int down : {1, -1}) {
-    for (const int right : {1, -1}) cut_off |= view.look(Root::at(on_lines(start_), {right, down}));
+    for (const int right : {1, -1}) cut_off |= view.look(Root::at(start_, {right, down}));
   }
   return cut_off;
 }
@@ -357,7 +265,7 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   start_ = start;
   goal_ = goal;
   expansions_ = 0;
-  labels_.reset(space);
+  labels_.reset(space, prices_ != nullptr ? prices_->most : 0);
   straight_ = lower_ = distance(start, goal);
   labels_[Labels::kStart].to_goal = straight_;
   upper_ = kInfinity;

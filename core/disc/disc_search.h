@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/bucket_queue.h"
@@ -13,6 +14,12 @@
 #include "core/disc/view.h"
 
 namespace lasius::disc {
+
+/// What is paid on top of a path's length for where it goes at its ends.
+struct EndPrices {
+  std::function<double(Point)> at_start, at_goal;  ///< of the direction away from the end; from 0
+  double most = 0;                                 ///< what both may come to
+};
 
 /// A* over taut turns. Keeps its memory from search to search. One thread at a time.
 ///
@@ -35,9 +42,15 @@ class DiscSearch {
   void search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
               const ExactOptions& options, const StopCondition& stop, DiscAnswer& answer);
 
+  /// No taut path, shortest or not, has less length and prices at its ends together, of two clear
+  /// points that do not see each other; of those that do their distance is told. Stopped: less.
+  double least(const DiscSpace& space, Point start, Point goal, const EndPrices& prices,
+               double target_gap, const StopCondition& stop);
+
   std::int64_t bytes() const noexcept;
 
  private:
+  static constexpr int kMostScans = 4;
   struct Sink;
   struct GoalSink;
   // Where an arc is left straight for the goal, by arc and turn.
@@ -67,8 +80,9 @@ class DiscSearch {
   double ahead(int scans) const noexcept;
   bool tell_improvement(const Poller* poller);
 
-  const DiscSpace* space_ = nullptr;  // these three of the call in hand
+  const DiscSpace* space_ = nullptr;  // these of the call in hand
   const DiscGraph* graph_ = nullptr;
+  const EndPrices* prices_ = nullptr;
   Poller* poller_ = nullptr;
   Point start_, goal_;
   std::uint32_t in_hand_ = 0;  // the label whose view is taken

@@ -35,9 +35,10 @@ class Labels {
  public:
   static constexpr std::uint32_t kStart = 0;
 
-  /// Forgets all.
-  void reset(const DiscSpace& space) {
+  /// Forgets all. @param bent  by how much a way that is not taut has to be shorter than a label's
+  void reset(const DiscSpace& space, double bent = 0) {
     radius_ = space.radius();
+    bent_ = bent;
     heads_.resize(space.arcs().size());
     if (++stamp_ == 0) {
       heads_.assign(heads_.size(), {});
@@ -71,8 +72,9 @@ class Labels {
       if (i == number || other.line == Label::Line::blocked) continue;
       const double turned = label.rising ? label.angle - other.angle : other.angle - label.angle;
       const double length = other.length + radius_ * std::abs(turned);
-      const bool tie = length == label.length && other.rising == label.rising && turned >= 0;
-      if ((length < label.length || tie) && reached(i)) return true;
+      const bool taut = other.rising == label.rising && turned >= 0;
+      const bool tie = length == label.length && taut;
+      if ((length + (taut ? 0 : bent_) < label.length || tie) && reached(i)) return true;
     }
     return false;
   }
@@ -103,6 +105,7 @@ class Labels {
     std::uint32_t first = 0;
   };
   double radius_ = 0;
+  double bent_ = 0;
   std::uint32_t stamp_ = 0;
   std::vector<Head> heads_;
   GrowingList<Label> labels_;

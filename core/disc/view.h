@@ -36,9 +36,14 @@ struct Root {
             normal_at(rising ? a.high : a.low),
             arc};
   }
-  /// All rays into one quadrant.
+  /// All rays into one quadrant. A point that lies beside a grid line by rounding looks from the
+  /// line: the row beside may hold no other point that is free.
   static Root at(Point p, Heading heading) noexcept {
-    return {p.x, p.y, 0, heading, {1, 0}, {0, 1}, kPoint};
+    const auto on_line = [](double v) {
+      const double line = std::round(v);
+      return std::abs(v - line) <= kSlack ? line : v;
+    };
+    return {on_line(p.x), on_line(p.y), 0, heading, {1, 0}, {0, 1}, kPoint};
   }
   Point leaves(Normal n) const noexcept {
     return {x + heading.right * (offset * n.a), y - heading.down * (offset * n.b)};

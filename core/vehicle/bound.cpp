@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/cost/cost_search.h"
+#include "core/vehicle/angle.h"
+#include "core/vehicle/end_price.h"
 #include "core/vehicle/steering.h"
 
 namespace lasius::vehicle {
@@ -16,14 +18,25 @@ Bound::Bound(const Grid& grid, const Vehicle& vehicle, const Prices& prices)
       radius_(std::min(inscribed_radius(vehicle), disc::kLargestRadius)),
       grid_(grid) {}
 
+/// Around a clear point no line of sight of the disc is ended so near: where one is, it touches the
+/// circle of the disc's radius about something blocked.
+double Bound::open_around(const disc::DiscSpace& disc, Point p) const {
+  const double radius = disc.radius(), turn = vehicle_.turning_radius;
+  const double most = std::min(std::sqrt(radius * radius + turn * turn), disc::kLargestRadius + 1);
+  const double clear = disc.clearance(p, most);
+  return std::sqrt(std::max(0.0, clear * clear - radius * radius));
+}
+
 const disc::DiscSpace* Bound::space(const StopCondition& stop) const {
   if (!disc::has_space(radius_)) return nullptr;
   return space_.get(stop, [&] { return disc::DiscSpace::make(grid_, radius_, stop); });
 }
 
-double Bound::around_obstacles(Point start, Point goal, const StopCondition& stop) const {
+double Bound::around_obstacles(const Pose& start, const Pose& goal, double turned,
+                               const StopCondition& stop) const {
+  const Point from{start.x, start.y}, to{goal.x, goal.y};
   const disc::DiscSpace* disc = space(stop);
-  if (disc == nullptr || !disc->clear(start) || !disc->clear(goal)) return 0;
+  if (disc == nullptr || !disc->clear(from) || !disc->clear(to)) return 0;
   std::unique_ptr<disc::DiscSearch> search;
   {
     const std::scoped_lock lock(mutex_);
@@ -34,10 +47,22 @@ double Bound::around_obstacles(Point start, Point goal, const StopCondition& sto
   }
   if (!search) search = std::make_unique<disc::DiscSearch>();
   disc::DiscAnswer answer;
-  search->search(*disc, nullptr, start, goal, {.target_gap = 0.001}, stop, answer);
+  search->search(*disc, nullptr, from, to, {.target_gap = 0.001}, stop, answer);
+  double least = answer.lower_bound;
+  if (vehicle_.turning_radius > 0 && !vehicle_.rotate_in_place && std::isfinite(least) &&
+      !disc->sees(from, to)) {
+    const EndPrice start_price(vehicle_, start.yaw, open_around(*disc, from), 0.5 * least, 0);
+    const EndPrice goal_price(vehicle_, goal.yaw + kPi, open_around(*disc, to), 0.5 * least,
+                              turned);
+    least = std::max(least, search->least(*disc, from, to,
+                                          {[&](Point towards) { return start_price(towards); },
+                                           [&](Point towards) { return goal_price(towards); },
+                                           start_price.most() + goal_price.most()},
+                                          0, stop));
+  }
   const std::scoped_lock lock(mutex_);
   spare_.push_back(std::move(search));
-  return answer.lower_bound;
+  return least;
 }
 
 // The reference point lies in the disc: its path is one over the cells that the disc's centre may
@@ -92,9 +117,10 @@ double Bound::least(const Request& request, bool around) const {
     // Within a tolerance it may end on the other side of a wall.
     if (around && request.goals.size() <= kMost && request.goal_tolerance == 0) {
       const Point from{start.x, start.y}, to{goal.x, goal.y};
-      bound = std::max(bound, prices_.weighted()
-                                  ? over_weights(from, to, request.goals.size() == 1, request.stop)
-                                  : around_obstacles(from, to, request.stop));
+      bound = std::max(
+          bound, prices_.weighted()
+                     ? over_weights(from, to, request.goals.size() == 1, request.stop)
+                     : around_obstacles(start, goal, request.heading_tolerance, request.stop));
     }
     least = std::min(least, bound - request.goal_tolerance);
   }

@@ -1,5 +1,5 @@
-// No way of a vehicle is shorter: what the disc in its footprint needs around the obstacles, and
-// what the vehicle needs without them.
+// No way of a vehicle is shorter: what the disc in its footprint needs around the obstacles, with
+// what the vehicle's headings at its ends come to, and what the vehicle needs without obstacles.
 #pragma once
 
 #include <memory>
@@ -36,7 +36,10 @@ class Bound {
  private:
   /// Null where a disc is too small to have one, or stopped.
   const disc::DiscSpace* space(const StopCondition& stop) const;
-  double around_obstacles(Point start, Point goal, const StopCondition& stop) const;
+  /// @param turned  by which the goal's heading may differ
+  double around_obstacles(const Pose& start, const Pose& goal, double turned,
+                          const StopCondition& stop) const;
+  double open_around(const disc::DiscSpace& disc, Point p) const;
   double over_weights(Point start, Point goal, bool joined, const StopCondition& stop) const;
 
   const Vehicle& vehicle_;

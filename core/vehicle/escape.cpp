@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -16,6 +17,7 @@ constexpr double kRoom = 0.5;
 constexpr double kMostRoom = 6;
 constexpr int kExpanded = 64;
 constexpr int kCrept = 6000;          ///< the same of small motions
+constexpr int kCrossed = 20000;       ///< the same through a gap
 constexpr double kBox = 0.25;         ///< cells
 constexpr double kTurned = kPi / 60;  ///< of a box
 constexpr int kPlaces = 6;            ///< from which connectors are looked for
@@ -52,9 +54,7 @@ class Escape {
     const int most = creeps_ ? kCrept : kExpanded;
     for (int expanded = 0; expanded < most && !open_.empty() && wide < kPlaces; ++expanded) {
       if (poller.stop_after(1024)) return {};
-      std::pop_heap(open_.begin(), open_.end(), [&](int a, int b) { return better(b, a); });
-      const int at = open_.back();
-      open_.pop_back();
+      const int at = take();
       if (places_[at].room >= kRoom) found.push_back(at);
       if (places_[at].room >= enough_)
         ++wide;
@@ -69,6 +69,29 @@ class Escape {
     });
     found.resize(std::min<std::size_t>(found.size(), kPlaces));
     return found;
+  }
+
+  /// From poses on, by what is left of each.
+  void cross(std::span<const Pose> from, const std::function<double(int, int)>& left) {
+    left_ = &left;
+    for (const Pose& pose : from) put(pose, -1, {});
+  }
+  /// The next place that is nearer by a cell than all before; -1: none.
+  int nearer(Poller& poller) {
+    while (crept_++ < kCrossed && !open_.empty() && !poller.stop_after(1024)) {
+      const int at = take();
+      creep(at);
+      const double left = left_of(places_[at].pose);
+      if (left > nearest_ - 1) continue;
+      nearest_ = left;
+      return at;
+    }
+    return -1;
+  }
+  /// The one of the poses from which a place was reached.
+  int root(int at) const {
+    while (places_[at].before >= 0) at = places_[at].before;
+    return at;
   }
 
   const std::vector<Place>& places() const { return places_; }
@@ -91,15 +114,27 @@ class Escape {
     return one.cost != other.cost ? one.cost < other.cost : a < b;
   }
 
+  double left_of(const Pose& at) const { return (*left_)(floor_of(at.x), floor_of(at.y)); }
+
+  int take() {
+    std::pop_heap(open_.begin(), open_.end(), [&](int a, int b) { return better(b, a); });
+    const int at = open_.back();
+    open_.pop_back();
+    return at;
+  }
+
   void put(const Pose& pose, int before, std::vector<Segment> motions) {
     const auto box = [](double value, double size) { return floor_of(value / size); };
     if (creeps_ &&
         !seen_.insert({box(pose.x, kBox), box(pose.y, kBox), box(turned(pose.yaw), kTurned)})
              .second)
       return;
-    Place place{pose, room(pose), 0, 0, before, std::move(motions)};
+    Place place{pose, left_ == nullptr ? room(pose) : 0, 0, 0, before, std::move(motions)};
     if (before >= 0) place.cost = places_[before].cost + cost(vehicle_, place.motions);
-    place.rank = place.room * kernels::power(2, -place.cost / (1.5 * space_.outline().around()));
+    place.rank =
+        left_ != nullptr
+            ? -place.cost - 1.5 * left_of(pose)
+            : place.room * kernels::power(2, -place.cost / (1.5 * space_.outline().around()));
     places_.push_back(std::move(place));
     open_.push_back(static_cast<int>(places_.size()) - 1);
     std::push_heap(open_.begin(), open_.end(), [&](int a, int b) { return better(b, a); });
@@ -198,7 +233,23 @@ class Escape {
   std::vector<Place> places_;
   std::set<std::array<int, 3>> seen_;  ///< boxes
   std::vector<int> open_;              ///< heap
+  const std::function<double(int, int)>* left_ = nullptr;
+  double nearest_ = std::numeric_limits<double>::infinity();
+  int crept_ = 0;
 };
+
+/// Puts motions on that end of a connector which is not the lattice's.
+void lengthen(const Vehicle& vehicle, bool towards, const std::vector<Segment>& way, Connector& c) {
+  const auto driven = [](const Segment& s) { return s.gear != 0; };
+  c.motions.insert(towards ? c.motions.end() : c.motions.begin(), way.begin(), way.end());
+  c.cost = cost(vehicle, c.motions);
+  const auto first = std::ranges::find_if(c.motions, driven);
+  const auto last = std::ranges::find_if(c.motions.rbegin(), c.motions.rend(), driven);
+  if (first == c.motions.end())
+    c.gear = 0;
+  else
+    c.gear = towards ? first->gear : last->gear;
+}
 
 }  // namespace
 
@@ -206,17 +257,6 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
                                bool towards, bool creeps, const ConnectorReach& reach,
                                std::int64_t& checked, Poller& poller) {
   std::vector<Connector> made;
-  const auto driven = [](const Segment& s) { return s.gear != 0; };
-  const auto lengthen = [&](Connector& c, const std::vector<Segment>& way) {
-    c.motions.insert(towards ? c.motions.end() : c.motions.begin(), way.begin(), way.end());
-    c.cost = cost(space.vehicle(), c.motions);
-    const auto first = std::ranges::find_if(c.motions, driven);
-    const auto last = std::ranges::find_if(c.motions.rbegin(), c.motions.rend(), driven);
-    if (first == c.motions.end())
-      c.gear = 0;
-    else
-      c.gear = towards ? first->gear : last->gear;
-  };
   for (const bool small : {false, true}) {
     // Where it creeps gentle motions of an end without room were looked at in the round before.
     const bool wanted = small ? creeps : creeps == space.free_at(pose, kRoom);
@@ -226,9 +266,30 @@ std::vector<Connector> escapes(const Space::Impl& space, const Lattice& lattice,
       const std::vector<Segment> way = escape.motions(at);
       for (Connector& c :
            connectors(space, lattice, escape.places()[at].pose, towards, reach, checked, poller)) {
-        lengthen(c, way);
+        lengthen(space.vehicle(), towards, way, c);
         made.push_back(std::move(c));
       }
+    }
+  }
+  return made;
+}
+
+std::vector<Crossing> crossings(const Space::Impl& space, const Lattice& lattice,
+                                std::span<const Pose> from,
+                                const std::function<double(int, int)>& left,
+                                const std::function<bool(const Connector&)>& wanted,
+                                const ConnectorReach& reach, std::int64_t& checked,
+                                Poller& poller) {
+  std::vector<Crossing> made;
+  Escape escape(space, false, true, checked);
+  escape.cross(from, left);
+  for (int at = 0; made.empty() && (at = escape.nearer(poller)) >= 0;) {
+    const std::vector<Segment> way = escape.motions(at);
+    for (Connector& c :
+         connectors(space, lattice, escape.places()[at].pose, false, reach, checked, poller)) {
+      if (!wanted(c)) continue;
+      lengthen(space.vehicle(), false, way, c);
+      made.push_back({escape.root(at), std::move(c)});
     }
   }
   return made;

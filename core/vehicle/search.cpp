@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -35,7 +36,6 @@ class Search {
         prices_(prepared.prices),
         edges_(prepared.edges),
         flood_(prepared.free, space_, prices_, options.wide, memory.flood, poller),
-        planes_(prepared.planes),
         lattice_flood_(memory.lattice_flood),
         reached_(memory.reached),
         leads_(memory.leads),
@@ -53,7 +53,9 @@ class Search {
     begin_probe();
     const bool trap = probe(kProbed) && !start_leads();
     if (done() || trap) return std::move(best_);
+    queue_.reset(0, kBucket);
     forward();
+    for (int gaps = 4; gaps > 0 && options_.creeps && best_.goal < 0 && cross(); --gaps) forward();
     return std::move(best_);
   }
 
@@ -198,11 +200,21 @@ class Search {
     return options_.lattice_tolerance > 0 ? flood : std::max(flood, least);
   }
 
+  /// On by small motions from where it came nearest to a goal. False: a pocket, or nothing new.
+  bool cross() {
+    if (done() || best_.full || reached_.size() < 4 * kProbed) return false;
+    std::ranges::move(connectors_across(
+                          prepared_, reached_, [&](int x, int y) { return flood_.at(x, y); },
+                          [&](std::uint32_t i, std::vector<Segment>& to) { append_reached(i, to); },
+                          counts_, poller_),
+                      std::back_inserter(from_start_));
+    return from_start_.size() > offered_;
+  }
+
   void forward() {
-    queue_.reset(0, kBucket);
-    for (std::size_t i = 0; i < from_start_.size(); ++i) {
-      const Connector& c = from_start_[i];
-      offer(c.x, c.y, c.heading, layer_of(c.gear), c.cost, 0, ~static_cast<std::int32_t>(i));
+    for (; offered_ < from_start_.size(); ++offered_) {
+      const Connector& c = from_start_[offered_];
+      offer(c.x, c.y, c.heading, layer_of(c.gear), c.cost, 0, ~static_cast<std::int32_t>(offered_));
     }
     std::int64_t expanded = 0;
     std::int64_t next_probe = std::int64_t{2} * kProbed;
@@ -251,8 +263,8 @@ class Search {
     if (layers_ > 1 || std::int64_t{space_.width()} * space_.height() > options_.max_states ||
         !LatticeFlood::takes(lattice_) || EdgePlanes::bytes(space_, lattice_) > EdgePlanes::kMost)
       return false;
-    const EdgePlanes* planes =
-        planes_.get(options_.stop, [&] { return EdgePlanes::make(space_, lattice_, poller_); });
+    const EdgePlanes* planes = prepared_.planes.get(
+        options_.stop, [&] { return EdgePlanes::make(space_, lattice_, poller_); });
     if (planes == nullptr) return poller_.stopped();
     LatticeFlood flood(*planes, lattice_, space_.width(), space_.height(), lattice_flood_);
     const Found before = best_;
@@ -272,10 +284,10 @@ class Search {
       for (const auto& [total, x, y, h] :
            flood.about(goal.pose, std::min(2 * near(), 60.0), most, steering_, poller_)) {
         if ((best_.goal >= 0 && total >= best_.cost) || poller_.stop_after(64)) break;
-        const Cell at{x, y};
-        const int heading = h;
         shoot(lattice_.pose(x, y, h), goal, flood.cost(x, y, h), 0, 3,
-              [&](auto& to) { flood.append(from_start_, at, heading, to); });
+              [&, at = Cell{x, y}, heading = h](auto& to) {
+                flood.append(from_start_, at, heading, to);
+              });
       }
     }
     if (best_.goal >= 0) best_.cost = prices_.of(best_.segments);
@@ -334,16 +346,13 @@ class Search {
 
   void shoot_from(std::uint32_t index, const Cell& at, int heading, int layer, double cost) {
     const Pose pose = lattice_.pose(at.x, at.y, heading);
-    const Goal* nearest = nullptr;
-    double least = kNever;
-    for (const Goal& goal : goals_) {
-      const double dx = goal.pose.x - pose.x;
-      const double dy = goal.pose.y - pose.y;
-      if (dx * dx + dy * dy >= least) continue;
-      least = dx * dx + dy * dy;
-      nearest = &goal;
-    }
-    if (nearest == nullptr || (std::sqrt(least) + cost >= best_.cost && best_.goal >= 0)) return;
+    const auto squared = [&](const Goal& goal) {
+      const double dx = goal.pose.x - pose.x, dy = goal.pose.y - pose.y;
+      return dx * dx + dy * dy;
+    };
+    const auto nearest = std::ranges::min_element(goals_, {}, squared);
+    if (nearest == goals_.end()) return;
+    if (std::sqrt(squared(*nearest)) + cost >= best_.cost && best_.goal >= 0) return;
     shoot(pose, *nearest, cost, layers_ > 1 ? (layer == 1 ? -1 : 1) : 0, options_.wide ? 6 : 3,
           [&](std::vector<Segment>& to) { append_reached(index, to); });
   }
@@ -362,13 +371,13 @@ class Search {
   const Prices& prices_;
   const EdgePrices* edges_;
   Flood flood_;
-  const MadeOnce<EdgePlanes>& planes_;
   LatticeFlood::Memory& lattice_flood_;
   States<Reached>& reached_;
   States<Leads>& leads_;
   BucketQueue& queue_;
   BucketQueue& probe_;
   std::vector<Connector> from_start_, to_goal_;
+  std::size_t offered_ = 0;  ///< of those from the start
   std::vector<Segment> shot_;
   Found best_;
 };

@@ -6,14 +6,22 @@
 #include "core/vehicle/escape.h"
 
 namespace lasius::vehicle {
+namespace {
+
+double near_of(const Vehicle& vehicle) { return std::max(vehicle.turning_radius, 4.0); }
+ConnectorReach brief_reach(const Vehicle& vehicle) {
+  return {std::min(near_of(vehicle), 30.0), 12, 1.35};
+}
+
+}  // namespace
 
 SearchEnds ends_of_search(const Prepared& prepared, const Pose& start, std::span<const Goal> goals,
                           const SearchOptions& options, Result& counts, Poller& poller) {
   const Space::Impl& space = prepared.space;
   const Lattice& lattice = prepared.lattice;
   SearchEnds ends;
-  const double near = std::max(space.vehicle().turning_radius, 4.0);
-  const ConnectorReach brief{std::min(near, 30.0), 12, 1.35};
+  const double near = near_of(space.vehicle());
+  const ConnectorReach brief = brief_reach(space.vehicle());
   const ConnectorReach wide{std::min(3 * near, 60.0), 1.5 * near, 1.35};
   const auto all_of = [&](const Pose& pose, bool towards) {
     std::vector<Connector> made = connectors(space, lattice, pose, towards,
@@ -40,6 +48,40 @@ SearchEnds ends_of_search(const Prepared& prepared, const Pose& start, std::span
   for (std::vector<Connector>* made : {&ends.from_start, &ends.to_goal})
     for (Connector& c : *made) c.cost = prepared.prices.of(c.motions);
   return ends;
+}
+
+std::vector<Connector> connectors_across(
+    const Prepared& prepared, States<Reached>& reached, const std::function<double(int, int)>& left,
+    const std::function<void(std::uint32_t, std::vector<Segment>&)>& way_to, Result& counts,
+    Poller& poller) {
+  constexpr std::size_t kFrom = 16;
+  std::vector<std::pair<float, std::uint32_t>> near;
+  for (std::uint32_t i = 0; i < reached.size(); ++i)
+    if (reached[i].expanded) near.push_back({reached[i].left, i});
+  if (near.empty()) return {};
+  const auto last = near.begin() + static_cast<std::ptrdiff_t>(std::min(kFrom, near.size()));
+  std::partial_sort(near.begin(), last, near.end());
+  near.erase(last, near.end());
+  std::vector<Pose> from;
+  from.reserve(near.size());
+  for (const auto& [far, i] : near) {
+    const Cell at = reached.cell(i);
+    from.push_back(prepared.lattice.pose(at.x, at.y, reached.heading(i)));
+  }
+  const double least = left(floor_of(from[0].x), floor_of(from[0].y));
+  std::vector<Connector> made;
+  for (Crossing& c : crossings(
+           prepared.space, prepared.lattice, from, left,
+           [&](const Connector& to) { return left(to.x, to.y) < least - 1; },
+           brief_reach(prepared.space.vehicle()), counts.checked, poller)) {
+    std::vector<Segment> way;
+    way_to(near[c.from].second, way);
+    std::vector<Segment>& motions = c.connector.motions;
+    motions.insert(motions.begin(), way.begin(), way.end());
+    c.connector.cost = prepared.prices.of(motions);
+    made.push_back(std::move(c.connector));
+  }
+  return made;
 }
 
 }  // namespace lasius::vehicle

@@ -148,5 +148,45 @@ TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
   EXPECT_GT(bent, 50);
 }
 
+// What taut paths cost with prices at their ends: at least the length, at most what the shortest
+// one costs; there and back the same, and whatever is left out since other ways are shorter.
+TEST(DiscSearch, PricesAtEnds) {
+  std::mt19937 random(9);
+  DiscSearch search;
+  int bent = 0, dearer = 0;
+  for (int round = 0; round < scaled(40); ++round) {
+    const double radius = random_radius(2, random);
+    const auto space = DiscSpace::make(random_map(radius, random), radius);
+    for (int i = 0; i < 6; ++i) {
+      const auto start = random_clear(*space, random), goal = random_clear(*space, random);
+      if (!start || !goal) continue;
+      const DiscAnswer shortest = solve(search, *space, nullptr, *start, *goal);
+      if (shortest.curve.size() < 2) continue;
+      ++bent;
+      const auto least = [&](Point from, Point to, const EndPrices& prices) {
+        return search.least(*space, from, to, prices, 0, {});
+      };
+      const auto same = [](Point) { return 1.5; };
+      EXPECT_NEAR(least(*start, *goal, {same, same, 3}), shortest.length + 3, 1e-6);
+      const auto towards = [](double angle) {
+        return [angle](Point p) { return 2 - 2 * std::cos(std::atan2(p.y, p.x) - angle); };
+      };
+      const double one = 0.1 * random_in(0, 62, random), other = 0.1 * random_in(0, 62, random);
+      const EndPrices prices{towards(one), towards(other), 8};
+      const double there = least(*start, *goal, prices);
+      EXPECT_NEAR(least(*goal, *start, {prices.at_goal, prices.at_start, 8}), there, 1e-6);
+      EXPECT_NEAR(least(*start, *goal, {prices.at_start, prices.at_goal, 1e9}), there, 1e-6);
+      const Point first = shortest.curve.front().to, last = shortest.curve.back().from;
+      const double own = prices.at_start({first.x - start->x, first.y - start->y}) +
+                         prices.at_goal({last.x - goal->x, last.y - goal->y});
+      EXPECT_GE(there, shortest.length - 1e-6);
+      EXPECT_LE(there, shortest.length + own + 1e-6);
+      dearer += there > shortest.length + 0.1 && there < shortest.length + own - 0.01;
+    }
+  }
+  EXPECT_GT(bent, 60);
+  EXPECT_GT(dearer, 3);
+}
+
 }  // namespace
 }  // namespace lasius::disc

@@ -76,15 +76,16 @@ TEST(VehicleEnds, ALongVehicleWithSomeRoom) {
 }
 
 /// A room, and a corridor into it along an arc about (60, 35), whose headings and cells hardly any
-/// motion of the lattice has.
-Grid bent_pocket() {
+/// motion of the lattice has; it `leads_on` to another room, or ends at the map's edge.
+Grid bent_pocket(bool leads_on = false) {
   Grid grid(120, 90);
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 120; ++x) {
       const double dx = x + 0.5 - 60, dy = y + 0.5 - 35;
       const bool in_room = x >= 60 && x < 118 && y >= 2 && y < 88;
       const bool in_corridor = dx <= 0.6 && std::fabs(std::hypot(dx, dy) - 40) <= 5;
-      grid.set_blocked({x, y}, !in_room && !in_corridor);
+      const bool in_other = leads_on && x >= 2 && x < 42 && y >= 2 && y < 32;
+      grid.set_blocked({x, y}, !in_room && !in_corridor && !in_other);
     }
   return grid;
 }
@@ -100,6 +101,23 @@ TEST(VehicleEnds, OutOfABentPocket) {
     const Planner planner(grid, vehicle);
     const Pose inwards{deep.x, deep.y, deep.yaw - kPi};
     for (const auto& [start, goal] : {std::pair(deep, in_room), std::pair(in_room, inwards)}) {
+      const Result result = planner.plan({.start = start, .goals = {goal}});
+      ASSERT_EQ(result.status, Status::solved) << result.error;
+      EXPECT_FALSE(oracle::FootprintJudge(grid, vehicle.footprint).first_touch(path_of(result)));
+    }
+  }
+}
+
+// Neither end is in the corridor that the lattice does not fit.
+TEST(VehicleEnds, ThroughABentCorridor) {
+  const Grid grid = bent_pocket(true);
+  Vehicle turning = car(rectangle(6, 6, 4), 8);
+  turning.reverse = false;
+  turning.rotate_in_place = true;
+  const Pose in_room{95.5, 40.5, 1}, in_other{20.5, 16.5, 2};
+  for (const Vehicle& vehicle : {car(rectangle(6, 6, 4), 8), turning}) {
+    const Planner planner(grid, vehicle);
+    for (const auto& [start, goal] : {std::pair(in_other, in_room), std::pair(in_room, in_other)}) {
       const Result result = planner.plan({.start = start, .goals = {goal}});
       ASSERT_EQ(result.status, Status::solved) << result.error;
       EXPECT_FALSE(oracle::FootprintJudge(grid, vehicle.footprint).first_touch(path_of(result)));
