@@ -1,11 +1,11 @@
 #include "core/cost/cost_search.h"
 
 #include <algorithm>
-#include <ctime>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "core/base/processor_time.h"
 #include "core/cost/coarse_bound.h"
 #include "core/cost/path_cost.h"
 #include "core/cost/proof_level.h"
@@ -13,8 +13,6 @@
 
 namespace lasius::cost {
 namespace {
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Cells on either side of the first walk where the first path of any angle may be: a path
 /// is seldom farther from it but on another way around something.

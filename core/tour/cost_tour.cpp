@@ -8,7 +8,9 @@
 #include "core/base/parallel.h"
 #include "core/grid/distance.h"
 #include "core/tour/map_pricer.h"
+#include "core/tour/order/search.h"
 #include "core/tour/route_tour.h"
+#include "core/tour/routes/find_routes.h"
 
 namespace lasius {
 
@@ -28,9 +30,28 @@ struct Leg {
   std::vector<Point> path = {};  // from the lower stop
 };
 
+using Routes = std::vector<std::vector<int>>;
+
+// Short by straight ways, at once; by places. None where none was found.
+Routes routes_by_straight_ways(const TourStops& stops, const TourRequest& request) {
+  std::vector<Cost> matrix;
+  matrix.reserve(stops.places.size() * stops.places.size());
+  for (const Point a : stops.places)
+    for (const Point b : stops.places) matrix.push_back(tour::grains(distance(a, b)));
+  const Costs costs(stops.size(), matrix.data());
+  if (is_routed(request))
+    return find_routes(stops.routes, costs, {.seed = request.seed, .generations = 0}).orders;
+  tour::OrderFound found =
+      find_order(costs, stops.ends, stops.places,
+                 {.seed = request.seed, .generations = 0, .given = &stops.given});
+  return found.order.empty() ? Routes{} : Routes{std::move(found.order)};
+}
+
 class LegsOverCosts {
  public:
-  LegsOverCosts(const CostPlanner& planner, const TourStops& stops, const TourRequest& request)
+  /// Prices the legs of `first` first, then those between near stops.
+  LegsOverCosts(const CostPlanner& planner, const TourStops& stops, const TourRequest& request,
+                const Routes& first)
       : planner_(planner), places_(stops.places), n_(stops.size()) {
     options_.params = Params("exact");
     gap_ = std::max(kGapOfLegs, request.target_gap / 2);
@@ -43,6 +64,7 @@ class LegsOverCosts {
     for (int a = 0; a < n_; ++a)
       for (int b = a + 1; b < n_; ++b)
         if (task_of[a] < 0 || task_of[a] != task_of[b]) pairs.emplace_back(a, b);
+    sort(pairs, tour::legs_of(first, request.open));
     std::atomic<int> priced{0};
     std::atomic<bool> cut{false};
     parallel_for(static_cast<int>(pairs.size()), thread_count(request.threads), [&](int i, int) {
@@ -82,11 +104,21 @@ class LegsOverCosts {
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     parallel_for(static_cast<int>(missing.size()), thread_count(threads),
                  [&](int i, int) { plan(missing[i].first, missing[i].second, kAnyGap, {}); });
+    for (const auto& [a, b] : missing) set_costs(a, b);
   }
   /// From the lower stop to the higher.
   const Leg& leg(int a, int b) const { return legs_[index(std::min(a, b), std::max(a, b))]; }
 
  private:
+  void sort(std::vector<std::pair<int, int>>& pairs,
+            const std::vector<std::pair<int, int>>& first) const {
+    std::vector<double> when(legs_.size());
+    for (const auto& [a, b] : pairs) when[index(a, b)] = apart(a, b);
+    for (const auto& [a, b] : first) when[index(std::min(a, b), std::max(a, b))] = -1;
+    std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& p, const auto& q) {
+      return when[index(p.first, p.second)] < when[index(q.first, q.second)];
+    });
+  }
   void set_costs(int a, int b) {
     const Leg& leg = legs_[index(a, b)];
     // Those that are not priced are dear, the longer the dearer.
@@ -101,7 +133,8 @@ class LegsOverCosts {
   std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * n_ + b; }
   /// Rounded down, by what costs may be off too.
   Cost grains(double cost) const {
-    return static_cast<Cost>(std::floor(cost * (1 - 1e-9) * scale_));
+    return static_cast<Cost>(
+        std::min<double>(tour::kLargest, std::floor(cost * (1 - 1e-9) * scale_)));
   }
   void plan(int a, int b, double gap, const StopCondition& stop) {
     CostResult found = planner_.plan(
@@ -138,18 +171,22 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
     tour.status = Status::interrupted;
     return tour;
   }
-  LegsOverCosts legs(planner, stops, request);
+  const Routes first = by_ants(request) ? Routes{} : routes_by_straight_ways(stops, request);
+  LegsOverCosts legs(planner, stops, request, first);
   tour.priced = legs.priced();
   const Costs costs = legs.costs(), lower = legs.lower();
-  const Orders found = orders_and_bound(costs, lower, stops, request, legs.scale(), observer, tour);
+  Orders found = orders_and_bound(costs, lower, stops, request, legs.scale(), observer, tour);
   if (found.orders.empty()) return tour;
+  legs.complete(tour::legs_of(found.orders, request.open), request.threads);
+  if (legs.cut() && !first.empty() &&
+      cost_of(costs, first, request.open) < cost_of(costs, found.orders, request.open))
+    found.orders = first;  // all of whose legs were priced
   tour.status = status_after(found.cause, request.stop);
   if (tour.status == Status::solved && legs.cut()) tour.status = Status::limit;
   set_orders(request, stops, found, tour);
   std::vector<std::pair<int, int>> places;
   for (const TourLeg& leg : tour.legs)
     places.emplace_back(stops.place_of(leg.from), stops.place_of(leg.to));
-  legs.complete(places, request.threads);
   for (std::size_t i = 0; i < places.size(); ++i) {
     TourLeg& told = tour.legs[i];
     const auto& [a, b] = places[i];

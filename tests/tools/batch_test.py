@@ -23,6 +23,12 @@ class Formats(ProgramTest):
         self.assertEqual([(q["index"], q["start"], q["goal"], q["status"]) for q in run.lines],
                          [(0, [0, 0], [9, 5], "solved"), (1, [1, 0], [9, 0], "solved")])
 
+    def test_yaws_without_a_vehicle_are_told(self):
+        queries = "sx sy syaw gx gy gyaw\n0 0 0 9 5 north\n"
+        run = self.batch(queries)
+        self.assertEqual((run.code, run.err), (0, "lasius: q.tsv: its yaws have no effect without --vehicle\n"))
+        self.quiet(self.batch(queries, "-q"))
+
     def test_columns_in_any_order_blanks_and_line_ends(self):
         run = self.batch("gy gx  sy sx\r\n5 9 0 0\r\n\r\n 0\t9  0 1 \r\n")
         self.assertEqual([(q["start"], q["goal"]) for q in run.lines],

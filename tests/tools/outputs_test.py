@@ -11,7 +11,7 @@ import struct
 import time
 import unittest
 
-from program import MAPS, ProgramTest, refuse_constant
+from program import MAPS, ProgramTest, refuse_constant, tuning
 
 FAN = os.path.join(MAPS, "fan400x200.map")
 ARMS = os.path.join(MAPS, "arms")
@@ -343,16 +343,23 @@ class Ends(ProgramTest):
 
     def test_an_end_during_the_search_names_what_is_not_written(self):
         self.write("q.tsv", QUERIES.replace("9\t5", "0\t0") + "0\t0\t9\t5\n")  # the first one is soon answered
+        self.write("t.yaml", tuning(blocks=3000, seeds=5000))
         slow = ("--algorithm", "as", "--iterations", "1000000000", "--progress", "always", "-o", "r.svg", "-o", "r.json")
-        for words in (self.LONG + ("r.svg",), ("batch", "small.map", "q.tsv", *slow)):
+        sweep = ("--start", "0,0", "--goal", "9,5", "--algorithm", "as", "--seeds", "1..100000", "-o", "s")
+        for words, names in (
+                (self.LONG + ("r.svg",), "r.json, r.svg"),
+                (("batch", "small.map", "q.tsv", *slow), "r.json, r.svg"),
+                (("study", "run", "small.map", *sweep), "s/runs.csv, s/results.csv, s/claims.csv, s/report.md, s/report.html"),
+                (("tune", "t.yaml", "-o", "t"), "t/race.csv, t/candidates.csv, t/report.md, t/preset.yaml")):
             # Ends at once though it is the first: a second signal would come before, among or after the files.
             process = self.start_program(*words, preexec_fn=no_core)
             process.stderr.read(1)
             process.send_signal(signal.SIGQUIT)
             err = process.communicate(timeout=60)[1].decode()
             self.assertEqual(process.returncode, -signal.SIGQUIT)
-            self.assertIn("lasius: interrupted: not written: r.json, r.svg\n", err)
-            self.assertEqual(set(os.listdir(self.folder)), {"small.map", "q.tsv"})
+            self.assertIn(f"lasius: interrupted: not written: {names}\n", err)
+            self.assertEqual([name for name in names.split(", ") if os.path.exists(self.path(name))], [])
+        self.assertEqual(set(os.listdir(self.folder)), {"small.map", "q.tsv", "t.yaml", "s", "t"})
 
     def test_a_hang_up_that_was_ignored_stays_so(self):
         process = self.start_program(

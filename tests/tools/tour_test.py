@@ -2,6 +2,7 @@
 import itertools
 import json
 import math
+import re
 import unittest
 
 from layers import pgm
@@ -114,6 +115,17 @@ class Tour(ProgramTest):
                     self.assertEqual([type(x) for x in stops[0] + stops[1]], [float] * 2 + [int] * 2)
                     stops = [[math.floor(x) for x in stop] for stop in stops]
                 self.assertEqual(stops, cells[:1] if name == "f.geojson" else cells)
+
+    def test_yaws_without_a_vehicle_are_told(self):
+        feature = {"type": "Feature", "properties": {"yaw": 1}, "geometry": {"type": "Point", "coordinates": [2, 2]}}
+        for name, text in (("a.tsv", "x y yaw\n2 2 90deg\n14 7 north\n"), ("b.json", '[{"x": 2, "y": 2, "yaw": 0.5}, [14, 7]]'),
+                           ("c.geojson", json.dumps(feature))):
+            self.write(name, text)
+            run = self.ended(self.tour(stops=name), 0)
+            self.assertIn(f"lasius: {name}: its yaws have no effect without --vehicle\n", run.err)
+            self.quiet(self.tour("-q", stops=name))
+        self.write("d.json", '[{"x": 2, "y": 2, "yaw": null}]')
+        self.assertNotIn("yaw", self.tour(stops="d.json").err)
 
     def test_broken_stops(self):
         for name, text, words in (
@@ -366,12 +378,17 @@ class Tour(ProgramTest):
         self.assertGreater(min(self.png_size("a.png")), 200)
         self.tour("-o", "ants.svg", "--algorithm", "mmas", "--iterations", "2")
         self.holds(self.words("ants.svg"), "tour, mmas on free.map")
-        self.holds(self.words("a.svg"), "tour of 4 stops, length 34.00 cells, proven shortest",
-                   "stop, by its place in the tour")
+        self.holds(self.words("a.svg"), "tour of 4 stops, length 34.00 cells, proven shortest", "stop, by its name")
+        self.assertEqual(self.labels("a.svg"), ["a", "b", "c", "d"])
         self.write("s.tsv", "x y\n0 0\n3 2\n9 5\n")
         self.tour("-o", "b.svg", "--start", "0,0", stops="s.tsv", map_file="small.map")
-        self.holds(self.words("b.svg"), "1 stop left out", "start")
+        self.holds(self.words("b.svg"), "1 stop left out", "start", "stop, by its number")
+        self.assertEqual(self.labels("b.svg"), ["0", "2"])  # as the JSON counts them
         self.assertNotIn("goal", self.words("b.svg"))
+
+    def labels(self, picture):
+        """What stands beside the stops."""
+        return sorted(re.search("y, cells (.*) tour of", self.words(picture))[1].split())
 
     def test_tsplib(self):
         self.write("box.tsp", TSPLIB)

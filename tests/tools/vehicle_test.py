@@ -254,7 +254,12 @@ class Vehicles(ProgramTest):
         for start in ("5,5", "5,5,x", "5,5,90degs", "5,5,1e9", "5,,1", "5,5,nan"):
             with self.subTest(start=start):
                 self.refused(self.drive("car.json", start, "20,20,0"), 2, "--start")
-        self.refused(self.run_program("plan", "yard.map", "--start", "1,1", "--goal", "9,9", "--heading-tolerance", "1"), 2, "--vehicle")
+        points = ("plan", "yard.map", "--start", "1,1", "--goal", "9,9")
+        self.refused(self.run_program(*points, "--heading-tolerance", "1"), 2, "--vehicle")
+        # What results name is listed.
+        name = self.drive("car.json", "5,5,0", "20,20,0", "--json").json["algorithm"]
+        self.holds(self.quiet(self.run_program("algorithms", name)).out, "Vehicles", f"\n{name}: ")
+        self.refused(self.run_program(*points, "--algorithm", name), 2, name + " plans for vehicles", "--vehicle")
 
     def test_goals(self):
         near, far = "9.5,15.5,0", "38.5,26.5,180deg"

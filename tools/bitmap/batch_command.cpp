@@ -146,6 +146,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   check_files(run);
   check_radius(map, run);
   QueryFile file = queries_of(command, map);
+  note_yaws(file.yaws, command.queries, run);
   keep_part(file.queries, command.queries, run.part);
   note_map(map, run, signals.token());
   const std::vector<Request> queries = requests_of(file, map, run);

@@ -131,12 +131,11 @@ class PolygonProblem : public ProblemOf<PolygonCommand> {
 };
 
 /// The command's queries: a file's, or its own one.
-std::vector<QueryFile::Line> queries_of(const PolygonCommand& command,
-                                        const polygon::World& world) {
-  if (!command.queries.empty()) return read_table(command.queries).queries;
+QueryFile queries_of(const PolygonCommand& command, const polygon::World& world) {
+  if (!command.queries.empty()) return read_table(command.queries);
   check_ends(command, world);
-  return {{.start = {command.start ? *command.start : *world.start},
-           .goal = {command.goal ? *command.goal : *world.goal}}};
+  return {.queries = {{.start = {command.start ? *command.start : *world.start},
+                       .goal = {command.goal ? *command.goal : *world.goal}}}};
 }
 
 std::unique_ptr<Problem> polygon_again(const Recorded& from, const Problem* last) {
@@ -161,9 +160,10 @@ int run_polygon_batch(PolygonCommand plan) {
   const LoadedWorld world = load_world(plan.world);
   note_world(world, polygon::find_algorithm(parameters.algorithm()), plan);
   std::vector<polygon::Request> queries;
-  auto lines = queries_of(plan, world.planner.world());
-  keep_part(lines, plan.queries, plan.part);
-  for (const auto& [start, goal] : lines)
+  QueryFile file = queries_of(plan, world.planner.world());
+  note_yaws(file.yaws, plan.queries, plan);
+  keep_part(file.queries, plan.queries, plan.part);
+  for (const auto& [start, goal] : file.queries)
     queries.push_back({.start = start,
                        .goal = goal,
                        .target_gap = plan.target_gap,

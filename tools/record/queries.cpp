@@ -152,6 +152,8 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
     column[i] = static_cast<std::size_t>(found - header.begin());
   }
   QueryFile file;
+  for (const std::string_view name : {"syaw", "gyaw"})
+    file.yaws |= std::ranges::count(header, name) > 0;
   while (lines.next()) {
     const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kBlanks);
     if (fields.size() != header.size())

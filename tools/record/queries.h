@@ -17,7 +17,13 @@ struct QueryFile {
   };
   std::vector<Line> queries;
   bool scenario = false;  ///< coordinates are cells whatever the frame
+  bool yaws = false;      ///< has columns syaw or gyaw, which are not read
 };
+
+/// Notes that the yaws of a file of ends are not read, where there are any.
+inline void note_yaws(bool any, const std::string& file, SearchOptions& options) {
+  if (any) options.notes.push_back(file + ": its yaws have no effect without --vehicle");
+}
 
 /// Reads all of a file before anything is returned.
 ///   .scen  "version 1" or "version 1.0", then bucket map width height sx sy gx gy optimal a line,

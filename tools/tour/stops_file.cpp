@@ -139,6 +139,7 @@ class Reader {
           loads = column(header, "load", at);
           group = column(header, "group", at);
           if (poses_) yaw = column(header, "yaw", at);
+          stops_.yaws_unread = !poses_ && std::ranges::count(header, "yaw") > 0;
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
@@ -246,7 +247,7 @@ class Reader {
     return yaw(value.is_string() ? value.get<std::string>() : value.dump(), {.path = path});
   }
 
-  Details details_of(const Json& object, const std::string& path) const {
+  Details details_of(const Json& object, const std::string& path) {
     Details details;
     const auto given = [&](const char* key) -> const Json* {
       return object.contains(key) && !object[key].is_null() ? &object[key] : nullptr;
@@ -265,7 +266,9 @@ class Reader {
       else
         details.after = names_in(text_of(*after, "after"));
     }
-    if (const Json* value = poses_ ? given("yaw") : nullptr) details.yaw = yaw_of(*value, path);
+    const Json* const turned = given("yaw");
+    if (turned != nullptr && poses_) details.yaw = yaw_of(*turned, path);
+    stops_.yaws_unread |= turned != nullptr && !poses_;
     if (const Json* value = given("load"))
       details.load =
           load(value->is_number() ? value->get<double>() : 0.5, value->dump(), {.path = path});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lasius/tour.h"
@@ -12,6 +13,7 @@ namespace lasius::tool {
 struct TourAnswer {
   LoadedMap map;
   std::vector<Place> stops;
+  std::vector<std::string> names;  ///< of those of the file, where it has some
   std::optional<int> start, goal;  ///< indices of stops
   std::vector<int> robots;         ///< likewise, where each of several begins
   TourResult tour;

@@ -35,6 +35,13 @@ std::string caption(const TourGround& ground, const TourAnswer& answer) {
   return text;
 }
 
+// As messages, the JSON and pages call it.
+std::string name_of(const TourAnswer& answer, int stop) {
+  const auto i = static_cast<std::size_t>(stop);
+  const bool named = i < answer.names.size() && !answer.names[i].empty();
+  return named ? answer.names[i] : std::to_string(stop);
+}
+
 void draw_stops(Canvas& canvas, const Axes& axes, const TourGround& ground,
                 const TourAnswer& answer) {
   const auto at = [&](int stop) {
@@ -46,14 +53,10 @@ void draw_stops(Canvas& canvas, const Axes& axes, const TourGround& ground,
       canvas.disc(at(out.stop), 4, kLeftOut);
   for (const int stop : answer.tour.order) canvas.disc(at(stop), 4, kStop);
   if (answer.tour.order.size() > kMostNumbered) return;
-  const auto number = [&](const std::vector<int>& order) {
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const Point p = at(order[i]);
-      canvas.text({p.x + 6, p.y - 5}, std::to_string(i + 1), 11, Align::left, kInk, true);
-    }
-  };
-  if (answer.tour.tours.empty()) number(answer.tour.order);
-  for (const RobotTour& robot : answer.tour.tours) number(robot.order);
+  for (const int stop : answer.tour.order) {
+    const Point p = at(stop);
+    canvas.text({p.x + 6, p.y - 5}, name_of(answer, stop), 11, Align::left, kInk, true);
+  }
 }
 
 // That of the first robot is the colour of all paths.
@@ -88,7 +91,8 @@ void write_tour_picture(const std::string& file, Page page, const TourGround& gr
     if (robots == 0) page.legend.push_back(line_key("tour", kPath, 2.5));
     for (std::size_t r = 0; r < std::min(robots, kMostKeys); ++r)
       page.legend.push_back(line_key("robot " + std::to_string(r + 1), colour_of(r), 2.5));
-    page.legend.push_back(disc_key(numbered ? "stop, by its place in the tour" : "stop", kStop));
+    const std::string by = answer.names.empty() ? "number" : "name";
+    page.legend.push_back(disc_key(numbered ? "stop, by its " + by : "stop", kStop));
   }
   if (!answer.tour.left_out.empty()) page.legend.push_back(disc_key("stop left out", kLeftOut));
   page.bands = {{{{{caption(ground, answer), draw}}}}};

@@ -25,9 +25,9 @@ struct TourGround {
   std::function<bool(const Place&)> shows;  ///< whether the picture holds it
 };
 
-/// The map, the tour, by `algorithm`, and its stops, which are numbered from 1 in their order where
-/// they are few; each robot has its colour. `below` draws on the map, below the tour, what the keys
-/// `more` are of. @throws Error(output_failed)
+/// The map, the tour, by `algorithm`, and its stops, where they are few by their names, or numbers
+/// from 0 as in the JSON; each robot has its colour. `below` draws on the map, below the tour, what
+/// the keys `more` are of. @throws Error(output_failed)
 void write_tour_picture(const std::string& file, std::string_view algorithm, const RunOptions& run,
                         const TourAnswer& answer,
                         const std::function<void(Canvas&, const Axes&)>& below = {},

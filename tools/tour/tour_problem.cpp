@@ -12,6 +12,7 @@
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/record/problem.h"
+#include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 #include "tools/tour/stops_file.h"
 #include "tools/tour/tour_files.h"
@@ -22,10 +23,12 @@ namespace lasius::tool {
 
 std::optional<std::int64_t> TourProblem::read(const std::stop_token& token) {
   read_world(token);
+  note_yaws(command_.stops.yaws_unread, command_.stops_file, command_.run);
   if (command_.capacity && command_.stops.loads.empty())
     throw UsageError("--capacity " + std::to_string(*command_.capacity) +
                      ": no stop has a load; give the stops a \"load\", or leave it out");
   for (const End& stop : command_.stops.points) answer_.stops.push_back(to_place(stop));
+  answer_.names = command_.stops.names;
   answer_.start = index_of(command_.start);
   answer_.goal = index_of(command_.goal);
   for (const End& robot : command_.robots) answer_.robots.push_back(*index_of(PoseEnd{robot}));

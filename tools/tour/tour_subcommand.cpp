@@ -23,7 +23,7 @@ constexpr const char* kTourOutputs =
     ".json  what --json prints\n"
     ".csv  x,y of the path along all legs; with --frame world x_m,y_m; of several robots with a "
     "column robot; of TSPLIB the order\n"
-    ".svg, .png  the map, the tour, and its stops by their places in it\n"
+    ".svg, .png  the map, the tour, and its stops by their names or numbers\n"
     ".yaml, .yml  the poses along the tour as ROS nav_msgs/Path, as plan writes them; of several "
     "robots a document each\n"
     ".html  a page of the map, the tour, and its legs, that needs nothing else";

@@ -125,7 +125,7 @@ const Algorithm& lattice_algorithm() {
   static constexpr Algorithm kLattice{
       .name = "lattice",
       .summary = "a lattice of headings, exact ends, certified sweeps",
-      .source = "",
+      .source = "docs/vehicles.md",
       .parameters = {},
       .kind = Algorithm::Kind::exact};
   return kLattice;

@@ -91,7 +91,15 @@ std::unique_ptr<Problem> vehicle_again(const Recorded& from, const Problem*) {
 
 const ProblemKind& vehicle_kind() {
   static const ProblemKind kKind{
-      .format = kPlanFormat, .wrote = of_vehicle, .again = vehicle_again};
+      .key = "vehicle_algorithms",
+      .title = "Vehicles, by `lasius plan|batch|drive MAP --vehicle FILE`",
+      .plans = "for vehicles",
+      .advice = "; ask it with --vehicle FILE",
+      .algorithms = {&lattice_algorithm(), 1},
+      .formulas = [](const Algorithm&) { return std::vector<std::string>{}; },
+      .format = kPlanFormat,
+      .wrote = of_vehicle,
+      .again = vehicle_again};
   return kKind;
 }
 

@@ -31,7 +31,7 @@ constexpr int kMostSwaths = tour::SwathPlan::kMost;
 constexpr int kMostLines = 100'000, kMostSamples = 200'000'000;
 constexpr int kPrepared = 15;     // swaths for which preparing pays
 constexpr int kMostBound = 4000;  // stops, whose ascent takes their square in steps
-constexpr int kRounds = 12;       // of the bound
+constexpr int kRounds = 6;        // of the bound: further ones gain little
 // Of the time to a deadline.
 constexpr double kShareOfSwaths = 0.3, kShareOfPreparing = 0.3, kShareOfOrder = 0.6,
                  kShareOfOrderAlone = 2.0 / 3, kShareOfBound = 0.8;
@@ -145,10 +145,11 @@ void join_swaths(const Planner& planner, const CoverRequest& request, double bet
     const StopCondition bounding = earlier(request.stop, kShareOfBound);
     Poller poller(bounding);
     legs.price_until(bounding);
+    const std::int64_t alike = apart - static_cast<std::int64_t>(result.swept * tour::kGrains);
     if (n <= kMostBound && !stopped(request.stop))
-      found.lower_bound =
-          std::max(*found.lower_bound,
-                   cells(tour_bound(costs, ends, result.stops, order.cost, kRounds, poller)));
+      found.lower_bound = std::max(
+          *found.lower_bound,
+          cells(tour_bound(costs, ends, result.stops, order.cost, kRounds, poller, alike)));
   }
   found.priced = known ? std::int64_t{n} * (n - 1) / 2 - swaths : legs.priced();
   found.status = status_after(order.cause, request.stop);

@@ -20,14 +20,14 @@ constexpr int kMostTurns = 300;
 // a bound is lost where steps become short too soon: where a wide gap is left slow ones follow.
 constexpr ClimbPace kQuick{0.1, 10, 0.66};
 constexpr int kSlow = 3, kSlowest = 4;
-constexpr Sum kWide = 25;  // of the tour
+constexpr Sum kWide = 25;  // of the length
 // Among clusters far apart climbs leave it, and plain ascent goes on from there: so many values of
 // one stop without gain.
 constexpr int kIdleStops = 100'000, kLeastIdle = 50, kMostIdle = 500;
 // A round that closes less of the gap is a poor one, and the next ones are slower.
 constexpr Sum kLeastGain = 30;
 constexpr int kMostPoor = 4;
-constexpr Sum kGapNotWorth = 100'000;                // of the tour: a gap that no round is worth
+constexpr Sum kGapNotWorth = 100'000;                // of the length: a gap worth no round
 constexpr double kNewShare = 0.01, kNoShare = 0.01;  // of a tree, in the mean of all; of a leg
 
 class Ascent {
@@ -37,8 +37,9 @@ class Ascent {
 
   OneTree& trees() { return trees_; }
 
-  // The greatest valid bound, scaled; 0 if stopped before there was one.
-  Sum run(Sum upper, int rounds) {
+  // The greatest valid bound, scaled; 0 if stopped before there was one. `length`: what of `upper`
+  // gaps are shares of.
+  Sum run(Sum upper, Sum length, int rounds) {
     Sum bound = 0;
     int poor = 0, slow = 0;
     int wide = 0;  // rounds that left a wide gap
@@ -55,10 +56,10 @@ class Ascent {
       OneTree::Pairs more;
       bound = asserted(bound, round == 0 ? kNearTree : 0, more);
       const Sum gap = upper - bound;
-      if (gap < kScale || gap <= upper / kGapNotWorth) break;
+      if (gap < kScale || gap <= length / kGapNotWorth) break;
       poor = gap / kLeastGain > bound - earlier ? poor + 1 : 0;
       slow += poor > 0;
-      if (gap <= upper / kWide) {
+      if (gap <= length / kWide) {
         wide = 0;
         separate();
       } else {
@@ -208,7 +209,7 @@ class Ascent {
         const double share = share_[trees_.index(leg)] * kNewShare / weight_ / shares_;
         if (share > kNoShare) legs.push_back({v, leg.to, share});
       }
-    for (Comb& comb : combs_of(costs_.size(), legs))
+    for (Comb& comb : combs_of(costs_.size(), legs, poller_))
       if (std::none_of(cuts_.begin(), cuts_.end(),
                        [&](const Cut& cut) { return cut.comb == comb; }))
         cuts_.push_back({std::move(comb)});
@@ -239,7 +240,7 @@ class Ascent {
 }  // namespace
 
 std::int64_t tour_bound(const Costs& costs, const Ends& ends, std::span<const Point> places,
-                        std::int64_t upper, int rounds, Poller& poller) {
+                        std::int64_t upper, int rounds, Poller& poller, std::int64_t alike) {
   if (costs.size() < 2) return 0;
   if (costs.size() == 2) return std::int64_t{costs.lower(0, 1)} * (ends.open ? 1 : 2);
   const std::optional<OneMore> more =
@@ -247,7 +248,7 @@ std::int64_t tour_bound(const Costs& costs, const Ends& ends, std::span<const Po
   const std::int64_t surplus = more ? more->surplus() : 0;
   Ascent ascent(more ? more->costs() : costs, places, poller);
   if (more) ascent.trees().add(more->all_legs());
-  const Sum bound = ascent.run((upper + surplus) * kScale, rounds);
+  const Sum bound = ascent.run((upper + surplus) * kScale, (upper - alike) * kScale, rounds);
   if (bound <= surplus * kScale) return 0;
   return std::min(upper, (bound + kScale - 1) / kScale - surplus);
 }

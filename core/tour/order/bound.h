@@ -18,7 +18,9 @@ namespace lasius::tour {
 /// that the mean of the last trees exceeds get prices as stops have (Lagrange's), and the ascent
 /// goes on, at most `rounds` times, until stopped, or until the bound meets `upper` or gains
 /// little. Stopped before the first such tree, it is 0. Deterministic but for that.
+/// `alike`: what every tour costs for sure and is no length; what a gap is worth is told by the
+/// rest of `upper`.
 std::int64_t tour_bound(const Costs& costs, const Ends& ends, std::span<const Point> places,
-                        std::int64_t upper, int rounds, Poller& poller);
+                        std::int64_t upper, int rounds, Poller& poller, std::int64_t alike = 0);
 
 }  // namespace lasius::tour

@@ -51,8 +51,8 @@ std::vector<std::pair<int, int>> teeth_of(const std::vector<SharedLeg>& leaving)
 
 class Finder {
  public:
-  Finder(int stops, std::span<const SharedLeg> legs)
-      : near_(stops), stops_of_(stops), in_(stops, 0), joined_(stops, 0) {
+  Finder(int stops, std::span<const SharedLeg> legs, Poller& poller)
+      : near_(stops), stops_of_(stops), in_(stops, 0), joined_(stops, 0), poller_(poller) {
     for (int v = 0; v < stops; ++v) stops_of_[v] = {v};
     for (const auto& [a, b, share] : legs) near_[a][b] = near_[b][a] = std::min(share, 1.0);
   }
@@ -61,7 +61,7 @@ class Finder {
     for (const double tight : kTight) {
       if (tight < 1) shrink(tight);
       for (const double part : kParts) join(part);
-      for (int set = 0; set < size(); ++set)
+      for (int set = 0; set < size() && !poller_.stopped(); ++set)
         if (!near_[set].empty()) grow(set);
     }
     return std::move(found_);
@@ -69,6 +69,9 @@ class Finder {
 
  private:
   int size() const { return static_cast<int>(near_.size()); }
+  bool stop_after(std::size_t looks) {
+    return poller_.stop_after(static_cast<std::int64_t>(looks));
+  }
 
   // Makes one set of any two whose legs take nearly all and that have a neighbour in common: of
   // others nothing new would come.
@@ -82,7 +85,7 @@ class Finder {
     };
     for (bool again = true; again;) {
       again = false;
-      for (int set = 0; set < size(); ++set)
+      for (int set = 0; set < size() && !stop_after(near_[set].size()); ++set)
         for (int other = partner(set); other >= 0; other = partner(set)) {
           unite(set, other);
           again = true;
@@ -103,7 +106,7 @@ class Finder {
   void join(double part) {
     std::vector<int> parent(near_.size());
     std::iota(parent.begin(), parent.end(), 0);
-    for (int set = 0; set < size(); ++set)
+    for (int set = 0; set < size() && !stop_after(near_[set].size()); ++set)
       for (const auto& [to, share] : near_[set])
         if (in_part(share, part)) {
           const int a = root_of(parent, set), b = root_of(parent, to);
@@ -144,6 +147,7 @@ class Finder {
     }
     for (const int v : handle) in_[v] = 0;
     for (const int v : touched) joined_[v] = 0;
+    stop_after(handle.size() * touched.size());
     handle.resize(chosen);
     if (chosen > 0) consider(handle);
   }
@@ -156,6 +160,7 @@ class Finder {
   }
 
   void consider(const std::vector<int>& handle) {
+    if (stop_after(handle.size() + found_.size())) return;
     std::vector<SharedLeg> leaving;
     for (const int v : handle) in_[v] = 1;
     for (const int v : handle)
@@ -187,6 +192,7 @@ class Finder {
   std::vector<std::vector<int>> stops_of_;   // none: part of another
   std::vector<char> in_;                     // the handle
   std::vector<double> joined_;               // to the handle
+  Poller& poller_;
   std::vector<Comb> found_;
 };
 
@@ -198,8 +204,8 @@ std::int64_t Comb::most() const {
   return sum - static_cast<std::int64_t>(teeth.size() + 1) / 2;
 }
 
-std::vector<Comb> combs_of(int stops, std::span<const SharedLeg> legs) {
-  return Finder(stops, legs).run();
+std::vector<Comb> combs_of(int stops, std::span<const SharedLeg> legs, Poller& poller) {
+  return Finder(stops, legs, poller).run();
 }
 
 }  // namespace lasius::tour

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
+
 namespace lasius::tour {
 
 /// A handle of stops, and an odd number of teeth, sets of stops each partly in the handle. A tour
@@ -27,7 +29,8 @@ struct SharedLeg {
 /// Combs of which such legs, at most two a stop in sum, take about more than tours do. Handles are
 /// the stops that legs join which are taken in part (Padberg & Hong 1980), with several limits of
 /// what that is, or grow from a stop by the most of such legs; teeth are the legs that leave them.
-/// So first among stops, then among sets of stops, of which the legs take all they can.
-std::vector<Comb> combs_of(int stops, std::span<const SharedLeg> legs);
+/// So first among stops, then among sets of stops, of which the legs take all they can. Stopped,
+/// those that were found so far.
+std::vector<Comb> combs_of(int stops, std::span<const SharedLeg> legs, Poller& poller);
 
 }  // namespace lasius::tour

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/tour/order/costs.h"
@@ -30,6 +31,17 @@ struct RoutesFound {
   bool optimal = false;                                     ///< proven, by subsets
   StopCondition::Cause cause = StopCondition::Cause::none;  ///< what ended it early
 };
+
+/// From stop to stop, order after order; closed ones also back.
+inline std::vector<std::pair<int, int>> legs_of(const std::vector<std::vector<int>>& orders,
+                                                bool open) {
+  std::vector<std::pair<int, int>> legs;
+  for (const std::vector<int>& order : orders) {
+    const std::size_t n = order.size(), count = n < 2 ? 0 : open ? n - 1 : n;
+    for (std::size_t i = 0; i < count; ++i) legs.emplace_back(order[i], order[(i + 1) % n]);
+  }
+  return legs;
+}
 
 /// The cost of a route, as cost_of.
 inline std::int64_t cost_of(const Costs& costs, const std::vector<std::vector<int>>& orders,

@@ -16,17 +16,9 @@ namespace {
 
 constexpr tour::Cost kDead = tour::kLargest / 2;  // where no plan was found
 constexpr tour::Cost kDearest = kDead / 8;        // of others, by far
+constexpr double kHasty = 3;                      // weight of the estimate
 
 }  // namespace
-
-std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders, bool open) {
-  std::vector<PosePair> legs;
-  for (const std::vector<int>& order : orders) {
-    const std::size_t n = order.size(), count = n < 2 ? 0 : open ? n - 1 : n;
-    for (std::size_t i = 0; i < count; ++i) legs.emplace_back(order[i], order[(i + 1) % n]);
-  }
-  return legs;
-}
 
 LegPrices::LegPrices(const Planner& planner, std::vector<TourPose> poses, int threads,
                      const StopCondition& stop)
@@ -72,7 +64,7 @@ double LegPrices::lower_bound(const tour::RouteProblem& problem, bool open, doub
   constexpr double kRounding = 1e-13;  // of a sum of so few
   if (const auto orders = tour::exact_routes(problem, size(), bounds_, poller)) {
     double least = 0;
-    for (const PosePair& leg : legs_of(*orders, open)) least += bounds_[index(leg)];
+    for (const PosePair& leg : tour::legs_of(*orders, open)) least += bounds_[index(leg)];
     return least * (1 - kRounding);
   }
   const double scale = tour::scale_of(bounds_);
@@ -87,18 +79,28 @@ double LegPrices::lower_bound(const tour::RouteProblem& problem, bool open, doub
   return static_cast<double>(least) / scale;
 }
 
-void LegPrices::price(std::span<const PosePair> legs, int threads, const StopCondition& stop) {
+void LegPrices::price(std::span<const PosePair> legs, int threads, const StopCondition& stop,
+                      int hasty_states) {
+  const bool soon = hasty_states > 0;
   std::vector<Result> found(legs.size());
   parallel_for(static_cast<int>(legs.size()), thread_count(threads), [&](int i, int) {
-    found[i] = planner_.plan({.start = at(legs[i].first).pose,
-                              .goals = {at(legs[i].second).pose},
-                              .bound = false,
-                              .stop = stop});
+    Request request{.start = at(legs[i].first).pose,
+                    .goals = {at(legs[i].second).pose},
+                    .smooth = !soon,
+                    .bound = false,
+                    .stop = stop};
+    if (soon) {
+      request.weight = kHasty;
+      request.max_states = hasty_states;
+    }
+    found[i] = planner_.plan(request);
   });
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const PosePair& leg = legs[i];
     Result& plan = found[i];
-    if (plan.status == Status::limit || plan.status == Status::interrupted) continue;
+    const bool stopped = plan.status == Status::limit || plan.status == Status::interrupted;
+    const bool signalled = soon || plan.status == Status::interrupted;
+    if (stopped && (plan.segments.empty() || !signalled)) continue;
     if (plan.segments.empty()) {
       costs_[index(leg)] = kDead;
     } else {

@@ -22,14 +22,11 @@ struct TourPose {
 /// From one such pose, by its index, to another.
 using PosePair = std::pair<int, int>;
 
-/// Of routes over poses, as add_legs has them.
-std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders, bool open);
-
 /// Between all poses of a tour, either way.
 class LegPrices {
  public:
   /// Finds the bounds: of each pair of places around the obstacles, of each pair of poses without
-  /// them. After a deadline none is around the obstacles, after a token's stop they are 0.
+  /// them. After a deadline none is around the obstacles, after a token's stop they are straight.
   LegPrices(const Planner& planner, std::vector<TourPose> poses, int threads,
             const StopCondition& stop);
 
@@ -41,8 +38,11 @@ class LegPrices {
                      Poller& poller) const;
   double scale() const noexcept { return scale_; }  ///< grains of a length, or over costs of a cost
 
-  /// Plans legs that are not known. A stopped plan is none.
-  void price(std::span<const PosePair> legs, int threads, const StopCondition& stop);
+  /// Plans legs that are not known. A plan that a deadline stopped is none, one that a signal did
+  /// only where it has no path yet. `hasty_states`: above 0 after a signal, by a hastier search
+  /// that enters so many states, and as it finds them.
+  void price(std::span<const PosePair> legs, int threads, const StopCondition& stop,
+             int hasty_states = 0);
   /// Those of `legs` that are not known.
   std::vector<PosePair> unknown(std::vector<PosePair> legs) const {
     std::erase_if(legs, [&](const PosePair& leg) { return known(leg); });

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string_view>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
+#include "core/base/processor_time.h"
 #include "core/tour/order/search.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/find_routes.h"
@@ -25,8 +27,10 @@ using tour::RoutesFound;
 constexpr std::size_t kMostPoses = 2000;
 constexpr int kIdle = 10;   // searches for an order without a shorter tour, where it is not proven
 constexpr int kEffort = 5;  // the share of generations that each such search has
-constexpr std::chrono::duration<double> kSoon{0.7};  // after a signal
-constexpr double kSpacing = 0.5;                     // cells, of a leg's path
+constexpr std::chrono::duration<double> kSoon{0.8};      // of the processor, after a signal
+constexpr int kManyStates = 50'000, kFewStates = 4'000;  // of a leg, until then and later
+constexpr double kSpacing = 0.5;                         // cells, of a leg's path
+constexpr std::string_view kNoWay = "no way was found between it and the others";
 
 std::optional<double> yaw_of(const TourRequest& request, int stop) {
   return request.yaws.empty() ? std::nullopt : request.yaws[static_cast<std::size_t>(stop)];
@@ -127,7 +131,9 @@ class TourSearch {
       const bool better = legs_.unknown(order).empty() && offer(found.orders, order);
       if (better && !tell()) break;
       cause_ = request_.stop.poll();
-      if (cause_ == StopCondition::Cause::token && best_.empty()) join_soon(found.orders);
+      if (legs_.unknown(order).empty()) keep_tried(found.orders, order);
+      if (cause_ == StopCondition::Cause::token && best_.empty())
+        join_soon(tried_.empty() ? found.orders : tried_);
       if (cause_ == StopCondition::Cause::token) break;
       if (cause_ != StopCondition::Cause::none && !best_.empty()) break;
       const bool in_vain = missing.empty() && best_.empty();
@@ -156,21 +162,54 @@ class TourSearch {
     return all;
   }
 
-  void price(const std::vector<PosePair>& legs, const StopCondition& stop) {
-    legs_.price(legs, request_.threads, stop);
+  void price(const std::vector<PosePair>& legs, const StopCondition& stop, int hasty_states = 0) {
+    legs_.price(legs, request_.threads, stop, hasty_states);
     tour_.priced += static_cast<std::int64_t>(legs.size());
   }
 
-  // A signal leaves the order at hand its legs, where these are soon planned.
-  void join_soon(const std::vector<std::vector<int>>& orders) {
-    const std::vector<PosePair> legs = legs_of(orders);
-    price(legs_.unknown(legs),
-          {.deadline = deadline_in(kSoon, request_.stop.now()), .time = request_.stop.time});
-    if (legs_.unknown(legs).empty()) offer(orders, legs);
+  // Of orders all of whose legs were planned, that with the fewest that have no way.
+  void keep_tried(const std::vector<std::vector<int>>& orders, const std::vector<PosePair>& legs) {
+    const auto lost = std::count_if(legs.begin(), legs.end(),
+                                    [&](const PosePair& leg) { return !legs_.has_way(leg); });
+    if (!tried_.empty() && lost >= lost_) return;
+    tried_ = orders;
+    lost_ = lost;
+  }
+
+  // A signal leaves the order at hand its legs, where these are soon planned, without stops to
+  // which, or from which, there is none.
+  void join_soon(std::vector<std::vector<int>> orders) {
+    const ProcessorTime processor;
+    const TimeSource* const time = request_.stop.time ? request_.stop.time : &processor;
+    const StopCondition soon{.deadline = deadline_in(kSoon, time->now()), .time = time};
+    for (;;) {
+      const std::vector<PosePair> legs = legs_of(orders);
+      price(legs_.unknown(legs), soon, kManyStates);
+      price(legs_.unknown(legs), {}, kFewStates);
+      if (offer(orders, legs)) return;
+      std::vector<PosePair> lost = legs;
+      std::erase_if(lost, [&](const PosePair& leg) { return legs_.has_way(leg); });
+      while (!lost.empty()) {
+        const int pose = least_joined(legs_, places_, lost);
+        if (pose < 0 || !leave_out_task(pose)) return;
+        for (std::vector<int>& order : orders) std::erase(order, pose);
+        std::erase_if(lost,
+                      [&](const PosePair& leg) { return leg.first == pose || leg.second == pose; });
+      }
+    }
+  }
+  bool leave_out_task(int pose) {
+    const int place = legs_.at(pose).place;
+    for (std::size_t i = 0; problem_.size() > 1 && i < problem_.tasks.size(); ++i)
+      if (std::count(problem_.tasks[i].begin(), problem_.tasks[i].end(), pose) > 0) {
+        take_out(i, place, "no way was found in time to it, or from it");
+        return true;
+      }
+    return false;
   }
 
   std::vector<PosePair> legs_of(const std::vector<std::vector<int>>& orders) const {
-    return vehicle::legs_of(orders, request_.open);
+    return tour::legs_of(orders, request_.open);
   }
 
   // Takes orders all of whose legs are known, if they have ways and are cheaper.
@@ -221,33 +260,37 @@ class TourSearch {
         best_.clear();
         break;
       }
+    for (std::vector<int>& order : tried_) std::erase_if(order, here);
     if (is_end(place)) {
-      tell_left_out(place, -1);
+      tell_left_out(place, -1, kNoWay);
       tour_.status = Status::no_path;
       tour_.error = tour_.left_out.back().why;
     }
     for (std::size_t i = 0; i < problem_.tasks.size(); ++i) {
       std::erase_if(problem_.tasks[i], here);
       if (!problem_.tasks[i].empty()) continue;
-      tell_left_out(place, request_.group.empty() ? -1 : request_.group[stops_.indices[place]]);
-      const auto at = static_cast<std::ptrdiff_t>(i);
-      problem_.tasks.erase(problem_.tasks.begin() + at);
-      to_bound_.tasks.erase(to_bound_.tasks.begin() + at);
+      take_out(i, place, kNoWay);
       break;
     }
-    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
-              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
     return tour_.error.empty();
   }
-  void tell_left_out(int place, int group) {
+  void take_out(std::size_t task, int place, std::string_view why) {
+    tell_left_out(place, request_.group.empty() ? -1 : request_.group[stops_.indices[place]], why);
+    const auto at = static_cast<std::ptrdiff_t>(task);
+    problem_.tasks.erase(problem_.tasks.begin() + at);
+    to_bound_.tasks.erase(to_bound_.tasks.begin() + at);
+    std::sort(tour_.left_out.begin(), tour_.left_out.end(),
+              [](const LeftOut& a, const LeftOut& b) { return a.stop < b.stop; });
+  }
+  void tell_left_out(int place, int group, std::string_view why) {
     const std::vector<int>& groups = request_.group;
     const bool of_group = group >= 0 && std::count(groups.begin(), groups.end(), group) > 1;
     LeftOut out{stops_.indices[place], {}};
     if (of_group)  // its first stop stands for it
       out.stop = static_cast<int>(std::find(groups.begin(), groups.end(), group) - groups.begin());
     const Point at = stops_.points[out.stop];
-    out.why = "stop " + number_text(out.stop) + " at " + pair_text(at.x, at.y) +
-              ": no way was found between it and the others";
+    out.why = "stop " + number_text(out.stop) + " at " + pair_text(at.x, at.y) + ": ";
+    out.why += why;
     if (of_group) tell_of_group(out, group);
     tour_.left_out.push_back(std::move(out));
   }
@@ -308,7 +351,8 @@ class TourSearch {
   TourPlaces places_;
   tour::RouteProblem problem_;   // over poses
   tour::RouteProblem to_bound_;  // the same tasks, with all their poses
-  std::vector<std::vector<int>> best_;
+  std::vector<std::vector<int>> best_, tried_;
+  std::ptrdiff_t lost_ = 0;  // legs of tried_
   std::int64_t best_cost_ = 0;
   std::optional<double> bound_;
   StopCondition::Cause cause_ = StopCondition::Cause::none;

@@ -1,6 +1,7 @@
 #include "core/vehicle/tour/unjoined.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -153,6 +154,20 @@ Unjoined unjoined(const LegPrices& legs, const TourPlaces& places,
   const Ways ways(legs, places);
   Unjoined worst = ways.alone();
   return worst.place >= 0 ? worst : ways.least_joined(order);
+}
+
+int least_joined(const LegPrices& legs, const TourPlaces& places,
+                 const std::vector<PosePair>& lost) {
+  std::map<int, int> lost_at;
+  for (const auto& [leg, plan] : legs.plans())
+    if (plan.segments.empty())
+      for (const int pose : {leg.first, leg.second}) ++lost_at[legs.at(pose).place];
+  int worst = -1, most = 0;
+  for (const PosePair& leg : lost)
+    for (const int pose : {leg.first, leg.second})
+      if (const int place = legs.at(pose).place; places.end[place] == 0 && lost_at[place] > most)
+        worst = pose, most = lost_at[place];
+  return worst;
 }
 
 }  // namespace lasius::vehicle

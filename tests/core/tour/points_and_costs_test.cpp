@@ -4,6 +4,7 @@
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/tour.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/tour/rooms.h"
 #include "tests/oracle/least_tour.h"
 
@@ -55,12 +56,41 @@ TEST(Distances, AndToursOfPoints) {
   EXPECT_TRUE(plain.clear_at({30, 3.5}));  // the border of a free cell
 }
 
-TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
-  Grid grid = rooms();
+// In patches.
+CostField patches() {
   std::vector<double> weights;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 60; ++x) weights.push_back(1 + (x / 5 + y / 7) % 4);
-  const CostField field(60, 40, weights);
+  return {60, 40, weights};
+}
+
+// The more time, the better: first the legs of an order that is short by straight ways are priced,
+// then those between near stops, and no order is dearer than that one.
+TEST(Tours, OverCostsAreNotDearerTheLaterTheyAreCut) {
+  const CostField field = patches();
+  const CostPlanner planner(Planner(rooms()), field);
+  TourRequest request = ask(some_stops(rooms(), 16));
+  request.threads = 1;
+  request.generations = 2;
+  int cut = 0;
+  double before = std::numeric_limits<double>::infinity();
+  for (int polls = 0; polls < 1 << 20; polls += 2 + polls) {
+    SCOPED_TRACE(polls);
+    const CountingTime time(polls);
+    request.stop = time.is_up();
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_EQ(tour.order.size(), request.stops.size());
+    EXPECT_LE(*tour.cost, 1.002 * before);  // of a leg
+    before = std::min(before, *tour.cost);
+    if (tour.status == Status::solved) break;
+    ++cut;
+  }
+  EXPECT_GT(cut, 5);
+}
+
+TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
+  const Grid grid = rooms();
+  const CostField field = patches();
   const CostPlanner planner(Planner(grid), field);
   for (const int count : {1, 2, 5, 6}) {
     const std::vector<Cell> stops = some_stops(grid, count);

@@ -102,20 +102,28 @@ class Session {
 
   /// Runs what is left of a study and writes its report, partial after a signal.
   Findings run(const Study& study, const fs::path& folder) {
-    if (!follows()) prepare(folder);
+    const bool reports = !command_.part.divided() && !follows();
+    const std::vector<std::string> files = report_files(folder);
+    if (!follows()) prepare(folder, files);
+    Delivery report(reports ? files : std::vector<std::string>{});
     const auto domain = make_domain(study, maps_);
     Findings findings = run_remaining(study, *domain, folder);
     interrupted_ |= findings.interrupted;
-    if (!command_.part.divided() && !follows()) write(study, findings, folder);
+    if (reports) write(study, findings, folder, report);
     return findings;
   }
 
  private:
-  void prepare(const fs::path& folder) const {
+  std::vector<std::string> report_files(const fs::path& folder) const {
+    std::vector<std::string> files;
+    for (const char* name : {"runs.csv", "results.csv", "claims.csv", "report.md"})
+      files.push_back((folder / name).string());
+    files.push_back(command_.page.empty() ? (folder / "report.html").string() : command_.page);
+    return files;
+  }
+  static void prepare(const fs::path& folder, const std::vector<std::string>& files) {
     study::make_folder(folder);
-    if (!command_.page.empty()) check_outputs({command_.page}, {});
-    for (const char* name : {"report.md", "report.html", "runs.csv", "results.csv", "claims.csv"})
-      check_outputs({(folder / name).string()}, {});  // before hours of work
+    check_outputs(files, {});  // before hours of work
   }
 
   Findings run_remaining(const Study& study, const study::Domain& domain, const fs::path& folder) {
@@ -137,7 +145,8 @@ class Session {
   }
 
   /// Polls nothing: a signal ends it, and what was run is kept.
-  void write(const Study& study, const Findings& findings, const fs::path& folder) const {
+  void write(const Study& study, const Findings& findings, const fs::path& folder,
+             Delivery& report) const {
     const EndAtOnce runs_are_kept;
     auto evidence = study::weigh(study, findings);
     study::decide(evidence);
@@ -150,14 +159,18 @@ class Session {
     std::string results;
     for (const study::Experiment& experiment : study.experiments)
       results += experiment.name + "\n" + result_table(findings, experiment).csv() + "\n";
-    study::write_text(folder / "runs.csv", run_table(findings).csv());
-    study::write_text(folder / "results.csv", results);
-    study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
-    study::write_text(folder / "report.md",
-                      report_page(study, findings, evidence, seeds(study), figures));
-    const fs::path page = command_.page.empty() ? folder / "report.html" : fs::path(command_.page);
-    write_file(page.string(), [&](std::ostream& out) {
-      study::write_study_page(out, {study, findings, evidence, maps_, command_.called});
+    report.write([&](const std::string& file) {
+      const std::string name = fs::path(file).filename().string();
+      if (is_page(file))
+        write_file(file, [&](std::ostream& out) {
+          study::write_study_page(out, {study, findings, evidence, maps_, command_.called});
+        });
+      else
+        study::write_text(file, name == "runs.csv"      ? run_table(findings).csv()
+                                : name == "results.csv" ? results
+                                : name == "claims.csv"  ? evidence_table(evidence).csv()
+                                                        : report_page(study, findings, evidence,
+                                                                      seeds(study), figures));
     });
   }
 
@@ -170,6 +183,9 @@ class Session {
 /// All studies, each in a folder of its own, and the pages of their claims.
 fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCommand& command) {
   const fs::path folder = command.folder;
+  const std::vector<std::string> files{(folder / "claims.csv").string(),
+                                       (folder / "claims.md").string()};
+  Delivery claims(command.part.divided() ? std::vector<std::string>{} : files);
   std::vector<Evidence> evidence;
   std::vector<Findings> findings;
   findings.reserve(all.size());
@@ -184,13 +200,15 @@ fs::path run_all(Session& session, const std::vector<Study>& all, const StudyCom
   study::decide(evidence);
   std::string called = "lasius study all";
   if (command.seeds > 0) called = study::called("all", {command.first_seed, command.seeds});
-  study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
   study::make_folder(folder / "claims");
   for (const auto of_one : study::by_study(evidence))
     study::write_text(folder / "claims" / (of_one.front().study->name + ".md"),
                       claim_details(of_one));
-  study::write_text(folder / "claims.md", claims_page(evidence, called));
-  return folder / "claims.md";
+  claims.write([&](const std::string& file) {
+    study::write_text(
+        file, is_table(file) ? evidence_table(evidence).csv() : claims_page(evidence, called));
+  });
+  return files.back();
 }
 
 int finished(const Session& session, const StudyCommand& command, const fs::path& page) {

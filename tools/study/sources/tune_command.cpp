@@ -8,6 +8,7 @@
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
+#include "tools/record/outputs.h"
 #include "tools/study/files.h"
 #include "tools/study/sources/console.h"
 #include "tools/study/tune/tune_report.h"
@@ -17,20 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, const fs::path& folder) {
+void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, Delivery& files) {
   const EndAtOnce runs_are_kept;
-  study::write_text(folder / "race.csv", race_table(tuned).csv());
-  study::write_text(folder / "candidates.csv", candidate_table(tuning, tuned).csv());
-  study::write_text(folder / "report.md", tune_page(tuning, tuned));
-  study::write_text(folder / "preset.yaml", preset_text(tuning, tuned));
+  files.write([&](const std::string& file) {
+    const std::string name = fs::path(file).filename().string();
+    study::write_text(file, name == "race.csv"         ? race_table(tuned).csv()
+                            : name == "candidates.csv" ? candidate_table(tuning, tuned).csv()
+                            : name == "report.md"      ? tune_page(tuning, tuned)
+                                                       : preset_text(tuning, tuned));
+  });
 }
 
-void make_ready(const fs::path& folder, const TuneCommand& command, const study::Tuning& tuning) {
-  study::make_folder(folder);
+void make_ready(const TuneCommand& command, const study::Tuning& tuning,
+                const std::vector<std::string>& files) {
+  study::make_folder(command.folder);
   std::vector<std::string> inputs{command.file};
   for (const study::Contender& c : tuning.candidates) inputs.push_back(c.preset_file);
-  for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
-    check_outputs({(folder / name).string()}, inputs);  // before hours of work
+  check_outputs(files, inputs);  // before hours of work
 }
 
 study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
@@ -54,13 +58,16 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
 int run_command(const TuneCommand& command) {
   study::Tuning tuning = study::read_tuning(command.file);
   if (!command.messages.quiet) tell_unread(tuning.candidates);
-  const fs::path folder = command.folder;
-  if (!follows()) make_ready(folder, command, tuning);
+  std::vector<std::string> files;
+  for (const char* name : {"race.csv", "candidates.csv", "report.md", "preset.yaml"})
+    files.push_back((fs::path(command.folder) / name).string());
+  if (!follows()) make_ready(command, tuning, files);
+  Delivery delivery(files);
   const SignalWatcher signals;
   const study::Tuned tuned = conduct_tuning(tuning, command, signals.token());
   leave_to_leader();
-  write_tuning(tuning, tuned, folder);
-  const std::string preset = (folder / "preset.yaml").string();
+  write_tuning(tuning, tuned, delivery);
+  const std::string& preset = files.back();
   if (!tuned.whole) {
     message("interrupted: " + preset + " is the best so far; the same command goes on from here");
     return kInterrupted;

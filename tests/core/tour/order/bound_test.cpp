@@ -99,20 +99,49 @@ TEST(TourBound, IsWithinAPerCentInCorridors) {
   }
 }
 
-// Two triangles of halves, joined by three whole legs: a solution of Held & Karp's bound that is no
-// tour. Either triangle is a handle with three teeth: 1.5 + 3 of its legs, where tours take 4.
-TEST(Combs, AreFoundWhereTrianglesAreTakenHalf) {
-  std::vector<SharedLeg> legs;
-  for (int i = 0; i < 3; ++i) {
-    legs.push_back({i, (i + 1) % 3, 0.5});
-    legs.push_back({3 + i, 3 + (i + 1) % 3, 0.5});
+// Of stops from `first` on: two triangles of halves, joined by three whole legs, a solution of Held
+// & Karp's bound that is no tour. Either triangle is a handle with three teeth: 1.5 + 3 of its
+// legs, where tours take 4.
+void add_half_triangles(int first, std::vector<SharedLeg>& legs) {
+  for (int i = first; i < first + 3; ++i) {
+    const int next = first + (i - first + 1) % 3;
+    legs.push_back({i, next, 0.5});
+    legs.push_back({3 + i, 3 + next, 0.5});
     legs.push_back({i, 3 + i, 1});
   }
-  const std::vector<Comb> found = combs_of(6, legs);
+}
+
+std::vector<Comb> all_combs_of(int stops, std::span<const SharedLeg> legs) {
+  Poller poller(kNeverStops);
+  return combs_of(stops, legs, poller);
+}
+
+TEST(Combs, AreFoundWhereTrianglesAreTakenHalf) {
+  std::vector<SharedLeg> legs;
+  add_half_triangles(0, legs);
+  const std::vector<Comb> found = all_combs_of(6, legs);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].handle, (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(found[0].teeth, (std::vector<std::vector<int>>{{0, 3}, {1, 4}, {2, 5}}));
   EXPECT_EQ(found[0].most(), 4);
+}
+
+TEST(Combs, AreNotLookedForOnceTimeIsUp) {
+  constexpr int kPairs = 200, kLooks = 512;  // at what there is, between two at the clock
+  std::vector<SharedLeg> legs;
+  for (int pair = 0; pair < kPairs; ++pair) add_half_triangles(6 * pair, legs);
+  const auto found_in = [&](const CountingTime& time) {
+    const StopCondition stop = time.is_up();
+    Poller poller(stop, kLooks);
+    return std::ssize(combs_of(6 * kPairs, legs, poller));
+  };
+  const CountingTime endless(1 << 30), half(30), none(0);
+  EXPECT_EQ(found_in(endless), 2 * kPairs);
+  EXPECT_GT(endless.polls(), 100);
+  const auto in_time = found_in(half);
+  EXPECT_GT(in_time, 0);
+  EXPECT_LT(in_time, 2 * kPairs);
+  EXPECT_EQ(found_in(none), 0);
 }
 
 // One of the triangles, and in place of stop 3 a set of three, of which all but a leg is taken.
@@ -127,7 +156,7 @@ std::vector<SharedLeg> legs_of_a_wide_tooth() {
 
 TEST(Combs, HaveTeethOfManyStops) {
   const Comb comb{{0, 1, 2}, {{0, 3, 6, 7}, {1, 4}, {2, 5}}};
-  const std::vector<Comb> found = combs_of(8, legs_of_a_wide_tooth());
+  const std::vector<Comb> found = all_combs_of(8, legs_of_a_wide_tooth());
   EXPECT_NE(std::find(found.begin(), found.end(), comb), found.end());
   EXPECT_EQ(comb.most(), 3 + 3 + 1 + 1 - 2);
 }
@@ -146,7 +175,7 @@ TEST(Combs, AreKeptByEveryTour) {
       for (SharedLeg& leg : legs)
         if (random.below(4) == 0) leg.share = 0.25 * random.below(5);
     }
-    for (const Comb& comb : combs_of(kStops, legs)) {
+    for (const Comb& comb : all_combs_of(kStops, legs)) {
       ++found;
       std::vector<std::vector<int>> sets = comb.teeth;
       sets.push_back(comb.handle);
@@ -187,6 +216,28 @@ void expect_bound_near(const Instance& stops, int generations, double share) {
 // What the bound of trees alone leaves of stops in the plane is mostly what combs close.
 TEST(TourBound, IsWithinHalfAPerCentInThePlane) {
   expect_bound_near(random_instance(150, 3, false), 40, 0.005);
+}
+
+// As swaths have it: what each leg costs more is no part of what a gap is worth.
+TEST(TourBound, IsTheSameWhereAllLegsCostMoreAlike) {
+  constexpr int kSize = 100;
+  constexpr Cost kMore = kLargest / 2, kGrains = 1000;
+  Instance stops = random_instance(kSize, 4, false);
+  for (Cost& cost : stops.matrix) cost *= kGrains;
+  std::vector<Cost> dearer = stops.matrix;
+  for (int a = 0; a < kSize; ++a)
+    for (int b = 0; b < kSize; ++b)
+      if (a != b) dearer[a * kSize + b] += kMore;
+  constexpr std::int64_t kAlike = std::int64_t{kSize} * kMore;
+  const auto best = find_order(stops.costs(), {}, stops.places, {.generations = 5}).cost;
+  Poller poller(kNeverStops);
+  const auto dearer_bound = [&](std::int64_t alike) {
+    return tour_bound({kSize, dearer.data()}, {}, stops.places, best + kAlike, 10, poller, alike) -
+           kAlike;
+  };
+  const auto bound = tour_bound(stops.costs(), {}, stops.places, best, 10, poller);
+  EXPECT_EQ(dearer_bound(kAlike), bound);
+  EXPECT_LT(dearer_bound(0), bound);
 }
 
 // Prices of whole clusters are what is to be found there, and climbs are slow to.

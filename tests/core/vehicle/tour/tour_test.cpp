@@ -313,6 +313,30 @@ TEST(VehicleTour, ASignalLeavesATour) {
   }
 }
 
+// Also where each order of all stops has a leg without a way: into an end and out of it again.
+TEST(VehicleTour, ASignalLeavesATourOfWhatIsJoined) {
+  Grid grid(60, 40);
+  grid.fill({0, 30, 10, 1}, true);
+  grid.fill({0, 34, 10, 1}, true);
+  const Planner planner(grid, truck());
+  TourRequest request;
+  request.points = {{20, 10}, {5, 32.5}, {30, 30}, {15, 20}, {50, 10}};
+  request.yaws = {0.0, std::numbers::pi, std::nullopt, 0.0, 0.0};
+  int interrupted = 0;
+  for (int looks = 0; looks < 1 << 16; looks = 2 * looks + 1) {
+    const FiringTime time(looks);
+    request.stop = time.fires();
+    const TourResult tour = plan_tour(planner, request);
+    if (tour.status == Status::solved) break;
+    ++interrupted;
+    ASSERT_EQ(tour.order.size(), request.points.size() - 1) << looks;
+    ASSERT_EQ(tour.left_out.size(), 1U);
+    EXPECT_EQ(tour.left_out[0].stop, 1);
+    judge(grid, truck(), request, tour);
+  }
+  EXPECT_GT(interrupted, 2);
+}
+
 TEST(VehicleTour, RefusesAndStops) {
   const Grid grid(60, 40);
   const Planner planner(grid, truck());
