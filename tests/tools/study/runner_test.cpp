@@ -99,6 +99,7 @@ class TwoRanks final : public tool::Crew {
   std::vector<std::string> gather(const std::string&, const std::string& own) override {
     return {own, own};
   }
+  std::vector<std::string> pass(const std::string&) override { return {}; }
   std::optional<std::string> share(const Work& work) override {
     keys_.insert(work.key);
     if (!leads_) return told_;
