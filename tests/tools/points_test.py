@@ -1,6 +1,7 @@
 """plan and batch between points: what they begin and end with, in cells and in metres."""
 import json
 import math
+import re
 import unittest
 
 from program import ProgramTest
@@ -153,6 +154,19 @@ class Points(ProgramTest):
         first, second = self.quiet(self.run_program("batch", "small.map", "q.tsv", "--via", "9,0", "--via", "9.25,5")).lines
         self.assertEqual(first["path"], whole["path"])
         self.assertIn([9.25, 5], second["path"])
+
+    def test_marks_stand_where_the_path_begins_and_ends(self):
+        self.quiet(self.plan("-o", "p.svg", start="0.25,1e-1", goal="9,5.75"))
+        lines = re.findall(r'style="([^"]*)" d="([^"]*)"', self.read("p.svg").decode())
+
+        def last(style):
+            numbers = [float(n) for n in re.findall(r"[\d.]+", [d for of, d in lines if style in of][-1])]
+            return list(zip(numbers[::2], numbers[1::2]))
+
+        path = last("stroke-width:3;")
+        for colour, end in (("rgb(10%,60%,25%)", path[0]), ("rgb(90%,45%,5%)", path[-1])):
+            for axis, at in zip(zip(*last(f"stroke:{colour}")), end):
+                self.assertAlmostEqual((min(axis) + max(axis)) / 2, at, delta=0.01)
 
     def test_drives_and_tours_take_cells(self):
         cells = self.ended(self.run_program("drive", "small.map", "--start", "0,0", "--goal", "9,5", "--json"), 0).json

@@ -123,7 +123,7 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
               chosen(ants, recorder.cells_a_pixel(), columns, rows, std::greater<>());
           return count == 0 ? kFree : scale.at(count);
         });
-        draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, true);
+        draw_marks(canvas, box, sheet, answer.start.at(), answer.goal.at(), true);
       };
       band.rows[row].push_back({std::move(caption), draw});
     };
@@ -161,7 +161,7 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
       return value >= scale.least ? scale.colours.at(value) : kFree;
     });
     draw_bar(canvas, box, scale.colours);
-    draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
+    draw_marks(canvas, box, sheet, answer.start.at(), answer.goal.at(), false);
   };
   return {.caption = std::move(caption), .draw = draw, .below = kBarHeight};
 }
@@ -229,11 +229,10 @@ void write_batch_picture(const std::string& file, const LoadedMap& map, const Ru
   const Sheet sheet{map, map.grid(), run, shown_of(map, {})};
   Page page = sheet.page(map_title(map, run));
   page.legend.push_back(line_key("path", kPath, 1.5));
-  const auto cell = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
   page.bands = {{{{{caption, [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, free_ground);
                       for (const auto& path : paths)
-                        draw_marks(canvas, box, sheet, cell(path.front()), cell(path.back()), true);
+                        draw_marks(canvas, box, sheet, path.front(), path.back(), true);
                       for (const auto& path : paths) draw_path(canvas, box, sheet, path, 1.5, 0);
                     }}}}}};
   write_page(file, page);

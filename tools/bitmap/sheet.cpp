@@ -138,15 +138,17 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
   sheet.frame(canvas, box);
 }
 
-void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell from, Cell to,
+void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Point start, Point goal,
                 bool small) {
   const double cell = box.width / sheet.window.width();
   const double radius =
       small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
   const Axes axes = sheet.axes(box);
-  const Point start = centre(from), goal = centre(to);
-  if (sheet.grid.contains(to)) canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
-  if (sheet.grid.contains(from)) canvas.ring(axes.at(start.x, start.y), radius, kStart);
+  const auto shown = [&](Point p) {
+    return p.x >= 0 && p.y >= 0 && p.x <= sheet.grid.width() && p.y <= sheet.grid.height();
+  };
+  if (shown(goal)) canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
+  if (shown(start)) canvas.ring(axes.at(start.x, start.y), radius, kStart);
 }
 
 std::vector<CurvePiece> Sheet::on_page(const Box& box, const Result& result) const {
@@ -172,7 +174,7 @@ void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer&
   }
   for (const Alternative& other : result.alternatives)
     canvas.polyline(sheet.axes(box).at(other.path), kOtherPath, 2);
-  draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
+  draw_marks(canvas, box, sheet, answer.start.at(), answer.goal.at(), false);
   canvas.curve(curve, {1, 1, 1}, 5, 1);
   canvas.curve(curve, kPath, 3, 1);
   const Axes axes = sheet.axes(box);

@@ -52,7 +52,8 @@ double wall_strength(double blocked);
 
 inline Colour free_ground(Span, Span) { return kFree; }
 
-void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell start, Cell goal,
+/// Of a point outside of the map there is none.
+void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Point start, Point goal,
                 bool small);
 /// A plan's path with its marks, and under it what the robot's disc sweeps.
 void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer);

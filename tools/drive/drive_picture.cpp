@@ -165,7 +165,7 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
     const Axes axes = sheet.axes(box);
     draw_obstacles(canvas, axes, answer, recorder.obstacles());
     if (answer.result.status != Status::invalid) draw_track(canvas, axes, sheet, answer);
-    draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
+    draw_marks(canvas, box, sheet, answer.start.at(), answer.goal.at(), false);
   };
   std::string title = drive_title(answer, run);
   if (answer.world) title += ", through " + file_name(truth.file);

@@ -26,7 +26,8 @@ void write_cover_picture(const std::string& file, const RunOptions& run, const T
   std::vector<Cell> ends;
   if (answer.start) ends.push_back(answer.stops[static_cast<std::size_t>(*answer.start)].cell);
   const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, ends)};
-  const Cell start = answer.start ? ends.front() : Cell{-1, -1};
+  const Point start =
+      answer.start ? answer.stops[static_cast<std::size_t>(*answer.start)].at() : Point{-1, -1};
   const auto is_swath = [&](const TourLeg& leg) {
     return leg.from / 2 == leg.to / 2 && leg.from / 2 < cover.swaths() && leg.path.size() == 2;
   };

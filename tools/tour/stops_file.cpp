@@ -155,7 +155,7 @@ class Reader {
              counted(static_cast<std::int64_t>(fields.size()), "field") +
                  ", but the first line has " + std::to_string(header.size()),
              after ? "split columns at tabs, each name in \"after\" from the next at a comma"
-                   : "give every column a value");
+                   : "give every column a value, or split at tabs, between which may be none");
       Details details;
       if (name) details.name = fields[*name];
       if (after) details.after = names_in(fields[*after]);

@@ -107,7 +107,7 @@ void write_tour_picture(const std::string& file, std::string_view algorithm, con
   for (const Place& stop : answer.stops) cells.push_back(stop.cell);
   const Sheet sheet{answer.map, answer.map.grid(), run, shown_of(answer.map, cells)};
   const auto marked = [&](const std::optional<int>& end) {
-    return end ? cells[static_cast<std::size_t>(*end)] : Cell{-1, -1};
+    return end ? answer.stops[static_cast<std::size_t>(*end)].at() : Point{-1, -1};
   };
   const TourGround ground{
       .paint =

@@ -142,7 +142,7 @@ void write_vehicle_picture(const std::string& file, const VehicleMap& on,
       paint_map(canvas, box, sheet, free_ground);
     }
     draw_vehicle(canvas, box, sheet, on, command, answer);
-    draw_marks(canvas, box, sheet, ends[0], ends[1], false);
+    draw_marks(canvas, box, sheet, answer.start.place.at(), answer.goal().place.at(), false);
   };
   Page page = sheet.page(title_of(on));
   if (answer.has_path()) {
