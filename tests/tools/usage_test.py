@@ -69,6 +69,8 @@ class Usage(ProgramTest):
             ([*plan, "--footprint", "1"], "robots are discs: --radius R; see --help"),
             ([*plan, "--waypoints", "3,3"], "give each of them with --via X,Y; see --help"),
             ([*plan, "--quux"], 'unknown option "--quux"; see --help'),
+            (["drive", "small.map", "--islands", "3"], 'unknown option "--islands"'),
+            (["info", "small.map", "--islands"], 'unknown option "--islands"'),
             ([*plan, "--polish", "smooth"], "none|straight|taut|local"),
             (["zzzz"], "it is one of plan, drive, tour, batch"),
             ([*plan, "--set", "zzzz=1", "--algorithm", "acs"], "`lasius algorithms acs` lists all"),

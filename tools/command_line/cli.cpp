@@ -32,7 +32,7 @@ std::string instead_of(std::string_view word, std::span<const std::string_view> 
 }
 
 /// The first thing on the command line that nothing takes, with the nearest known word.
-void refuse_extras(const CLI::App& app, const std::vector<std::string_view>& words) {
+void refuse_extras(const CLI::App& app, const std::vector<std::string>& words) {
   const auto extras = app.remaining();
   const auto extra = std::ranges::find_if(extras, [](const auto& word) { return word != "--"; });
   if (extra == extras.end()) return;
@@ -75,7 +75,7 @@ void refuse_empty_values(const CLI::App& app, const std::vector<std::string_view
 }
 
 void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands,
-                   const std::vector<std::string_view>& words) {
+                   const std::vector<std::string>& words) {
   refuse_extras(app, words);
   for (const auto& command : commands)
     if (command.app->parsed()) refuse_extras(*command.app, words);
@@ -229,15 +229,15 @@ int run_command_line(int argc, const char* const* argv) {
     print(std::string("lasius ") + LASIUS_VERSION + "\n");
     return kFound;
   } catch (const CLI::ParseError& fault) {
-    refuse_extras(app, commands, words);
+    refuse_extras(app, commands, whole);
     throw UsageError(plain_words(fault.what()) + "; see --help");
   } catch (const UsageError&) {  // of a value, which CLI11 reads before it looks for --help
     for (const CLI::App* chosen : app.get_subcommands())
       if (chosen->get_help_ptr()->count() > 0) return help();
-    refuse_extras(app, commands, words);
+    refuse_extras(app, commands, whole);
     throw;
   }
-  refuse_extras(app, commands, words);
+  refuse_extras(app, commands, whole);
   const auto asked = std::ranges::find_if(
       commands, [](const Subcommand& command) { return command.app->parsed(); });
   if (asked == commands.end()) throw UsageError("no command; " + known_commands(commands));
