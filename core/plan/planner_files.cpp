@@ -48,8 +48,8 @@ std::uint64_t checksum(std::string_view text) {
   return sum;
 }
 
-[[noreturn]] void refuse(const std::string& file, std::int64_t offset, std::string problem,
-                         std::string remedy = "remove it, to have it made anew") {
+[[noreturn]] void refuse_file(const std::string& file, std::int64_t offset, std::string problem,
+                              std::string remedy = "remove it, to have it made anew") {
   throw Error(ErrorCode::file_broken, {.file = file, .offset = offset}, std::move(problem),
               std::move(remedy));
 }
@@ -58,7 +58,7 @@ std::string read_all(const std::string& file) {
   std::error_code none;
   const auto kind = std::filesystem::status(file, none).type();
   if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found)
-    refuse(file, 0, "is no regular file", "name another");
+    refuse_file(file, 0, "is no regular file", "name another");
   std::ifstream in;
   {
     const OpeningPipe opening(file);
@@ -76,26 +76,27 @@ Header checked_header(std::string_view whole, const Grid& map, const std::string
   Header header{};
   if (whole.size() >= sizeof header) std::memcpy(&header, whole.data(), sizeof header);
   if (header.name != kName)
-    refuse(file, 0, "is no file of a prepared map", "name another, or remove it");
+    refuse_file(file, 0, "is no file of a prepared map", "name another, or remove it");
   if (header.version != kVersion)
-    refuse(file, 16,
-           "is of version " + std::to_string(header.version) + ", this program reads " +
-               std::to_string(kVersion));
+    refuse_file(file, 16,
+                "is of version " + std::to_string(header.version) + ", this program reads " +
+                    std::to_string(kVersion));
   if (header.labels > 1)
-    refuse(file, 20, "is damaged: it says neither that it has labels nor none");
+    refuse_file(file, 20, "is damaged: it says neither that it has labels nor none");
   if (header.map != map.hash() || header.width != static_cast<std::uint32_t>(map.width()) ||
       header.height != static_cast<std::uint32_t>(map.height()))
-    refuse(file, 24,
-           "was prepared for another map, of " +
-               size_text(static_cast<int>(header.width), static_cast<int>(header.height)) +
-               " cells",
-           "name another file, or remove it, to have it made anew");
+    refuse_file(file, 24,
+                "was prepared for another map, of " +
+                    size_text(static_cast<int>(header.width), static_cast<int>(header.height)) +
+                    " cells",
+                "name another file, or remove it, to have it made anew");
   const auto length = static_cast<std::int64_t>(whole.size());
   const std::string_view text = whole.substr(sizeof header);
-  if (text.size() < header.size) refuse(file, length, "is cut short");
-  if (text.size() > header.size) refuse(file, length, "has more than what it was written with");
+  if (text.size() < header.size) refuse_file(file, length, "is cut short");
+  if (text.size() > header.size)
+    refuse_file(file, length, "has more than what it was written with");
   if (checksum(text) != header.sum)
-    refuse(file, static_cast<std::int64_t>(sizeof header), "is damaged: its checksum differs");
+    refuse_file(file, static_cast<std::int64_t>(sizeof header), "is damaged: its checksum differs");
   return header;
 }
 
