@@ -87,7 +87,7 @@ Result run_apart(const Grid& grid, const Request& request, const Params& params,
   for (Islands& part : parts) {
     add_part(course, part.course());
     FoundPath found = part.found();
-    if (found.rank < best.rank) best = std::move(found);
+    if (best.points.empty() || found.rank < best.rank) best = std::move(found);
   }
   Cause cause = board.poll();
   if (ranks != nullptr) cause = join(*ranks, cause, course);

@@ -44,6 +44,10 @@ void TourBoard::talk() {
     told_ = cause;
   }
   for (const std::string& text : ranks_->pass(news.text())) {
+    if (text.empty()) {
+      stop(StopCondition::Cause::deadline);
+      continue;
+    }
     ArrayReader from = told_by(text, {});
     const auto cause = from.value<StopCondition::Cause>();
     stop(cause);

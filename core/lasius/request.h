@@ -23,8 +23,9 @@ struct Ranks {
   /// What it throws ends the call.
   std::function<std::vector<std::string>(std::string)> gather = {};
   /// Of Exchange::asynchronous: tells all others a text, if it is not empty, and gets those that
-  /// have arrived from them, without waiting for any. What was told before a gather is not heard
-  /// after it. Called by the thread that plans, once an iteration. What it throws ends the call.
+  /// have arrived from them, without waiting for any; an empty one: a process has ended, which is
+  /// as if its deadline had passed. What was told before a gather is not heard after it. Called by
+  /// the thread that plans, once an iteration. What it throws ends the call.
   std::function<std::vector<std::string>(std::string)> pass = {};
 };
 

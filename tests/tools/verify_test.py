@@ -182,7 +182,7 @@ class Verify(ProgramTest):
                  "2", "-q", "-o", "r.json", "--exchange")
         self.quiet(self.run_program(*asked, "asynchronous"))
         self.assertEqual(json.loads(self.read("r.json"))["parameters"]["exchange"], "asynchronous")
-        self.ended(self.run_program("verify", "r.json"), 2, "cannot be replayed", "which no run need repeat")
+        self.ended(self.run_program("verify", "r.json"), 2, "cannot be replayed", "which another run may not repeat")
         self.quiet(self.run_program(*asked, "scheduled"))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
 

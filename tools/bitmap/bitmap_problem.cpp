@@ -156,8 +156,8 @@ std::unique_ptr<Problem> bitmap_again(const Recorded& from, const Problem* last)
 std::string unlike(const Json& result) {
   const Json set = result.value("parameters", Json::object());
   if (set.value("exchange", "") == to_string(Exchange::asynchronous) && set.value("islands", 1) > 1)
-    return "its islands learned by tours as they came, which no run need repeat; with --exchange "
-           "scheduled it does";
+    return "its islands learned by tours as they arrived, which another run may not repeat; what "
+           "is planned with --exchange scheduled can be";
   return unlike_radius(result);
 }
 

@@ -60,9 +60,9 @@ void add_islands(OptionTable& table, RunOptions& to) {
                 "that learn by each other's best tours (parameter exchange_every)",
                 "N");
   add_parameter(table, "--exchange", to,
-                "Of islands: by the tour of the one before, when its turn is, or by the best that "
-                "has come by then. No thread and no rank waits for another then, and no two runs "
-                "need be equal",
+                "By which tour an island learns: scheduled, by that of the island before it; "
+                "asynchronous, by the best that has arrived: no thread or rank waits for another, "
+                "and two runs may differ",
                 "scheduled|asynchronous");
 }
 

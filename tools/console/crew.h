@@ -43,7 +43,7 @@ class Crew {
   /// calls it as often. `key` as of work. @throws as share.
   virtual std::vector<std::string> gather(const std::string& key, const std::string& own) = 0;
   /// Tells all other ranks a text, if it is not empty, and gets those that have arrived since, in
-  /// no order; waits for nobody. A gather leaves none behind.
+  /// no order; an empty one: a rank has ended. Waits for nobody. A gather leaves none behind.
   virtual std::vector<std::string> pass(const std::string& own) = 0;
 };
 

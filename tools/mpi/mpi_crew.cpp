@@ -215,6 +215,7 @@ std::vector<std::string> MpiCrew::pass(const std::string& own) {
       spread(letter->text, letter->from);
       heard.push_back(letter->text.substr(1));
     } else {
+      if (letter->text[0] == kGone) heard.emplace_back();
       unread_.push_back(std::move(*letter));
     }
   }

@@ -98,7 +98,7 @@ TEST_P(Asynchronous, ThreadsAndRanksFindAWholeAnswer) {
 /// A rank whose texts are the test's.
 struct Told {
   std::vector<std::string> passed;  ///< by it
-  std::string heard;                ///< at once
+  std::vector<std::string> heard;   ///< at once
   std::vector<std::string> others;  ///< handed in by the second rank, call by call; then the same
 
   Ranks rank() {
@@ -110,9 +110,7 @@ struct Told {
             },
             [this](const std::string& own) {
               if (!own.empty()) passed.push_back(own);
-              std::vector<std::string> texts;
-              if (!heard.empty()) texts.push_back(std::exchange(heard, {}));
-              return texts;
+              return std::exchange(heard, {});
             }};
   }
   Result plan(const Params& params) {
@@ -136,7 +134,7 @@ TEST_P(Asynchronous, ATourOfAnotherRankIsLearnedByOnceItHasCome) {
   first.plan(longer);
   ASSERT_FALSE(first.passed.empty());
   const Result none = second.plan(params);
-  third.heard = first.passed.back();  // a good one
+  third.heard = {first.passed.back()};  // a good one
   const Result told = third.plan(params);
   EXPECT_TRUE(std::equal(none.steps.begin(), none.steps.begin() + 3, told.steps.begin()));
   EXPECT_NE(none.steps, told.steps);
@@ -187,7 +185,7 @@ TEST(Asynchronous, RanksThatCannotBeAreRefused) {
     EXPECT_EQ(remedy_of(params, told.rank()), same);
   }
   Told broken;
-  broken.heard = "no tour";
+  broken.heard = {"no tour"};
   EXPECT_EQ(remedy_of(params, broken.rank()), same);
 
   std::string met;
@@ -201,11 +199,14 @@ TEST(Asynchronous, RanksThatCannotBeAreRefused) {
 }
 
 TEST(Asynchronous, ARankThatHasEndedIsAsADeadline) {
-  Told told;
-  told.others = {""};
+  Told before, meanwhile;
+  before.others = {""};
+  meanwhile.heard = {""};
   Params params = apart("acs", 4);
   params.iterations = 1000000000;
-  EXPECT_EQ(told.plan(params).status, Status::limit);
+  EXPECT_EQ(before.plan(params).status, Status::limit);
+  EXPECT_EQ(meanwhile.plan(params).status, Status::limit);
+  EXPECT_EQ(meanwhile.passed.size(), 1U);  // others are told the cause
 }
 
 }  // namespace

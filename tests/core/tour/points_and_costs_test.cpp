@@ -1,6 +1,8 @@
 // Tours over points of any coordinates, and over costs.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/tour.h"
