@@ -44,6 +44,7 @@ class DiscSearch {
 
   /// No taut path, shortest or not, has less length and prices at its ends together, of two clear
   /// points that do not see each other; of those that do their distance is told. Stopped: less.
+  /// Paths through gaps of just the disc's width, where left and right turns are one, may have.
   double least(const DiscSpace& space, Point start, Point goal, const EndPrices& prices,
                double target_gap, const StopCondition& stop);
 

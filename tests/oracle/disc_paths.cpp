@@ -1,11 +1,13 @@
 #include "tests/oracle/disc_paths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <queue>
 #include <set>
+#include <tuple>
 
 namespace lasius::oracle {
 
@@ -145,13 +147,17 @@ void DiscPaths::lines_between(std::vector<Touch>& touches, int a, Point ca, doub
       if (!clear(pa) || !clear(pb) || !keeps(pa, pb)) continue;
       const int first = static_cast<int>(touches.size());
       const double length = distance(pa, pb);
-      touches.push_back({a, angle, pa, {{first + 1, length}}});
-      touches.push_back({b, same > 0 ? angle : angle + std::numbers::pi, pb, {{first, length}}});
+      // What lies to the left of the line is turned around by growing angle.
+      const int at_a = ra == 0 ? 0 : -side, at_b = rb == 0 ? 0 : -side * same;
+      touches.push_back({a, angle, pa, {{first + 1, length, at_a, at_b}}});
+      touches.push_back(
+          {b, same > 0 ? angle : angle + std::numbers::pi, pb, {{first, length, -at_b, -at_a}}});
     }
   }
 }
 
-std::optional<double> DiscPaths::shortest(Point start, Point goal) {
+std::optional<double> DiscPaths::shortest(Point start, Point goal, const Price& at_start,
+                                          const Price& at_goal) {
   if (keeps(start, goal)) return distance(start, goal);
   std::vector<Touch> touches = touches_;
   const int circles = static_cast<int>(circles_.size());
@@ -171,21 +177,32 @@ std::optional<double> DiscPaths::shortest(Point start, Point goal) {
       const double from = touches[i].angle;
       const double to = touches[j].angle + (k + 1 == on[c].size() ? 2 * std::numbers::pi : 0);
       if (i == j || arc_clearance(circles_[c], from, to) < limit_) continue;
-      touches[i].ways.emplace_back(j, radius_ * (to - from));
-      touches[j].ways.emplace_back(i, radius_ * (to - from));
+      touches[i].ways.push_back({j, radius_ * (to - from), 1, 1});
+      touches[j].ways.push_back({i, radius_ * (to - from), -1, -1});
     }
   }
-  std::vector<double> length(touches.size(), kFar);
-  using Item = std::pair<double, int>;
+  // Of each touch by which turn it is come to.
+  std::vector<std::array<double, 3>> length(touches.size(), {kFar, kFar, kFar});
+  using Item = std::tuple<double, int, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  for (const int i : on[circles]) open.emplace(length[i] = 0, i);
+  for (const int i : on[circles]) open.emplace(length[i][1] = 0, i, 0);
+  const auto price = [](const Price& of, Point from, Point to) {
+    return of ? of({to.x - from.x, to.y - from.y}) : 0.0;
+  };
   while (!open.empty()) {
-    const auto [known, i] = open.top();
+    const auto [known, i, turn] = open.top();
     open.pop();
-    if (known > length[i]) continue;
-    if (touches[i].circle == circles + 1) return known;
-    for (const auto& [j, way] : touches[i].ways) {
-      if (known + way < length[j]) open.emplace(length[j] = known + way, j);
+    const Touch& here = touches[i];
+    if (known > length[i][turn + 1]) continue;
+    if (here.circle == circles + 1) return known;
+    for (const Way& way : here.ways) {
+      if (turn != way.leaves) continue;
+      const Touch& there = touches[way.to];
+      double sum = known + way.length;
+      if (here.circle == circles) sum += price(at_start, start, there.at);
+      if (there.circle == circles + 1) sum += price(at_goal, goal, here.at);
+      double& least = length[way.to][way.arrives + 1];
+      if (sum < least) open.emplace(least = sum, way.to, way.arrives);
     }
   }
   return std::nullopt;

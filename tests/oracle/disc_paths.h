@@ -2,8 +2,8 @@
 // with the library but `Grid`.
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "lasius/geometry.h"
@@ -28,15 +28,24 @@ class DiscPaths {
   double arc_clearance(Point centre, double from, double to) const;
   bool clear(Point p) const;
 
-  /// The length of a shortest path between two clear points; nothing where there is none.
-  std::optional<double> shortest(Point start, Point goal);
+  /// Of a direction away from an end.
+  using Price = std::function<double(Point)>;
+  /// The length of a shortest path between two clear points; nothing where there is none. With
+  /// prices of where it goes at its ends, the least sum of all taut ones that are not straight.
+  std::optional<double> shortest(Point start, Point goal, const Price& at_start = {},
+                                 const Price& at_goal = {});
 
  private:
+  struct Way {
+    int to;
+    double length;
+    int leaves, arrives;  // by which turn: 1 by growing angle, else -1; 0: at a point
+  };
   struct Touch {
     int circle;
     double angle;
     Point at;
-    std::vector<std::pair<int, double>> ways = {};
+    std::vector<Way> ways = {};
   };
 
   void lines_between(std::vector<Touch>& touches, int a, Point ca, double ra, int b, Point cb,
