@@ -202,7 +202,7 @@ class Search {
 
   /// On by small motions from where it came nearest to a goal. False: a pocket, or nothing new.
   bool cross() {
-    if (done() || best_.full || reached_.size() < 4 * kProbed) return false;
+    if (done() || best_.full || reached_.size() / 4 < kProbed) return false;
     std::ranges::move(connectors_across(
                           prepared_, reached_, [&](int x, int y) { return flood_.at(x, y); },
                           [&](std::uint32_t i, std::vector<Segment>& to) { append_reached(i, to); },
