@@ -36,7 +36,8 @@ configure() { cmake --preset "$1" -DLASIUS_WERROR=ON "${@:2}"; }
 # presets alone have the lines.
 no_lines() { case $1 in asan-ubsan | tsan | fuzz) echo -DCMAKE_CXX_FLAGS_DEBUG=-O1 ;; esac; }
 
-# build_and_test PRESET [CTEST ARGUMENT...]: all of it, or `target` where that is set
+target=  # of build_and_test; empty: all
+# build_and_test PRESET [CTEST ARGUMENT...]
 build_and_test() {
   configure "$1" $(no_lines "$1")
   cmake --build --preset "$1" ${target:+--target "$target"}

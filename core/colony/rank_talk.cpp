@@ -11,17 +11,17 @@ void require_ranks(const Ranks& ranks, bool passing) {
   require_parameter(ranks.count >= 1, "ranks.count", ranks.count, "it must be 1 or more");
   require_parameter(ranks.own >= 0 && ranks.own < ranks.count, "ranks.own", ranks.own,
                     "it must be from 0 to " + number_text(ranks.count - 1));
-  if (!ranks.gather) throw invalid_parameter("ranks.gather is empty", "give it a function");
+  if (!ranks.gather) refuse("ranks.gather is empty", "give it a function");
   if (passing && !ranks.pass)
-    throw invalid_parameter("ranks.pass is empty", "give it a function, or exchange as scheduled");
+    refuse("ranks.pass is empty", "give it a function, or exchange as scheduled");
 }
 
 std::vector<std::string> gather(const Ranks& ranks, const std::string& own) {
   std::vector<std::string> all = ranks.gather(own);
   if (std::ssize(all) != ranks.count)
-    throw invalid_parameter("ranks.gather gave " + number_text(all.size()) + " texts for " +
-                                number_text(ranks.count) + " ranks",
-                            "it must give one for each, empty where a rank has ended");
+    refuse("ranks.gather gave " + number_text(all.size()) + " texts for " +
+               number_text(ranks.count) + " ranks",
+           "it must give one for each, empty where a rank has ended");
   return all;
 }
 

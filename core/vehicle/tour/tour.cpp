@@ -190,7 +190,7 @@ class TourSearch {
       std::vector<PosePair> lost = legs;
       std::erase_if(lost, [&](const PosePair& leg) { return legs_.has_way(leg); });
       while (!lost.empty()) {
-        const int pose = least_joined(legs_, places_, lost);
+        const int pose = most_lost(legs_, places_, lost);
         if (pose < 0 || !leave_out_task(pose)) return;
         for (std::vector<int>& order : orders) std::erase(order, pose);
         std::erase_if(lost,

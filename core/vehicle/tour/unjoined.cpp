@@ -156,8 +156,7 @@ Unjoined unjoined(const LegPrices& legs, const TourPlaces& places,
   return worst.place >= 0 ? worst : ways.least_joined(order);
 }
 
-int least_joined(const LegPrices& legs, const TourPlaces& places,
-                 const std::vector<PosePair>& lost) {
+int most_lost(const LegPrices& legs, const TourPlaces& places, const std::vector<PosePair>& lost) {
   std::map<int, int> lost_at;
   for (const auto& [leg, plan] : legs.plans())
     if (plan.segments.empty())

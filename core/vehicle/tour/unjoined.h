@@ -32,7 +32,6 @@ Unjoined unjoined(const LegPrices& legs, const TourPlaces& places,
 
 /// Of the ends of legs without a way the pose at the place with the most legs without, of all that
 /// are known; -1: all are where tours begin or end.
-int least_joined(const LegPrices& legs, const TourPlaces& places,
-                 const std::vector<PosePair>& lost);
+int most_lost(const LegPrices& legs, const TourPlaces& places, const std::vector<PosePair>& lost);
 
 }  // namespace lasius::vehicle

@@ -292,23 +292,34 @@ TEST(VehicleTour, TimeEndsTheFirstOrderToo) {
 }
 
 // Whenever a signal comes, the order at hand gets its legs.
+// Judges the tours that a signal cuts at ever later looks at the clock, until one is whole or
+// `most` are passed; how many there were.
+template <class Judge>
+int tours_cut(const Planner& planner, TourRequest request, int most, const Judge& judge_cut) {
+  int interrupted = 0;
+  for (int looks = 0; looks < most; looks = 2 * looks + 1) {
+    const FiringTime time(looks);
+    request.stop = time.fires();
+    const TourResult tour = plan_tour(planner, request);
+    if (tour.status == Status::solved) break;
+    ++interrupted;
+    EXPECT_EQ(tour.status, Status::interrupted);
+    judge_cut(tour, looks);
+  }
+  return interrupted;
+}
+
 TEST(VehicleTour, ASignalLeavesATour) {
   const Grid grid(200, 160);
   const Planner planner(grid, truck());
   std::mt19937 random(5);
   for (const int stops : {5, 14}) {
-    TourRequest request = poses_on(grid, planner, stops, random);
-    int interrupted = 0;
-    for (int looks = 0; looks < 1 << 12; looks = 2 * looks + 1) {
-      const FiringTime time(looks);
-      request.stop = time.fires();
-      const TourResult tour = plan_tour(planner, request);
-      if (tour.status == Status::solved) break;
-      ++interrupted;
-      EXPECT_EQ(tour.status, Status::interrupted);
-      ASSERT_EQ(tour.order.size(), request.points.size()) << looks;
-      judge(grid, truck(), request, tour);
-    }
+    const TourRequest request = poses_on(grid, planner, stops, random);
+    const int interrupted =
+        tours_cut(planner, request, 1 << 12, [&](const TourResult& tour, int looks) {
+          ASSERT_EQ(tour.order.size(), request.points.size()) << looks;
+          judge(grid, truck(), request, tour);
+        });
     EXPECT_GT(interrupted, 2);
   }
 }
@@ -322,18 +333,13 @@ TEST(VehicleTour, ASignalLeavesATourOfWhatIsJoined) {
   TourRequest request;
   request.points = {{20, 10}, {5, 32.5}, {30, 30}, {15, 20}, {50, 10}};
   request.yaws = {0.0, std::numbers::pi, std::nullopt, 0.0, 0.0};
-  int interrupted = 0;
-  for (int looks = 0; looks < 1 << 16; looks = 2 * looks + 1) {
-    const FiringTime time(looks);
-    request.stop = time.fires();
-    const TourResult tour = plan_tour(planner, request);
-    if (tour.status == Status::solved) break;
-    ++interrupted;
-    ASSERT_EQ(tour.order.size(), request.points.size() - 1) << looks;
-    ASSERT_EQ(tour.left_out.size(), 1U);
-    EXPECT_EQ(tour.left_out[0].stop, 1);
-    judge(grid, truck(), request, tour);
-  }
+  const int interrupted =
+      tours_cut(planner, request, 1 << 16, [&](const TourResult& tour, int looks) {
+        ASSERT_EQ(tour.order.size(), request.points.size() - 1) << looks;
+        ASSERT_EQ(tour.left_out.size(), 1U);
+        EXPECT_EQ(tour.left_out[0].stop, 1);
+        judge(grid, truck(), request, tour);
+      });
   EXPECT_GT(interrupted, 2);
 }
 
