@@ -21,9 +21,10 @@ namespace lasius::kernels {
 namespace {
 
 /// Fills the slot's buffer with its next random numbers, block by block in the lanes of a vector;
-/// for Draw::discard, with the times that they give.
+/// for Draw::discard, with the times that they give. Not inlined: thirty walks would hold a copy
+/// each.
 template <Draw kDraw>
-LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
+[[gnu::noinline]] LASIUS_TARGET void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
   constexpr int kEach = numbers_of_block(kDraw), kBlocks = WalkSlot::kNumbers / kEach;
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}};
