@@ -48,10 +48,7 @@ Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint
   options.seed = seed;
   options.stop = time.stop();
   options.target = instance.known;
-  options.observer = [&](std::span<const int>, std::int64_t cost) {
-    time.tell(cost, marks);
-    return true;
-  };
+  options.observer = [&](std::span<const int>, std::int64_t cost) { time.tell(cost, marks); };
   (void)tour::find_order(costs, {}, instance.places, options);
   return marks;
 }
@@ -157,7 +154,6 @@ Marks from_nothing(const Grid& grid, const std::vector<Cell>& stops, std::uint64
                   .time = &time};  // of which a part is the bound's
   (void)plan_tour(Planner(grid), request, [&](std::span<const int>, double length) {
     time.tell(std::llround(length * tour::kGrains), marks);
-    return true;
   });
   return marks;
 }

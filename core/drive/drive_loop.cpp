@@ -213,8 +213,7 @@ bool DriveLoop::show(Found found) {
   view.obstacles = world_.obstacles();
   view.news = news_;
   view.replanned = replanned_;
-  observer_(view);
-  return view.stopped();
+  return observer_(view) == Go::stop;
 }
 
 }  // namespace lasius

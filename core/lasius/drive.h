@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -114,8 +113,7 @@ struct DriveResult {
 
 /// A tick as an observer sees it, after the robot has seen and planned, before it moves. Pointers
 /// hold until the observer returns.
-class DriveTick {
- public:
+struct DriveTick {
   std::int64_t tick = 0;               ///< from 0
   Cell robot;                          ///< where it is
   const Grid* world = nullptr;         ///< what is there in truth, moving obstacles too
@@ -126,16 +124,10 @@ class DriveTick {
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
   bool arrived = false;                ///< at the goal, or as near as its tolerance lets it
-
-  /// Ends the drive here, where it has neither arrived nor spent its ticks: Status::interrupted.
-  void stop() const noexcept { stopped_ = true; }
-  bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
-
- private:
-  mutable bool stopped_ = false;
 };
-/// Called at each tick and on arrival, but not at one that ends without a way.
-using DriveObserver = std::function<void(const DriveTick&)>;
+/// Called at each tick and on arrival, but not at one that ends without a way. Go::stop ends the
+/// drive there, where it has neither arrived nor spent its ticks: Status::interrupted.
+using DriveObserver = Callback<const DriveTick&>;
 
 /// Drives a robot from `start` to `goal`, in each tick one move to one of the eight neighbours, or
 /// none.

@@ -76,8 +76,7 @@ StopCondition::Cause show(const SomeObserver& observer, const Convergence& run, 
   view.mean_length = run.mean.back();
   view.arrived = run.arrived.back();
   view.curves = &run;
-  observer(view);
-  return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
+  return observer(view) == Go::stop ? StopCondition::Cause::token : StopCondition::Cause::none;
 }
 
 }  // namespace lasius

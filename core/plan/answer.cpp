@@ -50,9 +50,7 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
                  WorkspaceMemory& memory, const Observer& observer) {
   int improvements = 0;
   const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
-    const ExactView view(path, improvements++, length, bound);
-    observer(view);
-    return !view.stopped();
+    return observer(ExactView(path, improvements++, length, bound)) == Go::on;
   };
   const ExactOptions options{.target_gap = request.target_gap,
                              .improved = observer ? &show : nullptr};
@@ -148,10 +146,7 @@ Result with_ends(PathEnds ends, const StopCondition& stop, const Observer& obser
       take(progress.path());
     }
     best.push_back(length < kInfinity ? length : kNaN);
-    if (!observer) return;
-    const EndedView view(progress, path, best.back());
-    observer(view);
-    if (view.stopped()) progress.stop();
+    return observer ? observer(EndedView(progress, path, best.back())) : Go::on;
   };
   Result result = run(look);
   if (result.path.empty()) return result;

@@ -140,7 +140,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
       told.clear();
       for (const int v : order) told.push_back(named[v]);
-      return observer(told, static_cast<double>(cost) / scale);
+      return observer(told, static_cast<double>(cost) / scale) == Go::on;
     };
   Poller poller(request.stop);
   const bool ants = by_ants(request), own_bounds = &lower != &costs;

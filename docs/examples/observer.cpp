@@ -14,7 +14,7 @@ int main() {
     std::cout << progress.iteration << ": best " << progress.best_length << ", " << progress.arrived
               << " ants arrived\n";
     if (std::isnan(first)) first = progress.best_length;
-    if (progress.best_length < first) progress.stop();
+    return progress.best_length < first ? Go::stop : Go::on;
   };
   // The third argument is a workspace, memory that is kept from plan to plan: one plan needs none.
   const Result result =

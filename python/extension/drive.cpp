@@ -99,7 +99,7 @@ void bind_tick(py::module_& module) {
       .def_property_readonly(
           "news", [](const Seen& v) { return to_array(std::span<const Cell>(v.get().news)); })
       .def_property_readonly("replanned", [](const Seen& v) { return v.get().replanned; })
-      .def("stop", [](const Seen& v) { v.get().stop(); });
+      .def("stop", &Seen::stop);
 }
 
 void bind_changes(py::module_& module) {

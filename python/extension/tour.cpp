@@ -48,10 +48,11 @@ TourObserver observer_of(Call& call, const py::object& callback) {
   if (callback.is_none()) return {};
   return [&](std::span<const int> order, double length) {
     bool more = true;
-    return call.call_back([&] {
+    const bool go_on = call.call_back([&] {
       const std::vector<int> told(order.begin(), order.end());
       more = !callback(to_array(told), length).equal(py::bool_(false));
-    }) && more;
+    });
+    return go_on && more ? Go::on : Go::stop;
   };
 }
 

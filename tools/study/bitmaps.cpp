@@ -72,11 +72,11 @@ class BudgetWatch {
   Observer observer() {
     if (!std::isfinite(steps_) && !std::isfinite(seconds_)) return {};
     return [this](const GridProgress& progress) {
-      if (progress.curves == nullptr) return;
+      if (progress.curves == nullptr) return Go::on;
       const auto& steps = progress.curves->steps;
       for (; seen_ < steps.size(); ++seen_) spent_ += static_cast<double>(steps[seen_]);
       fired_ = spent_ >= steps_ || thread_seconds() - begin_ >= seconds_;
-      if (fired_) progress.stop();
+      return fired_ ? Go::stop : Go::on;
     };
   }
   bool fired() const { return fired_; }

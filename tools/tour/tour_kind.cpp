@@ -121,7 +121,6 @@ TourObserver told_to(const Problem::Watch& watch, double scale, const std::strin
   if (!watch) return {};
   return [=, told = std::int64_t{0}](std::span<const int>, double length) mutable {
     watch(++told, best_text(scale * length, unit));
-    return true;
   };
 }
 

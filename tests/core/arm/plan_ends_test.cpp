@@ -198,7 +198,7 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
   const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
     best = view.joints();
     EXPECT_EQ(best.cols() == 0, std::isnan(view.best_length));
-    if (view.iteration == 3) view.stop();
+    return view.iteration == 3 ? Go::stop : Go::on;
   });
   EXPECT_EQ(r.status, Status::interrupted);
   EXPECT_EQ(r.iterations, 4);
@@ -219,7 +219,7 @@ TEST(ArmPlan, AnObserverComesTooLateOnceTheSearchHasEnded) {
     ASSERT_EQ(whole.status, Status::solved);
     for (const int before : {1, 0}) {
       const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
-        if (view.iteration + 1 == whole.iterations - before) view.stop();
+        return view.iteration + 1 == whole.iterations - before ? Go::stop : Go::on;
       });
       EXPECT_EQ(r.iterations, whole.iterations - before);
       EXPECT_EQ(r.status, before > 0 ? Status::interrupted : Status::solved) << patience;

@@ -98,7 +98,7 @@ TEST_P(CutIteration, AnObserverComesTooLateOnceTheSearchHasEnded) {
     ASSERT_EQ(whole.iterations, settles ? 3 : 5);
     for (int at = 0; at < whole.iterations; ++at) {
       const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& seen) {
-        if (seen.iteration == at) seen.stop();
+        return seen.iteration == at ? Go::stop : Go::on;
       });
       EXPECT_EQ(result.iterations, at + 1);
       const bool last = at + 1 == whole.iterations;

@@ -154,9 +154,8 @@ TEST(Asynchronous, WhatOneIsToldEndsAllOfThem) {
   }
   std::atomic<int> seen = 0;
   params.threads = 2;
-  for (const Result& one : plan_on_ranks(2, params, {}, [&](const GridProgress& now) {
-         if (++seen == 5) now.stop();
-       }))
+  for (const Result& one : plan_on_ranks(
+           2, params, {}, [&](const GridProgress&) { return ++seen == 5 ? Go::stop : Go::on; }))
     EXPECT_EQ(one.status, Status::interrupted);
 }
 

@@ -66,9 +66,8 @@ TEST(Islands, ARankThatIsToldToStopEndsAllOfThem) {
   }
   // An observer, of a rank that has islands, is heard in the next iteration.
   std::atomic<int> seen = 0;
-  for (const Result& one : plan_on_ranks(2, params, {}, [&](const GridProgress& now) {
-         if (++seen == 5) now.stop();
-       })) {
+  for (const Result& one : plan_on_ranks(
+           2, params, {}, [&](const GridProgress&) { return ++seen == 5 ? Go::stop : Go::on; })) {
     EXPECT_EQ(one.status, Status::interrupted);
     EXPECT_LE(one.iterations, 5);
     EXPECT_FALSE(one.path.empty());
@@ -211,7 +210,7 @@ TEST(Islands, AnObserverSeesTheLeaderAndEndsAllOfThem) {
   const Result cut = far.plan(params, nullptr, [&](const GridProgress& now) {
     EXPECT_EQ(now.best_length, whole.best[static_cast<std::size_t>(now.iteration)]);
     EXPECT_GE(now.ants(), 1);
-    if (++seen == 3) now.stop();
+    return ++seen == 3 ? Go::stop : Go::on;
   });
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_EQ(cut.iterations, 3);

@@ -216,7 +216,7 @@ TEST(OwnRules, AnUpdateStopsTheSearch) {
     params.threads = threads;
     int seen = 0;
     const OwnRules own{.update = [](Pheromone&, const IterationTours& tours) {
-      if (tours.iteration == 3) tours.stop();
+      return tours.iteration == 3 ? Go::stop : Go::on;
     }};
     const Result result = far.plan(params, own, nullptr, [&](const GridProgress&) { ++seen; });
     EXPECT_EQ(result.status, Status::interrupted);

@@ -170,7 +170,7 @@ TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
   EXPECT_EQ(again.path, whole.path);
   EXPECT_EQ(again.lower_bound, whole.lower_bound);
   const CostResult cut = planner.plan({.start = {2, 3}, .goal = {55, 50}}, {},
-                                      [](const GridProgress& progress) { progress.stop(); });
+                                      [](const GridProgress&) { return Go::stop; });
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_GT(cut.cost, whole.cost);
 }

@@ -300,7 +300,7 @@ TEST(DiscPlanner, IsStopped) {
     lengths.clear();
     whole = planner.plan(request, {}, nullptr,
                          [&](const GridProgress& seen) { lengths.push_back(seen.best_length); });
-    cut = planner.plan(request, {}, nullptr, [&](const GridProgress& seen) { seen.stop(); });
+    cut = planner.plan(request, {}, nullptr, [](const GridProgress&) { return Go::stop; });
   }
   ASSERT_GE(lengths.size(), 2U) << "no question with several paths";
   EXPECT_EQ(lengths.back(), whole.length) << "of the curve";

@@ -50,8 +50,8 @@ TEST(Observer, StopsEveryAlgorithm) {
     if (algorithm.kind == Algorithm::Kind::exact) continue;
     const Params params = quick(algorithm.name);
     int calls = 0;
-    const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& seen) {
-      if (++calls == 3) seen.stop();
+    const Result result = planner.plan(request, params, nullptr, [&](const GridProgress&) {
+      return ++calls == 3 ? Go::stop : Go::on;
     });
     EXPECT_EQ(calls, 3) << algorithm.name;
     EXPECT_EQ(result.iterations, 3) << algorithm.name;
@@ -68,9 +68,9 @@ TEST(Observer, StopsExact) {
     const Request request = far_apart(planner);
     const Result whole = planner.plan(request);
     int calls = 0;
-    const Result result = planner.plan(request, {}, nullptr, [&](const GridProgress& seen) {
+    const Result result = planner.plan(request, {}, nullptr, [&](const GridProgress&) {
       ++calls;
-      seen.stop();
+      return Go::stop;
     });
     EXPECT_EQ(calls, 1);
     ASSERT_FALSE(result.path.empty());

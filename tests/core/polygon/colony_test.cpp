@@ -66,7 +66,7 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
     const Result cut = planner.plan({}, Params(algorithm), [&](const PlanProgress& view) {
       EXPECT_LE(view.lower_bound.value(), view.best_length);
       EXPECT_NEAR(path_length(view.path()), view.best_length, 1e-9 * view.best_length);
-      if (view.iteration == 2) view.stop();
+      return view.iteration == 2 ? Go::stop : Go::on;
     });
     EXPECT_EQ(cut.status, Status::interrupted);
     EXPECT_EQ(cut.iterations, 3);
@@ -84,7 +84,7 @@ TEST(Stops, AnObserverComesTooLateInTheLastIterationOfTheLastRoute) {
     routes += whole.iterations / parameters.iterations;
     for (int at = 0; at < whole.iterations; ++at) {
       const Result result = planner.plan({}, parameters, [&](const PlanProgress& view) {
-        if (view.iteration == at) view.stop();
+        return view.iteration == at ? Go::stop : Go::on;
       });
       const bool last = at + 1 == whole.iterations;
       EXPECT_EQ(result.iterations, at + 1);
