@@ -30,8 +30,8 @@ std::optional<double> status_bytes(const std::string& key) {
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
 bool same_run(const Result& a, const Result& b) {
-  return a.path == b.path && alike(a.best, b.best) && alike(a.mean, b.mean) &&
-         a.arrived == b.arrived;
+  return a.path == b.path && alike(a.curves.best, b.curves.best) &&
+         alike(a.curves.mean, b.curves.mean) && a.curves.arrived == b.curves.arrived;
 }
 
 // Seconds of the plan's iterations, the first left out: it makes the tiles.

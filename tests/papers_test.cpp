@@ -238,7 +238,7 @@ TEST(LectureGrid, EndsWhenAllAntsTakeOnePath) {
   const auto iterations = [&](const Planner& planner) {
     const Result found = planner.plan({.start = {0, 0}, .goal = {8, 0}}, params);
     EXPECT_EQ(found.status, Status::solved);
-    return found.iterations;
+    return found.curves.iterations;
   };
   EXPECT_EQ(iterations(corridor), 1);
   EXPECT_EQ(iterations(hall), 50);

@@ -35,7 +35,7 @@ struct Convergence {
 };
 
 /// What the answers of all planners have in common. Without a path `length` is not a number.
-struct LASIUS_EXPORT SearchResult : Convergence {
+struct LASIUS_EXPORT SearchResult {
   Status status = Status::no_path;  ///< how it ended
   Limit limit = Limit::none;        ///< which one ended it
   Fault fault = Fault::none;        ///< why it is invalid or unreachable
@@ -46,6 +46,7 @@ struct LASIUS_EXPORT SearchResult : Convergence {
   /// or no bound above 0.
   std::optional<double> gap() const;
   bool optimal = false;  ///< proven shortest
+  Convergence curves;    ///< the course of the search
 
   SearchResult();
 };

@@ -100,7 +100,7 @@ struct TourResult {
   /// Proven shortest, up to the rounding of sums: up to 12 stops, and where the gap is 0.
   bool optimal = false;
   std::vector<LeftOut> left_out;  ///< by rising stop
-  Convergence run = {};           ///< of ants, in cells: a path is a tour
+  Convergence curves = {};        ///< of ants, in cells: a path is a tour
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound
 };
 

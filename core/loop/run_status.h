@@ -58,7 +58,7 @@ SomeResult already_there() {
 /// The result of a run of the loop on a bitmap. `best` is empty where it found no path.
 inline Result result_after(StopCondition::Cause cause, Convergence run, std::vector<Point> best) {
   Result result;
-  static_cast<Convergence&>(result) = std::move(run);
+  result.curves = std::move(run);
   end_run(result, cause, best.empty() ? Status::no_path : Status::solved);
   if (best.empty()) return result;
   result.path = std::move(best);

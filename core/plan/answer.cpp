@@ -99,7 +99,7 @@ void lead_out(Result& result, Point start, Point way_out, bool curved) {
   result.way_out = way_out;
   result.lower_bound.reset();
   result.optimal = false;
-  for (auto* lengths : {&result.best, &result.iteration_best})
+  for (auto* lengths : {&result.curves.best, &result.curves.iteration_best})
     for (double& length : *lengths) length += leg;
   if (result.path.empty()) return;
   result.path.insert(result.path.begin(), start);
@@ -151,8 +151,8 @@ Result with_ends(PathEnds ends, const StopCondition& stop, const Observer& obser
   Result result = run(look);
   if (result.path.empty()) return result;
   take(result.path);
-  best.resize(result.best.size(), length);
-  result.best = std::move(best);
+  best.resize(result.curves.best.size(), length);
+  result.curves.best = std::move(best);
   result.path = std::move(path);
   result.length = length;
   return result;

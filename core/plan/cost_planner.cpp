@@ -298,7 +298,7 @@ CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& op
     refuse_squeezes(planner().grid(), asked, corners_of_paths(options.params, {}), whole);
   if (whole.path.empty()) return whole;
   whole.cost = cost;
-  for (double& best : whole.best) best += dearer;
+  for (double& best : whole.curves.best) best += dearer;
   return whole;
 }
 

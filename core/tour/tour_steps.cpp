@@ -166,8 +166,8 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
   }
   if (ants) {
     ordered.found = find_order_by_ants(costs, ends, symmetric, request.ants, request.threads,
-                                       options, tour.run);
-    for (auto* lengths : {&tour.run.best, &tour.run.mean})
+                                       options, tour.curves);
+    for (auto* lengths : {&tour.curves.best, &tour.curves.mean})
       for (double& length : *lengths) length /= scale;
   } else {
     ordered.found = find_order(costs, ends, places, options);

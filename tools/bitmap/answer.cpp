@@ -198,7 +198,7 @@ std::optional<double> grid_gap(const Answer& answer, const Params& params) {
   const bool walked = params.polish == Polish::none && !answer.result.path.empty();
   double shortest = std::numeric_limits<double>::infinity();
   if (walked) shortest = answer.result.length;  // perhaps of several ants
-  for (const double tour : answer.result.cut_best) shortest = std::fmin(shortest, tour);
+  for (const double tour : answer.result.curves.cut_best) shortest = std::fmin(shortest, tour);
   if (!std::isfinite(shortest)) return std::nullopt;
   const auto gap = gap_to(answer.grid_optimum, shortest);
   if (!gap) return std::nullopt;

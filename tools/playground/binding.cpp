@@ -180,12 +180,12 @@ val curves_object(const Convergence& curves) {
 }
 
 val result_object(const Result& result) {
-  val object = curves_object(result);
+  val object = curves_object(result.curves);
   object.set("status", text_of(to_string(result.status)));
   object.set("message", result.error);
   object.set("length", result.length);
   object.set("path", path_array(result.path));
-  object.set("iterations", result.iterations);
+  object.set("iterations", result.curves.iterations);
   object.set("optimal", result.optimal);
   if (result.nearest_free) {
     val cell = val::object();

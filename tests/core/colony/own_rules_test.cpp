@@ -64,7 +64,7 @@ TEST(OwnRules, ALearnedHeuristicAndDeadEndsGiveTheSamePlan) {
   for (params.seed = 1; params.seed <= 20; ++params.seed) {
     const Result own = planner.plan(request, params, rebuilt(params));
     expect_same(own, planner.plan(request, params));
-    for (const int arrived : own.arrived) lost += 5 - arrived;
+    for (const int arrived : own.curves.arrived) lost += 5 - arrived;
   }
   EXPECT_GT(lost, 100);
 }
@@ -124,7 +124,7 @@ TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
   const OwnRules own{
       .schedule = [](int) { return StepWeights{.alpha = 2, .beta = 3, .greedy = 0.7}; }};
   expect_same(far.plan(params, own), expected);
-  EXPECT_NE(far.plan(params).steps, expected.steps);
+  EXPECT_NE(far.plan(params).curves.steps, expected.curves.steps);
 }
 
 // Of what waits for another setting, own rules may read what they take the place of, no more.
@@ -173,7 +173,7 @@ TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
     params.heuristic = Heuristic::uniform;
     expect_same(far.plan(params, OwnRules{.heuristic = by_cell}), expected);
     expect_same(far.plan(params, OwnRules{.heuristic = by_arc}), expected);
-    EXPECT_NE(far.plan(params).steps, expected.steps);
+    EXPECT_NE(far.plan(params).curves.steps, expected.curves.steps);
   }
 }
 
@@ -220,7 +220,7 @@ TEST(OwnRules, AnUpdateStopsTheSearch) {
     }};
     const Result result = far.plan(params, own, nullptr, [&](const GridProgress&) { ++seen; });
     EXPECT_EQ(result.status, Status::interrupted);
-    EXPECT_EQ(result.iterations, 4);
+    EXPECT_EQ(result.curves.iterations, 4);
     EXPECT_EQ(seen, 4);
     EXPECT_FALSE(result.path.empty());
   }
@@ -242,7 +242,7 @@ TEST(OwnRules, AnUpdateIsFinishedAndRecordedThoughATokenAsksToStop) {
   }};
   const Result result = far.plan(params, own);
   EXPECT_EQ(result.status, Status::interrupted);
-  EXPECT_EQ(result.iterations, 3);
+  EXPECT_EQ(result.curves.iterations, 3);
   EXPECT_NEAR(after, before + 10000, 50);  // sums of floats
 }
 

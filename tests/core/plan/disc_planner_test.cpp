@@ -83,8 +83,8 @@ void judge_colonies(const Planner& planner, const oracle::DiscPaths& judge, cons
     const Result whole = planner.plan(request, small(algorithm.name));
     const Result colony = from_way_out(planner, judge, request, whole, radius);
     EXPECT_TRUE(colony.curve.empty());
-    if (!whole.best.empty() && !whole.path.empty()) {
-      EXPECT_EQ(whole.best.back(), whole.length);
+    if (!whole.curves.best.empty() && !whole.path.empty()) {
+      EXPECT_EQ(whole.curves.best.back(), whole.length);
     }
     walks.closed_to_cells += exact.status == Status::solved && colony.path.empty();
     if (colony.path.size() < 2) continue;
@@ -218,7 +218,7 @@ TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {  // for all algorithms
   const Result led = planner.plan({{0, 4}, {16, 4}}, small("as"));
   EXPECT_EQ(led.status, Status::solved);
   EXPECT_EQ(led.way_out, (Point{1.5, 4.5}));
-  EXPECT_EQ(led.best.back(), led.length);
+  EXPECT_EQ(led.curves.best.back(), led.length);
   const Result refused = planner.plan({{16, 4}, {0, 4}}, small("as"));
   EXPECT_EQ(
       refused.error,

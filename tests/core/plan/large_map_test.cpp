@@ -72,7 +72,7 @@ TEST_F(LargeMap, AntsPlanInACornerOfIt) {
     const Result far =
         planner.plan({.start = there(request.start), .goal = there(request.goal)}, params);
     ASSERT_EQ(far.status, Status::solved);
-    EXPECT_EQ(far.mean, near.mean);
+    EXPECT_EQ(far.curves.mean, near.curves.mean);
     EXPECT_EQ(far.path.size(), near.path.size());
     EXPECT_NEAR(far.length, near.length, 1e-9);
   }

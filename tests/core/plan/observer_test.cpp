@@ -37,7 +37,7 @@ TEST(Observer, SeesEveryAlgorithm) {
       if (exact) {
         EXPECT_EQ(last, whole.length);
       } else {
-        EXPECT_EQ(calls, whole.iterations);
+        EXPECT_EQ(calls, whole.curves.iterations);
       }
     }
   }
@@ -54,7 +54,7 @@ TEST(Observer, StopsEveryAlgorithm) {
       return ++calls == 3 ? Go::stop : Go::on;
     });
     EXPECT_EQ(calls, 3) << algorithm.name;
-    EXPECT_EQ(result.iterations, 3) << algorithm.name;
+    EXPECT_EQ(result.curves.iterations, 3) << algorithm.name;
     EXPECT_EQ(result.status, Status::interrupted) << algorithm.name;
   }
 }

@@ -26,10 +26,11 @@ struct Bounds {
 /// How often a plan allocates: the result's ten curves, an entry an iteration, as they double;
 /// its path once, and perhaps again with each better one.
 Bounds allocations_for(const Result& result) {
-  const auto entries = static_cast<unsigned>(result.iterations);
+  const auto entries = static_cast<unsigned>(result.curves.iterations);
   const int once = 10 * (1 + std::bit_width(entries - 1)) + 1;
   int better = 0;
-  for (std::size_t q = 1; q < entries; ++q) better += result.best[q] < result.best[q - 1];
+  for (std::size_t q = 1; q < entries; ++q)
+    better += result.curves.best[q] < result.curves.best[q - 1];
   return {once, once + better};
 }
 
@@ -132,7 +133,7 @@ TEST(PlannerAllocation, AWorkspaceOutlivesACallThatRanOutOfMemory) {
         failing_allocation = -1;
         const Result again = planner.plan(request, params, &workspace);
         EXPECT_EQ(again.path, expected.path) << algorithm << " " << n;
-        EXPECT_EQ(again.mean, expected.mean) << algorithm << " " << n;
+        EXPECT_EQ(again.curves.mean, expected.curves.mean) << algorithm << " " << n;
       }
       EXPECT_GT(n, 10) << algorithm;  // sanitizers count no realloc
     }

@@ -76,7 +76,7 @@ TEST_P(KeptWorkspace, AfterCutsAnswersAndHoldsAsAFreshOneDoes) {
     if (looks % 2 == 0) continue;  // or cut short twice in a row
     const Result again = large().plan(request, params, &kept);
     EXPECT_EQ(again.path, expected.path) << looks;
-    EXPECT_EQ(again.mean, expected.mean) << looks;
+    EXPECT_EQ(again.curves.mean, expected.curves.mean) << looks;
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Workspace, ServesAllAlgorithmsAndMapsInTurn) {
         const Result expected = map->plan(asked, params);
         const Result again = map->plan(asked, params, &kept);
         EXPECT_EQ(again.path, expected.path) << algorithm.name;
-        EXPECT_EQ(again.mean, expected.mean) << algorithm.name;
+        EXPECT_EQ(again.curves.mean, expected.curves.mean) << algorithm.name;
       }
     }
   }
