@@ -69,16 +69,17 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
                     double optimum, Workspace& workspace) {
   QualityRun run;
   double shortest = std::numeric_limits<double>::infinity();
-  const Result result = planner.plan({course.start, course.goal}, params, &workspace,
-                                     [&](const GridProgress& progress) {
-                                       for (int ant = 0; ant < progress.ants(); ++ant) {
-                                         const auto tour = progress.tour(ant);
-                                         const double length = length_of(tour);
-                                         if (tour.empty() || length >= shortest) continue;
-                                         shortest = length;
-                                         run.last_as_walked = progress.iteration + 1;
-                                       }
-                                     });
+  const Result result =
+      planner.plan({course.start, course.goal}, params,
+                   {.workspace = &workspace, .observer = [&](const GridProgress& progress) {
+                      for (int ant = 0; ant < progress.ants(); ++ant) {
+                        const auto tour = progress.tour(ant);
+                        const double length = length_of(tour);
+                        if (tour.empty() || length >= shortest) continue;
+                        shortest = length;
+                        run.last_as_walked = progress.iteration + 1;
+                      }
+                    }});
   run.gap = result.path.empty() ? std::numeric_limits<double>::infinity()
                                 : (result.length - optimum) / optimum;
   for (std::size_t q = 0; q < result.curves.best.size(); ++q) {

@@ -71,7 +71,7 @@ Navigator navigator_of(const QuerySet& set, const Query& query, const DriveOptio
 
 DriveResult drive_with(Pilot& pilot, const QuerySet& set, const Query& query,
                        const DriveOptions& options, const DriveObserver& observer = {}) {
-  return drive(pilot, set.grid, query.start, {}, {.sense = options.sense}, {}, observer);
+  return drive(pilot, set.grid, query.start, {}, {.sense = options.sense, .observer = observer});
 }
 
 DriveResult drive_navigator(const QuerySet& set, const Query& query, const DriveOptions& options) {

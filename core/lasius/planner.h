@@ -51,6 +51,13 @@ class LASIUS_EXPORT Workspace {
   std::unique_ptr<WorkspaceMemory> memory_;
 };
 
+/// What else a plan may be given.
+struct PlanOptions {
+  Workspace* workspace = nullptr;  ///< kept from call to call; null: memory of this call alone
+  Observer observer = {};          ///< called as Progress says
+  OwnRules own_rules = {};         ///< of a colony
+};
+
 /// A robot: a disc whose centre keeps a distance of `radius` cells, and no more is asked, from
 /// every blocked cell (a closed square) and from what lies outside the map. 0: a point.
 struct Disc {
@@ -158,19 +165,14 @@ class LASIUS_EXPORT Planner {
   /// Answers one request.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
-  /// `observer` is called as Progress says, and may stop the run.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a target gap that is
   /// out of range or that the algorithm cannot certify, a goal tolerance out of range, a disc's
-  /// radius that `exact` has no answers for, and from a colony where the environment's
-  /// LASIUS_KERNELS names no kernels that this CPU has; what the observer throws. Start or goal
-  /// outside or blocked is an answer, not an exception: Status::invalid.
-  Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
-              const Observer& observer = {}) const;
-  /// The same with a colony some of whose rules are the caller's own, see OwnRules.
-  /// @throws Error(invalid_parameter) for parameters that validate(params, own) refuses, rules that
-  /// do not go with map or algorithm, and as above; what they throw.
-  Result plan(const Request& request, const Params& params, const OwnRules& own,
-              Workspace* workspace = nullptr, const Observer& observer = {}) const;
+  /// radius that `exact` has no answers for, own rules that do not go with map or algorithm, and
+  /// from a colony where the environment's LASIUS_KERNELS names no kernels that this CPU has; what
+  /// observer and own rules throw. Start or goal outside or blocked is an answer, not an exception:
+  /// Status::invalid.
+  Result plan(const Request& request, const Params& params = {},
+              const PlanOptions& options = {}) const;
 
   /// What is to be of a cell.
   struct Edit {

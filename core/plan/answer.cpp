@@ -256,10 +256,8 @@ void check_path(const Question& q, const Result& result) {
 
 /// Leg by leg, each a question of its own.
 Result answer_through(const PlanningMap& map, const Request& asked, const Params& params,
-                      Workspace* workspace, const Observer& observer, const OwnRules& own) {
-  const auto plan = [&](const Request& leg) {
-    return answer(map, leg, params, workspace, observer, own);
-  };
+                      const PlanOptions& options) {
+  const auto plan = [&](const Request& leg) { return answer(map, leg, params, options); };
   Result whole = plan_legs(asked, plan);
   if (map.disc == nullptr) refuse_squeezes(map.grid, asked, corners_of_paths(params, {}), whole);
   return whole;
@@ -268,11 +266,12 @@ Result answer_through(const PlanningMap& map, const Request& asked, const Params
 }  // namespace
 
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
-              Workspace* workspace, const Observer& observer, const OwnRules& own) {
+              const PlanOptions& options) {
+  const OwnRules& own = options.own_rules;
   const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_alternatives(asked, algorithm, robot);
-  if (!asked.via.empty()) return answer_through(map, asked, given, workspace, observer, own);
+  if (!asked.via.empty()) return answer_through(map, asked, given, options);
   validate(given, own);
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
@@ -288,10 +287,11 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Asked goal(ends.map_alone(), asked.goal, asked.goal_point);
   Places places;
   if (auto refusal = refused(ends, asked, start, goal, places)) return std::move(*refusal);
+  Workspace* workspace = options.workspace;
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
-  Question q{map, params, algorithm, observer, own, memory, corners, places, asked};
+  Question q{map, params, algorithm, options.observer, own, memory, corners, places, asked};
   std::tie(q.request.start, q.request.goal) =
       curved ? std::pair(cell_at(places.from), cell_at(places.to))
              : ends.walk(places.from, places.to);

@@ -131,14 +131,9 @@ std::optional<Cell> Planner::nearest_reachable(Cell c, Cell from, Corners corner
   return lasius::nearest_free(impl_->grid, c, poller, joined);
 }
 
-Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
-                     const Observer& observer) const {
-  return plan(request, params, {}, workspace, observer);
-}
-
-Result Planner::plan(const Request& request, const Params& params, const OwnRules& own,
-                     Workspace* workspace, const Observer& observer) const {
-  return answer(impl_->planning_map(request.stop), request, params, workspace, observer, own);
+Result Planner::plan(const Request& request, const Params& params,
+                     const PlanOptions& options) const {
+  return answer(impl_->planning_map(request.stop), request, params, options);
 }
 
 void Planner::limit_own_graph(std::int64_t max_bytes) noexcept {

@@ -78,7 +78,7 @@ void plan_legs(const Planner& planner, std::span<const Point> points, int thread
                  TourLeg& leg = tour.legs[i];
                  Result planned =
                      planner.plan({.start_point = points[leg.from], .goal_point = points[leg.to]},
-                                  exact, &workspaces[thread]);
+                                  exact, {.workspace = &workspaces[thread]});
                  leg.length = planned.length;
                  leg.path = std::move(planned.path);
                });

@@ -18,6 +18,6 @@ int main() {
   };
   // The third argument is a workspace, memory that is kept from plan to plan: one plan needs none.
   const Result result =
-      planner.plan({.start = {14, 14}, .goal = {380, 179}}, Params("as"), nullptr, watch);
+      planner.plan({.start = {14, 14}, .goal = {380, 179}}, Params("as"), {.observer = watch});
   return result.status == Status::interrupted && result.length < first ? 0 : 1;
 }

@@ -144,9 +144,11 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
     const Request request{question.start, question.goal, watch.stop(stop, params)};
     double cost = kUnknown;
     const auto plan = [&]() -> Result {
-      if (costs == nullptr) return planner.plan(request, seeded, &workspace, watch.observer());
-      CostResult found =
-          costs->plan(request, {.params = seeded, .workspace = &workspace}, watch.observer());
+      if (costs == nullptr)
+        return planner.plan(request, seeded,
+                            {.workspace = &workspace, .observer = watch.observer()});
+      CostResult found = costs->plan(
+          request, {.params = seeded, .workspace = &workspace, .observer = watch.observer()});
       cost = found.cost;
       return found;
     };

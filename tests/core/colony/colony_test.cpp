@@ -22,10 +22,10 @@ std::vector<double> corridor(Params params, int iterations) {
   params.iterations = iterations;
   std::vector<double> tau;
   Planner(Grid(5, 1))
-      .plan({.start = {0, 0}, .goal = {4, 0}}, params, nullptr, [&](const GridProgress& seen) {
-        tau.push_back(seen.pheromone({1, 0}));
-        EXPECT_EQ(seen.pheromone({2, 0}), tau.back());
-      });
+      .plan({.start = {0, 0}, .goal = {4, 0}}, params, {.observer = [&](const GridProgress& seen) {
+              tau.push_back(seen.pheromone({1, 0}));
+              EXPECT_EQ(seen.pheromone({2, 0}), tau.back());
+            }});
   return tau;
 }
 
@@ -92,7 +92,7 @@ TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
     EXPECT_LE(seen.best_length, seen.pheromone(far.request.start) * (1 + 1e-6));
     joined += seen.best_length < 0.99 * shortest_tour ? 1 : 0;
   };
-  const Result found = far.plan(quick("terminal-index"), nullptr, look);
+  const Result found = far.plan(quick("terminal-index"), {.observer = look});
   EXPECT_GT(joined, 5);
   expect_best_of_iterations(found);
   EXPECT_LT(found.curves.iteration_best.front(),
@@ -125,17 +125,17 @@ TEST(Colony, TheBandIsCountedAlongTheRawTour) {
   const Request request{.start = {0, 0}, .goal = {20, 0}};
   std::vector<double> shares;
   const Result result =
-      Planner(grid).plan(request, params, nullptr, [&](const GridProgress& progress) {
-        double near = 0, all = 0;
-        for (int ant = 0; ant < progress.ants(); ++ant) {
-          for (const Cell c : progress.tour(ant)) {
-            near += c.y <= 2;
-            ++all;
-          }
-        }
-        shares.push_back(near / all);
-        EXPECT_EQ(progress.curves->band.back(), shares.back());
-      });
+      Planner(grid).plan(request, params, {.observer = [&](const GridProgress& progress) {
+                           double near = 0, all = 0;
+                           for (int ant = 0; ant < progress.ants(); ++ant) {
+                             for (const Cell c : progress.tour(ant)) {
+                               near += c.y <= 2;
+                               ++all;
+                             }
+                           }
+                           shares.push_back(near / all);
+                           EXPECT_EQ(progress.curves->band.back(), shares.back());
+                         }});
   EXPECT_EQ(result.curves.band, shares);
   EXPECT_LT(shares.front(), 1);
   EXPECT_GT(shares.front(), 0);

@@ -97,9 +97,10 @@ TEST_P(CutIteration, AnObserverComesTooLateOnceTheSearchHasEnded) {
     ASSERT_EQ(whole.status, Status::solved);
     ASSERT_EQ(whole.curves.iterations, settles ? 3 : 5);
     for (int at = 0; at < whole.curves.iterations; ++at) {
-      const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& seen) {
-        return seen.iteration == at ? Go::stop : Go::on;
-      });
+      const Result result =
+          planner.plan(request, params, {.observer = [&](const GridProgress& seen) {
+                         return seen.iteration == at ? Go::stop : Go::on;
+                       }});
       EXPECT_EQ(result.curves.iterations, at + 1);
       const bool last = at + 1 == whole.curves.iterations;
       EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;

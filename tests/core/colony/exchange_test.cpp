@@ -166,10 +166,10 @@ TEST(Asynchronous, AnObserverIsCalledByTheThreadThatPlans) {
   Params params = apart("mmas", 5);
   params.threads = 3;
   int seen = 0;
-  far.plan(params, nullptr, [&, here = std::this_thread::get_id()](const GridProgress& now) {
-    EXPECT_EQ(std::this_thread::get_id(), here);
-    EXPECT_EQ(now.iteration, seen++);
-  });
+  far.plan(params, {.observer = [&, here = std::this_thread::get_id()](const GridProgress& now) {
+             EXPECT_EQ(std::this_thread::get_id(), here);
+             EXPECT_EQ(now.iteration, seen++);
+           }});
   EXPECT_LE(seen, params.iterations);
 }
 

@@ -36,8 +36,8 @@ TEST_P(Archipelago, ThreadsAndWhatAWorkspaceHasSeenChangeNothing) {
   Workspace workspace;
   for (const int threads : {1, 2, 5}) {
     params.threads = threads;
-    expect_same(far.plan(params, &workspace), once);
-    (void)far.plan(split(GetParam(), threads + 1), &workspace);
+    expect_same(far.plan(params, {.workspace = &workspace}), once);
+    (void)far.plan(split(GetParam(), threads + 1), {.workspace = &workspace});
   }
 }
 
@@ -208,11 +208,12 @@ TEST(Islands, AnObserverSeesTheLeaderAndEndsAllOfThem) {
   const Params params = split("mmas", 4);
   const Result whole = far.plan(params);
   int seen = 0;
-  const Result cut = far.plan(params, nullptr, [&](const GridProgress& now) {
-    EXPECT_EQ(now.best_length, whole.curves.best[static_cast<std::size_t>(now.iteration)]);
-    EXPECT_GE(now.ants(), 1);
-    return ++seen == 3 ? Go::stop : Go::on;
-  });
+  const Result cut = far.plan(
+      params, {.observer = [&](const GridProgress& now) {
+        EXPECT_EQ(now.best_length, whole.curves.best[static_cast<std::size_t>(now.iteration)]);
+        EXPECT_GE(now.ants(), 1);
+        return ++seen == 3 ? Go::stop : Go::on;
+      }});
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_EQ(cut.curves.iterations, 3);
   EXPECT_EQ(cut.length, whole.curves.best[2]);
@@ -262,7 +263,7 @@ TEST(Islands, MoreThanThereAreAntsAreRefused) {
 TEST(Islands, OwnRulesAndMapsThatChangeHaveOneColony) {
   FarApart far;
   const OwnRules own{.schedule = [](int) { return StepWeights{}; }};
-  EXPECT_THROW(far.plan(split("as", 2), own), Error);
+  EXPECT_THROW(far.plan(split("as", 2), {.own_rules = own}), Error);
   NavigatorOptions options;
   options.params = split("as", 2);
   EXPECT_THROW(Navigator(far.planner.grid(), far.request.goal, options), Error);

@@ -212,7 +212,7 @@ TEST(GridGa, AChildIsTheFirstPartOfOneParentAndTheLastOfTheOther) {
       }
       longer += seen.iteration > 0 && longest > before ? 1 : 0;
     };
-    (void)planner.plan(request, p, nullptr, look);
+    (void)planner.plan(request, p, {.observer = look});
   }
   EXPECT_GT(longer, 0);
 }
@@ -273,13 +273,13 @@ TEST(GridGa, AnInterruptedRunKeepsItsBestPath) {
   int seen = 0;
   const Result result =
       planner.plan({kStart, kGoal, {.token = source.get_token()}}, genetic(Polish::straight),
-                   nullptr, [&](const GridProgress& p) {
+                   {.observer = [&](const GridProgress& p) {
                      EXPECT_EQ(p.iteration, seen);
                      EXPECT_EQ(p.ants(), 50);
                      EXPECT_EQ(p.tour(0).front(), kStart);
                      EXPECT_EQ(p.tour(49).back(), kGoal);
                      if (++seen == 5) source.request_stop();
-                   });
+                   }});
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(result.curves.iterations, 5);
   EXPECT_EQ(result.length, result.curves.best.back());

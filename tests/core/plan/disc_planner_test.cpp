@@ -298,9 +298,10 @@ TEST(DiscPlanner, IsStopped) {
   for (int i = 0; i < 100 && lengths.size() < 2; ++i) {
     const Request request{random_cell(grid, random), random_cell(grid, random)};
     lengths.clear();
-    whole = planner.plan(request, {}, nullptr,
-                         [&](const GridProgress& seen) { lengths.push_back(seen.best_length); });
-    cut = planner.plan(request, {}, nullptr, [](const GridProgress&) { return Go::stop; });
+    whole = planner.plan(request, {}, {.observer = [&](const GridProgress& seen) {
+                           lengths.push_back(seen.best_length);
+                         }});
+    cut = planner.plan(request, {}, {.observer = [](const GridProgress&) { return Go::stop; }});
   }
   ASSERT_GE(lengths.size(), 2U) << "no question with several paths";
   EXPECT_EQ(lengths.back(), whole.length) << "of the curve";

@@ -95,10 +95,10 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
 TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
   const Result first = far_.plan(params_);
   Workspace workspace;
-  expect_same(far_.plan(params_, &workspace), first);
+  expect_same(far_.plan(params_, {.workspace = &workspace}), first);
   const Planner other(blobs(90, 300, 8));
-  (void)other.plan(far_apart(other), params_, &workspace);  // leaves its traces
-  expect_same(far_.plan(params_, &workspace), first);
+  (void)other.plan(far_apart(other), params_, {.workspace = &workspace});  // leaves its traces
+  expect_same(far_.plan(params_, {.workspace = &workspace}), first);
   params_.seed = 2;
   EXPECT_NE(far_.plan(params_).curves.mean, first.curves.mean);
 }
@@ -120,7 +120,7 @@ TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
         params.corners = corners;
         params.polish = polish;
         params.dead_end = polish == Polish::straight ? DeadEnd::kill : params.dead_end;
-        const Result result = planner.plan(request, params, &workspace);
+        const Result result = planner.plan(request, params, {.workspace = &workspace});
         if (result.path.empty()) {
           ASSERT_EQ(params.dead_end, DeadEnd::kill);
           continue;
@@ -265,9 +265,9 @@ TEST(Planner, ATokenInterrupts) {
   far.request.stop.token = source.get_token();
   Params params = quick("fan2004");
   params.iterations = 1000000;
-  const Result result = far.plan(params, nullptr, [&](const GridProgress& p) {
-    if (p.iteration == 4) source.request_stop();
-  });
+  const Result result = far.plan(params, {.observer = [&](const GridProgress& p) {
+                                   if (p.iteration == 4) source.request_stop();
+                                 }});
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(result.curves.iterations, 5);
   EXPECT_FALSE(result.path.empty());

@@ -35,7 +35,7 @@ TEST_P(PlanBetweenPoints, BeginsAndEndsThere) {
     const Result cells = far.planner.plan(far.request, params);
     int told = 0;
     const Result result =
-        far.planner.plan(request, params, nullptr, [&](const GridProgress&) { ++told; });
+        far.planner.plan(request, params, {.observer = [&](const GridProgress&) { ++told; }});
     SCOPED_TRACE(std::string(to_string(polish)));
     if (cells.path.empty()) continue;
     ASSERT_EQ(result.status, Status::solved) << result.error;

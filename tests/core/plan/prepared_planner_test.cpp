@@ -67,7 +67,7 @@ TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
   Workspace workspace;
   int solved = 0, invalid = 0;
   for (const Request& request : some_queries(200)) {
-    const Result result = prepared.plan(request, {}, &workspace);
+    const Result result = prepared.plan(request, {}, {.workspace = &workspace});
     expect_as_good(result, plain.plan(request));
     solved += result.status == Status::solved;
     invalid += result.status == Status::invalid;
@@ -136,7 +136,7 @@ TEST(PreparedPlanner, LabelsAnswerAndMeasureAsTheUnpreparedOne) {
   Workspace workspace;
   std::vector<Cell> places;
   for (const Request& request : some_queries(200)) {
-    expect_as_good(labelled.plan(request, {}, &workspace), plain.plan(request));
+    expect_as_good(labelled.plan(request, {}, {.workspace = &workspace}), plain.plan(request));
     if (map().free(request.start)) places.push_back(request.start);
   }
   const auto expected = plain.distances(places, places), found = labelled.distances(places, places);
@@ -179,7 +179,7 @@ TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
   Workspace workspace;
   for (const int threads : {1, 2}) {
     plan_batch(planner, queries, {}, {.threads = threads}, [&](const BatchAnswer& answer) {
-      const Result alone = planner.plan(queries[answer.index], {}, &workspace);
+      const Result alone = planner.plan(queries[answer.index], {}, {.workspace = &workspace});
       EXPECT_EQ(answer.result.status, alone.status);
       EXPECT_EQ(answer.result.path, alone.path);
       if (!alone.path.empty()) {
@@ -201,8 +201,8 @@ TEST(PreparedPlanner, TheGraphOfAPlannerChangesNothing) {
   Workspace workspace, other;
   for (int i = 0; i < 400; ++i) {
     const Request request{random_cell(grid, random), random_cell(grid, random)};
-    const Result with = planner.plan(request, {}, &workspace);
-    const Result alone = without.plan(request, {}, &other);
+    const Result with = planner.plan(request, {}, {.workspace = &workspace});
+    const Result alone = without.plan(request, {}, {.workspace = &other});
     EXPECT_EQ(with.path, alone.path);
     EXPECT_EQ(with.lower_bound, alone.lower_bound);
     EXPECT_EQ(with.optimal, alone.optimal);
@@ -233,10 +233,10 @@ TEST(PreparedPlanner, AWorkspaceServesSeveralMaps) {
   Workspace workspace;
   std::mt19937 random(9);
   for (const Request& q : some_queries(30)) {
-    large.plan(q, {}, &workspace);
+    large.plan(q, {}, {.workspace = &workspace});
     const Request request{.start = {random_in(0, 59, random), random_in(0, 59, random)},
                           .goal = {random_in(0, 59, random), random_in(0, 59, random)}};
-    expect_as_good(small.plan(request, {}, &workspace), plain.plan(request));
+    expect_as_good(small.plan(request, {}, {.workspace = &workspace}), plain.plan(request));
   }
 }
 

@@ -66,9 +66,9 @@ TEST(StaleAnswers, AreThoseOfTheOrdinarySearchAfterEdits) {
       Workspace workspace;
       for (int i = 0; i < 25; ++i) {
         const Request request{random_cell(grid, random), random_cell(grid, random)};
-        const Result right = plain.plan(request, {}, &workspace);
-        expect_equal(edited.plan(request, {}, &workspace), right);
-        expect_equal(again.plan(request, {}, &workspace), right);
+        const Result right = plain.plan(request, {}, {.workspace = &workspace});
+        expect_equal(edited.plan(request, {}, {.workspace = &workspace}), right);
+        expect_equal(again.plan(request, {}, {.workspace = &workspace}), right);
       }
     }
   }
