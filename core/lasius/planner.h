@@ -188,11 +188,9 @@ class LASIUS_EXPORT Planner {
   /// distances; and by the ordinary search where it is not proven. prepared() of it prepares the
   /// new map, which another thread may do meanwhile; labels keep the order that the older ones had,
   /// as long as few corners are new. @throws Error(invalid_parameter) for a cell outside the map.
-  Planner edited(std::span<const Edit> edits) const;
-  /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
-  /// So with a condition below.
+  /// Empty only if stopped while tiles were labelled; the bitmap's copy is not cut short.
   [[nodiscard]] std::optional<Planner> edited(std::span<const Edit> edits,
-                                              const StopCondition& stop) const;
+                                              const StopCondition& stop = {}) const;
 
   /// A direction out of a cell, towards one of its eight neighbours.
   struct Direction {
@@ -206,18 +204,14 @@ class LASIUS_EXPORT Planner {
   /// kept out of the directions in which a sensor reports an obstacle that the map does not have.
   /// The neighbour there counts as blocked, for the polish and for reachability too, until no
   /// direction to it is excluded any more. Costs what `edited` does; this planner stays as it is,
-  /// so plans under way end in the world that they began in.
+  /// so plans under way end in the world that they began in. Empty only if stopped.
   /// @throws Error(invalid_parameter) for a cell outside the map or a step that is no direction.
-  Planner exclude(std::span<const Direction> reported) const;
-  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> exclude(std::span<const Direction> reported,
-                                               const StopCondition& stop) const;
+                                               const StopCondition& stop = {}) const;
   /// The same without these directions: the sensor has stopped reporting them. Those that were not
   /// excluded are ignored.
-  Planner allow(std::span<const Direction> gone) const;
-  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> allow(std::span<const Direction> gone,
-                                             const StopCondition& stop) const;
+                                             const StopCondition& stop = {}) const;
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 

@@ -239,16 +239,16 @@ TEST(DiscPlanner, AnEditedMapIsPlannedAnew) {
   std::vector<Planner::Edit> edits;
   for (int y = 2; y < 13; ++y) edits.push_back({{15, y}, true});
   for (const auto& edit : edits) grid.set_blocked(edit.cell);
-  const Planner after = before.edited(edits), anew(grid, Disc{1.2});
+  const Planner after = *before.edited(edits), anew(grid, Disc{1.2});
   EXPECT_EQ(after.grid(), grid);
   EXPECT_EQ(after.robot().radius, 1.2);
   const Request request{{3, 7}, {26, 7}};
   EXPECT_TRUE(same(after.plan(request), anew.plan(request)));
   EXPECT_EQ(after.plan(request).status, Status::unreachable) << "2 cells are left on each side";
   const Planner::Direction ahead{{14, 1}, 1, 0};
-  const Planner shut = before.exclude(std::span(&ahead, 1));
+  const Planner shut = *before.exclude(std::span(&ahead, 1));
   EXPECT_TRUE(shut.grid().blocked({15, 1}));
-  EXPECT_EQ(shut.allow(std::span(&ahead, 1)).grid(), before.grid());
+  EXPECT_EQ(shut.allow(std::span(&ahead, 1))->grid(), before.grid());
 }
 
 TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
@@ -266,7 +266,7 @@ TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
       }
       edits.push_back({random_cell(grid, random), edit % 2 == 0});
       for (const auto& one : edits) grid.set_blocked(one.cell, one.blocked);
-      planner = planner.edited(edits);
+      planner = *planner.edited(edits);
       const Planner fresh(grid, Disc{radius});
       ASSERT_EQ(planner.grid(), grid);
       ASSERT_EQ(planner.passable(), fresh.passable());

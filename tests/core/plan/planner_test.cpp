@@ -326,13 +326,13 @@ TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {
   const Grid grid = walled(600, 300, {{300, 0, 1, 300}});
   const Planner closed(grid);
   const Planner::Edit door{{300, 150}, false};
-  const Planner open = closed.edited({&door, 1});
+  const Planner open = *closed.edited({&door, 1});
   const Cell a{10, 10}, b{590, 290};
   EXPECT_FALSE(closed.connected(a, b));
   EXPECT_TRUE(open.connected(a, b));
   const Planner::Edit shut{{300, 150}, true};
-  EXPECT_FALSE(open.edited({&shut, 1}).connected(a, b));
-  EXPECT_EQ(open.edited({&shut, 1}).grid(), closed.grid());
+  EXPECT_FALSE(open.edited({&shut, 1})->connected(a, b));
+  EXPECT_EQ(open.edited({&shut, 1})->grid(), closed.grid());
   const Planner::Edit outside{{600, 0}, true};
   EXPECT_THROW((void)open.edited({&outside, 1}), Error);
 }

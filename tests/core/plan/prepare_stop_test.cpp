@@ -185,10 +185,12 @@ TEST(StoppedPlanner, APlanPaysForTheRuleThatItIsFirstToAskFor) {
 
 TEST(StoppedPlanner, AnEditIsMadeOrNot) {
   const Planner planner(noise());
+  Grid now = noise();
   std::vector<Planner::Edit> edits;
   std::vector<Planner::Direction> directions;
   for (const Cell c : edited_cells()) {
     edits.push_back({c, noise().free(c)});
+    now.set_blocked(c, noise().free(c));
     directions.push_back({c, c.x > 0 ? -1 : 1, 0});
   }
   EXPECT_FALSE(planner.edited(edits, fired()));
@@ -196,15 +198,14 @@ TEST(StoppedPlanner, AnEditIsMadeOrNot) {
   EXPECT_EQ(planner.grid(), noise());
   EXPECT_TRUE(planner.excluded().empty());
 
-  const auto edited = planner.edited(edits, StopCondition{});
-  const auto excluded = planner.exclude(directions, StopCondition{});
+  const auto edited = planner.edited(edits);
+  const auto excluded = planner.exclude(directions);
   ASSERT_TRUE(edited && excluded);
-  EXPECT_EQ(edited->grid(), planner.edited(edits).grid());
-  EXPECT_EQ(excluded->grid(), planner.exclude(directions).grid());
+  EXPECT_EQ(edited->grid(), now);
   EXPECT_NE(excluded->grid(), noise());
   EXPECT_FALSE(excluded->allow(directions, fired()));
   EXPECT_EQ(excluded->excluded().size(), directions.size());
-  const auto allowed = excluded->allow(directions, StopCondition{});
+  const auto allowed = excluded->allow(directions);
   ASSERT_TRUE(allowed);
   EXPECT_EQ(allowed->grid(), noise());
 }

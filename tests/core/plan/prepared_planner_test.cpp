@@ -40,7 +40,7 @@ void expect_as_good(const Result& prepared, const Result& plain) {
 }
 
 TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
-  const Planner plain = Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
+  const Planner plain = *Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
   const Planner at_once(plain.grid(), PrepareOptions{.threads = 1});
   const Planner later = plain.prepared({.threads = 2});
   EXPECT_EQ(plain.preparation().state, Preparation::State::none);
@@ -113,16 +113,16 @@ TEST(PreparedPlanner, EditsLeaveThePreparationBehind) {
 
   std::vector<Planner::Edit> wall;
   for (int y = 0; y < 20; ++y) wall.push_back({{20, y}, true});
-  const Planner walled = prepared.edited(wall);
+  const Planner walled = *prepared.edited(wall);
   EXPECT_EQ(walled.preparation().state, Preparation::State::none);
   for (const Planner::Edit& edit : wall) grid.set_blocked(edit.cell);
   EXPECT_EQ(walled.plan(request).path, Planner(grid).plan(request).path);
   EXPECT_GT(walled.plan(request).length, before + 1);
 
-  const Planner excluded = prepared.exclude(std::vector<Planner::Direction>{{{2, 10}, 1, 0}});
+  const Planner excluded = *prepared.exclude(std::vector<Planner::Direction>{{{2, 10}, 1, 0}});
   EXPECT_EQ(excluded.preparation().state, Preparation::State::none);
   EXPECT_GT(excluded.plan(request).length, before);
-  const Planner allowed = excluded.allow(excluded.excluded());
+  const Planner allowed = *excluded.allow(excluded.excluded());
   EXPECT_EQ(allowed.preparation().state, Preparation::State::none);
   EXPECT_NEAR(allowed.plan(request).length, before, 1e-9 * before);
   EXPECT_EQ(prepared.plan(request).length, before);
