@@ -16,7 +16,6 @@ int main() {
     if (std::isnan(first)) first = progress.best_length;
     return progress.best_length < first ? Go::stop : Go::on;
   };
-  // The third argument is a workspace, memory that is kept from plan to plan: one plan needs none.
   const Result result =
       planner.plan({.start = {14, 14}, .goal = {380, 179}}, Params("as"), {.observer = watch});
   return result.status == Status::interrupted && result.length < first ? 0 : 1;
