@@ -300,8 +300,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     static_cast<SearchResult&>(result) = already_there<SearchResult>();
     result.path = {places.from};
   } else if (q.exact()) {
-    result = map.search ? map.search(q.request, observer)
-                        : run_exact(map, q.request, places, memory, observer);
+    result = map.search ? map.search(q.request, options.observer)
+                        : run_exact(map, q.request, places, memory, options.observer);
     // Cells may be joined where a disc is not: then the search has proven it. Of a point the cells
     // prove more: it is within rounding of a corner, and the search lost its ways.
     if (result.status == Status::unreachable && map.disc == nullptr) {

@@ -89,7 +89,9 @@ Result plan_legs(const Request& asked, const std::function<Result(const Request&
       const bool at_start =
           found.fault == Fault::start_blocked || found.fault == Fault::start_outside;
       if (!found.error.empty() && !last && !at_start) found.bad_via = static_cast<int>(i);
-      found.curves = {.iterations = whole.curves.iterations + found.curves.iterations};
+      const int done = whole.curves.iterations + found.curves.iterations;
+      found.curves = {};  // of no path
+      found.curves.iterations = done;
       found.lower_bound.reset();
       return found;
     }

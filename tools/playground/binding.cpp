@@ -235,18 +235,18 @@ class World {
       // Tracks of no iteration are kept there.
       PictureRecorder rasters(planner_.grid(), {std::numeric_limits<int>::max()}, params,
                               {.pixels = kMostPixels, .read_all = kReadAll});
-      return result_object(
-          planner_.plan(request, params, {.observer = [&](const GridProgress& progress) {
-                          rasters.observe(progress);
-                          const bool last = progress.iteration + 1 == params.iterations;
-                          if (sent.wants(progress.iteration)) {
-                            sent.add({});
-                          } else if (!last) {
-                            return;
-                          }
-                          rasters.capture(progress);
-                          watch(frame_object(progress, rasters));
-                        }}));
+      const auto look = [&](const GridProgress& progress) {
+        rasters.observe(progress);
+        const bool last = progress.iteration + 1 == params.iterations;
+        if (sent.wants(progress.iteration)) {
+          sent.add({});
+        } else if (!last) {
+          return;
+        }
+        rasters.capture(progress);
+        watch(frame_object(progress, rasters));
+      };
+      return result_object(planner_.plan(request, params, {.observer = look}));
     });
   }
 
