@@ -59,17 +59,20 @@ template <class... Args>
 class Callback {
  public:
   Callback() = default;
-  /// Of anything that can be copied and called so.
+  /// Of anything that can be copied and called so; none of an empty std::function.
   template <std::invocable<Args...> Function>
-  Callback(Function function)
-      : function_([called = std::move(function)](Args... args) mutable {
-          if constexpr (std::is_void_v<std::invoke_result_t<Function&, Args...>>) {
-            called(args...);
-            return Go::on;
-          } else {
-            return called(args...);
-          }
-        }) {}
+  Callback(Function function) {
+    if constexpr (requires { function == nullptr; })
+      if (function == nullptr) return;
+    function_ = [called = std::move(function)](Args... args) mutable {
+      if constexpr (std::is_void_v<std::invoke_result_t<Function&, Args...>>) {
+        called(args...);
+        return Go::on;
+      } else {
+        return called(args...);
+      }
+    };
+  }
   /// Precondition: there is one.
   Go operator()(Args... args) const { return function_(args...); }
   explicit operator bool() const noexcept { return static_cast<bool>(function_); }  ///< is there?
