@@ -69,37 +69,32 @@ struct Disc {
 class LASIUS_EXPORT Planner {
  public:
   /// Labels the components of the free cells; nothing else is made of the map.
-  explicit Planner(Grid grid);
-  /// Also prepares the map for `exact`: makes its visibility graph. Answers are as short and as
-  /// certain as without; where several paths are shortest perhaps another one. If the graph was
-  /// abandoned, planning uses the ordinary search; the stop condition is asked about the graph
-  /// alone. Of planners made from this one by edited, exclude and allow see edited.
-  /// @throws Error(invalid_parameter) where the number of threads is out of range.
-  Planner(Grid grid, const PrepareOptions& options);
-  /// As the constructors, for those who may have to stop: empty if stopped while components were
-  /// labelled. `grid` is moved from only where a planner comes of it.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop = {});
-  /// The same, with the visibility graph; empty only if stopped while components were labelled.
-  /// @throws as the constructor with options.
-  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
-                                                            const PrepareOptions& options = {});
-  /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers
-  /// have a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and
-  /// start and goal may be cells whose centres alone keep the radius. Its radii are those of [0.05,
-  /// 54] cells; for any other it refuses every request. All other algorithms walk over
-  /// `passable()`: their paths keep the radius, too, but a door whose middle is no centre of a cell
-  /// may be closed to them. Params::corners has no effect: diagonal moves are those that keep the
-  /// radius, or between four passable cells; a knight's move needs all of its 2 x 3 cells then.
+  ///
+  /// For a disc, unless its radius is 0, `exact` plans exactly where it can go: its answers have a
+  /// Result::curve of straight pieces and arcs, a door as wide as the disc is open, and start and
+  /// goal may be cells whose centres alone keep the radius. Its radii are those of [0.05, 54]
+  /// cells; for any other it refuses every request. All other algorithms walk over `passable()`:
+  /// their paths keep the radius, too, but a door whose middle is no centre of a cell may be closed
+  /// to them. Params::corners has no effect: diagonal moves are those that keep the radius, or
+  /// between four passable cells; a knight's move needs all of its 2 x 3 cells then.
   /// @throws Error(invalid_parameter) for a radius that is negative or not finite.
-  Planner(Grid grid, Disc robot);
-  /// The same; the graph that is made is that of the disc's curves. @throws as both.
-  Planner(Grid grid, Disc robot, const PrepareOptions& options);
-  /// As make, for a disc. @throws as the constructor.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, Disc robot,
+  explicit Planner(Grid grid, Disc robot = {});
+  /// Also prepares the map for `exact`: makes its visibility graph, of a disc that of its curves.
+  /// Answers are as short and as certain as without; where several paths are shortest perhaps
+  /// another one. If the graph was abandoned, planning uses the ordinary search; the stop condition
+  /// is asked about the graph alone. Of planners made from this one by edited, exclude and allow
+  /// see edited.
+  /// @throws Error(invalid_parameter) where the number of threads is out of range, and as above.
+  Planner(Grid grid, const PrepareOptions& options, Disc robot = {});
+  /// As the constructors, for those who may have to stop: empty if stopped while components were
+  /// labelled, or a disc's free space was made. `grid` is moved from only where a planner comes of
+  /// it. @throws as they do.
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, Disc robot = {},
                                                    const StopCondition& stop = {});
-  /// As make_prepared, for a disc. @throws as the constructor.
-  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid, Disc robot,
-                                                            const PrepareOptions& options = {});
+  /// The same, with the visibility graph: a stop that comes later leaves the planner without it.
+  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
+                                                            const PrepareOptions& options = {},
+                                                            Disc robot = {});
   /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
   /// components; this one stays as it is. @throws as the constructor with options.
   Planner prepared(const PrepareOptions& options) const;

@@ -141,15 +141,13 @@ OwnRules own_rules(const Given& given, const Params& params, Call& call) {
   if (given.heuristic) own.heuristic = span_of(*given.heuristic);
   if (!given.update.is_none()) {
     own.update = [&given, &call](Pheromone& trail, const IterationTours& tours) {
-      Go answer = Go::on;
-      const bool go_on = call.call_back([&] {
+      return call.ask([&] {
         const Hand hand{trail, tours.height, tours.width, tours.moves};
         const Lent<Hand> lent(hand);
         const Lent<IterationTours> seen(tours);
         given.update(lent.get(), seen.get());
-        answer = seen.answer();
+        return seen.answer();
       });
-      return go_on ? answer : Go::stop;
     };
   }
   if (!given.schedule.is_none()) {

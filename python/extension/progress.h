@@ -56,13 +56,11 @@ template <class Progress>
 Callback<const Progress&> observer(Call& call, const py::object& function) {
   if (function.is_none()) return {};
   return [&call, &function](const Progress& progress) {
-    Go answer = Go::on;
-    const bool go_on = call.call_back([&] {
+    return call.ask([&] {
       const Lent view(progress);
       function(view.get());
-      answer = view.answer();
+      return view.answer();
     });
-    return go_on ? answer : Go::stop;
   };
 }
 

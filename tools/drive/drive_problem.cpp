@@ -96,19 +96,14 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     if (filmed) film_.emplace(answer_.map.grid(), answer_.goal.cell);
     std::optional<Grid> at_start;  // the world without moving obstacles
     if (played) frames_.emplace(answer_.map.grid(), answer_.map.radius);
-    DriveObserver observer;
-    if (watch || recorder_)
-      observer = [&](const DriveTick& tick) {
-        if (watch) watch(tick.tick + 1, note_on(tick));
-        if (recorder_) recorder_->observe(tick);
-        if (film_) film_->observe(tick, *recorder_);
-        if (frames_) frames_->observe(tick, *recorder_);
-      };
     DrivingTime time;
-    const auto untimed = [&](const DriveTick& tick) {
+    const auto look = [&](const DriveTick& tick) {
       time.pause();
       if (tick.tick == 0) at_start.emplace(*tick.still);
-      if (observer) observer(tick);
+      if (watch) watch(tick.tick + 1, note_on(tick));
+      if (recorder_) recorder_->observe(tick);
+      if (film_) film_->observe(tick, *recorder_);
+      if (frames_) frames_->observe(tick, *recorder_);
       time.go_on();
     };
     const auto begin = time.now();
@@ -122,7 +117,7 @@ class DriveProblem : public ProblemOf<DriveCommand> {
                            .max_ticks = command_.max_ticks,
                            .seed = command_.run.params.seed,
                            .stop = until,
-                           .observer = untimed};
+                           .observer = look};
     const Grid& truth = answer_.truth().grid();
     answer_.result = answer_.vehicle
                          ? drive_vehicle(*answer_.vehicle, answer_.map, truth, answer_.changes, how)

@@ -104,7 +104,7 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
     const double radius = disc::random_radius(round % 5 == 0 ? 6 : 2.5, random);
     const Grid grid = disc::random_map(radius, random);
     const Planner planner(grid, Disc{radius});
-    const Planner prepared(grid, Disc{radius}, PrepareOptions{.threads = 1 + round % 5});
+    const Planner prepared(grid, PrepareOptions{.threads = 1 + round % 5}, Disc{radius});
     EXPECT_EQ(planner.grid(), grid);
     const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
     for (const Cell c : cells_of(grid))
@@ -320,7 +320,7 @@ TEST(DiscPlanner, LongWaysPastFewObstaclesAreTheSameByTheGraph) {
     for (int i = 0; i < 40 - 3 * (round % 4) * (round % 4); ++i)
       grid.fill({random_in(0, 395, random), random_in(0, 87, random), 1 + i % 5, 1 + i % 3}, true);
     const Planner planner(grid, Disc{radius});
-    const Planner prepared(grid, Disc{radius}, PrepareOptions{});
+    const Planner prepared(grid, PrepareOptions{}, Disc{radius});
     for (int i = 0; i < 8; ++i) {
       const Request request{random_cell(grid, random), random_cell(grid, random)};
       const Result one = planner.plan(request), other = prepared.plan(request);

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Preparation, StoppedWork,
 
 TEST(StoppedPlanner, LeavesTheGridAsItWas) {
   Grid grid = noise();
-  EXPECT_FALSE(Planner::make(std::move(grid), fired()));
+  EXPECT_FALSE(Planner::make(std::move(grid), {}, fired()));
   EXPECT_EQ(grid, noise());
   EXPECT_FALSE(Planner::make_prepared(std::move(grid), {.stop = fired()}));
   EXPECT_EQ(grid, noise());
@@ -145,7 +145,7 @@ TEST(StoppedPlanner, LeavesTheGridAsItWas) {
 
 TEST(StoppedPlanner, WithoutTheHeavierPreparationItPlansOn) {
   const CountingTime counted(1 << 30);
-  ASSERT_TRUE(Planner::make(Grid(noise()), counted.is_up()));
+  ASSERT_TRUE(Planner::make(Grid(noise()), {}, counted.is_up()));
   const CountingTime time(counted.polls());
   const auto planner = Planner::make_prepared(Grid(noise()), {.stop = time.is_up()});
   ASSERT_TRUE(planner);

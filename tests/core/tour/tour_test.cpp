@@ -288,7 +288,7 @@ TEST(Tours, OfADiscGoWhereItFits) {
   for (const double radius : {0.4, 1.5, 2.5})
     for (const bool prepared : {false, true}) {
       const Planner planner =
-          prepared ? Planner(grid, Disc{radius}, {.threads = 1}) : Planner(grid, Disc{radius});
+          prepared ? Planner(grid, {.threads = 1}, Disc{radius}) : Planner(grid, Disc{radius});
       for (const int count : {9, 20}) {
         TourRequest request = ask(some_stops(grid, count));
         request.generations = 1;
