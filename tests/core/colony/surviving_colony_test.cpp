@@ -45,12 +45,12 @@ TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWholeOrInTwo) {
   Result first = colony.run(far.request.start, 7);
   const Result second = colony.run(far.request.start, params.iterations - 7);
   first.path = second.path;
-  first.curves.best.insert(first.curves.best.end(), second.curves.best.begin(),
-                           second.curves.best.end());
-  first.curves.steps.insert(first.curves.steps.end(), second.curves.steps.begin(),
-                            second.curves.steps.end());
-  first.curves.arrived.insert(first.curves.arrived.end(), second.curves.arrived.begin(),
-                              second.curves.arrived.end());
+  const auto append = [](auto& to, const auto& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  append(first.curves.best, second.curves.best);
+  append(first.curves.steps, second.curves.steps);
+  append(first.curves.arrived, second.curves.arrived);
   expect_same_run(first, once);
 }
 
