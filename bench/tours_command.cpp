@@ -48,7 +48,10 @@ Marks searched(const tour::Costs& costs, const TourInstance& instance, std::uint
   options.seed = seed;
   options.stop = time.stop();
   options.target = instance.known;
-  options.observer = [&](std::span<const int>, std::int64_t cost) { time.tell(cost, marks); };
+  options.observer = [&](std::span<const int>, std::int64_t cost) {
+    time.tell(cost, marks);
+    return true;
+  };
   (void)tour::find_order(costs, {}, instance.places, options);
   return marks;
 }
