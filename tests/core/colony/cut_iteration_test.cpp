@@ -52,7 +52,7 @@ TEST_P(CutIteration, LeavesNeitherTrailNorRecord) {
     const auto run = [&](SurvivingColony& colony, int iterations, const StopCondition& stop,
                          Trails& into) {
       Result result = colony.run(request.start, iterations, stop, into.observer(planner.grid()));
-      into.add(result);
+      into.add(result.curves);
       return result;
     };
     Trails uncut;
