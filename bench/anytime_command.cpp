@@ -35,7 +35,7 @@ Outcome outcome_of(const Planner& planner, const QuerySet& set, int deadline,
   for (const Query& query : set.queries) {
     const StopCondition stop{.deadline = deadline_in(std::chrono::milliseconds(deadline))};
     const Result result =
-        planner.plan({query.start, query.goal, stop}, Params("exact"), &workspace);
+        planner.plan({query.start, query.goal, stop}, Params("exact"), {.workspace = &workspace});
     outcome.gaps.push_back(result.path.empty() ? std::numeric_limits<double>::infinity()
                                                : result.length / *result.lower_bound - 1);
     outcome.proven += result.optimal ? 1 : 0;

@@ -96,8 +96,8 @@ std::vector<Figure> measure_speed(int rounds) {
     const arm::Result a = timed(1, one);
     if (a.status != Status::solved) continue;
     const arm::Result b = timed(2, two);
-    identical = identical && a.joints == b.joints && alike(a.best, b.best) &&
-                alike(a.mean, b.mean) && a.questions == b.questions;
+    identical = identical && a.joints == b.joints && alike(a.curves.best, b.curves.best) &&
+                alike(a.curves.mean, b.curves.mean) && a.questions == b.questions;
     ratios.push_back(one / two);
     planning.push_back(one);
     steps.push_back(static_cast<double>(a.steps) / one);

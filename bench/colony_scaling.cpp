@@ -30,8 +30,8 @@ std::optional<double> status_bytes(const std::string& key) {
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
 bool same_run(const Result& a, const Result& b) {
-  return a.path == b.path && alike(a.best, b.best) && alike(a.mean, b.mean) &&
-         a.arrived == b.arrived;
+  return a.path == b.path && alike(a.curves.best, b.curves.best) &&
+         alike(a.curves.mean, b.curves.mean) && a.curves.arrived == b.curves.arrived;
 }
 
 // Seconds of the plan's iterations, the first left out: it makes the tiles.
@@ -40,11 +40,12 @@ std::vector<double> iteration_times(const Planner& planner, const Course& course
   std::vector<double> times;
   Stopwatch watch;
   double last = 0;
-  planner.plan({course.start, course.goal}, params, &workspace, [&](const GridProgress& p) {
-    const double now = watch.seconds();
-    if (p.iteration > 0) times.push_back(now - last);
-    last = now;
-  });
+  planner.plan({course.start, course.goal}, params,
+               {.workspace = &workspace, .observer = [&](const GridProgress& p) {
+                  const double now = watch.seconds();
+                  if (p.iteration > 0) times.push_back(now - last);
+                  last = now;
+                }});
   return times;
 }
 
@@ -65,8 +66,8 @@ Course pasted(int side) {
 double apart(const Planner& planner, const Request& request, const Params& params,
              std::array<Workspace, 2>& workspaces) {
   const Stopwatch watch;
-  std::thread other([&] { planner.plan(request, params, &workspaces[1]); });
-  planner.plan(request, params, &workspaces[0]);
+  std::thread other([&] { planner.plan(request, params, {.workspace = &workspaces[1]}); });
+  planner.plan(request, params, {.workspace = &workspaces[0]});
   other.join();
   return watch.seconds();
 }
@@ -109,13 +110,13 @@ std::vector<Figure> measure_threads(int rounds) {
     params.seed = static_cast<std::uint64_t>(round) + 1;
     params.threads = 1;
     const Stopwatch first;
-    const Result a = planner.plan(request, params, &workspaces[0]);
+    const Result a = planner.plan(request, params, {.workspace = &workspaces[0]});
     const double single = first.seconds();
     ceilings.push_back(2 * single / apart(planner, request, params, workspaces));
     trips.push_back(round_trip());
     params.threads = 2;
     const Stopwatch second;
-    const Result b = planner.plan(request, params, &workspaces[1]);
+    const Result b = planner.plan(request, params, {.workspace = &workspaces[1]});
     ratios.push_back(single / second.seconds());
     identical = identical && same_run(a, b);
   }
@@ -182,7 +183,7 @@ std::vector<Figure> measure_unreachable(int queries, int side) {
       continue;
     }
     const Stopwatch watch;
-    const Result result = planner.plan({start, goal}, Params("fan2004"), &workspace);
+    const Result result = planner.plan({start, goal}, Params("fan2004"), {.workspace = &workspace});
     times.push_back(watch.microseconds());
     proven = proven && result.status == Status::unreachable;
   }

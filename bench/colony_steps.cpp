@@ -91,10 +91,11 @@ double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   std::int64_t steps = 0;
   const Course& c = fan_course();
   const ProcessorStopwatch watch;
-  planner.plan({c.start, c.goal}, params, &workspace, [&](const GridProgress&) {
-    const std::span ants(WorkspaceMemory::of(workspace).colony.ants);
-    for (const Ant& ant : ants.first(params.ants)) steps += ant.steps;
-  });
+  planner.plan({c.start, c.goal}, params,
+               {.workspace = &workspace, .observer = [&](const GridProgress&) {
+                  const std::span ants(WorkspaceMemory::of(workspace).colony.ants);
+                  for (const Ant& ant : ants.first(params.ants)) steps += ant.steps;
+                }});
   return static_cast<double>(steps) / watch.seconds();
 }
 

@@ -112,7 +112,7 @@ double length_of(const Planner& planner, const std::vector<int>& order, const Co
     sum += planner
                .plan({.start_point = cover.stops[order[i]],
                       .goal_point = cover.stops[order[(i + 1) % order.size()]]},
-                     exact, &workspace)
+                     exact, {.workspace = &workspace})
                .length;
   return sum;
 }

@@ -66,7 +66,7 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
       if (ask(query) && path_fault(set.grid, answer.path)) ++times.wrong;
     });
     least(times.plan, [&](const Query& query) {
-      planner.plan({query.start, query.goal}, {}, &workspace);
+      planner.plan({query.start, query.goal}, {}, {.workspace = &workspace});
     });
     least(times.graph, [&](const Query& query) {
       by_graph.search(set.grid, graph, query.start, query.goal, {}, {}, expected);

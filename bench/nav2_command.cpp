@@ -80,9 +80,7 @@ struct Nav2Figures {
 };
 
 Nav2Figures plan_all(const Depot& depot, const Nav2Options& options) {
-  const Planner planner = options.radius > 0
-                              ? Planner(depot.grid, Disc{options.radius / depot.resolution})
-                              : Planner(depot.grid);
+  const Planner planner(depot.grid, Disc{options.radius / depot.resolution});
   const CostPlanner costs(planner, depot.costs);
   const auto cell = [](Point at) { return Cell{static_cast<int>(at.x), static_cast<int>(at.y)}; };
   Nav2Figures figures;

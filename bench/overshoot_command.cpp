@@ -131,7 +131,8 @@ std::vector<std::string> algorithm_row(const OvershootOptions& options, const Pl
   const auto plan = [&](int i, const StopCondition& stop) {
     const Query& query = set.queries[static_cast<std::size_t>(i) % set.queries.size()];
     params.seed = static_cast<std::uint64_t>(i) + 1;
-    planner.plan({.start = query.start, .goal = query.goal, .stop = stop}, params, &*workspace);
+    planner.plan({.start = query.start, .goal = query.goal, .stop = stop}, params,
+                 {.workspace = &*workspace});
   };
   const Overshoots overshoots = cut_short(options, before, plan);
   before();

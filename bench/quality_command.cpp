@@ -69,26 +69,28 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
                     double optimum, Workspace& workspace) {
   QualityRun run;
   double shortest = std::numeric_limits<double>::infinity();
-  const Result result = planner.plan({course.start, course.goal}, params, &workspace,
-                                     [&](const GridProgress& progress) {
-                                       for (int ant = 0; ant < progress.ants(); ++ant) {
-                                         const auto tour = progress.tour(ant);
-                                         const double length = length_of(tour);
-                                         if (tour.empty() || length >= shortest) continue;
-                                         shortest = length;
-                                         run.last_as_walked = progress.iteration + 1;
-                                       }
-                                     });
+  const Result result =
+      planner.plan({course.start, course.goal}, params,
+                   {.workspace = &workspace, .observer = [&](const GridProgress& progress) {
+                      for (int ant = 0; ant < progress.ants(); ++ant) {
+                        const auto tour = progress.tour(ant);
+                        const double length = length_of(tour);
+                        if (tour.empty() || length >= shortest) continue;
+                        shortest = length;
+                        run.last_as_walked = progress.iteration + 1;
+                      }
+                    }});
   run.gap = result.path.empty() ? std::numeric_limits<double>::infinity()
                                 : (result.length - optimum) / optimum;
-  for (std::size_t q = 0; q < result.best.size(); ++q) {
+  for (std::size_t q = 0; q < result.curves.best.size(); ++q) {
     // Not a number before the first path, which makes the first comparison false.
-    const bool same = q > 0 && result.best[q] >= result.best[q - 1];
-    if (!std::isnan(result.best[q]) && !same) run.last_improvement = static_cast<int>(q) + 1;
+    const bool same = q > 0 && result.curves.best[q] >= result.curves.best[q - 1];
+    if (!std::isnan(result.curves.best[q]) && !same) run.last_improvement = static_cast<int>(q) + 1;
   }
-  const int arrived = std::accumulate(result.arrived.begin(), result.arrived.end(), 0);
+  const int arrived =
+      std::accumulate(result.curves.arrived.begin(), result.curves.arrived.end(), 0);
   run.arrived =
-      static_cast<double>(arrived) / (static_cast<double>(params.ants) * result.iterations);
+      static_cast<double>(arrived) / (static_cast<double>(params.ants) * result.curves.iterations);
   return run;
 }
 

@@ -157,7 +157,6 @@ Marks from_nothing(const Grid& grid, const std::vector<Cell>& stops, std::uint64
                   .time = &time};  // of which a part is the bound's
   (void)plan_tour(Planner(grid), request, [&](std::span<const int>, double length) {
     time.tell(std::llround(length * tour::kGrains), marks);
-    return true;
   });
   return marks;
 }

@@ -125,7 +125,7 @@ void check(const QuerySource& source, const QuerySet& set, const ValidityOptions
   Workspace workspace;
   std::vector<double> optima;
   for (const Query& query : set.queries) {
-    optima.push_back(planner.plan({query.start, query.goal}, {}, &workspace).length);
+    optima.push_back(planner.plan({query.start, query.goal}, {}, {.workspace = &workspace}).length);
   }
   if (files) files->write_map(source, set, optima);
   for (const std::string& algorithm : options.algorithms) {
@@ -138,7 +138,7 @@ void check(const QuerySource& source, const QuerySet& set, const ValidityOptions
     const Stopwatch watch;
     for (const Query& query : set.queries) {
       params.seed = options.seed + answers.size();
-      answers.push_back(planner.plan({query.start, query.goal}, params, &workspace));
+      answers.push_back(planner.plan({query.start, query.goal}, params, {.workspace = &workspace}));
     }
     tally.seconds += watch.seconds();
     for (std::size_t q = 0; q < answers.size(); ++q) {

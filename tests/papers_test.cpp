@@ -116,11 +116,11 @@ TEST(Fan2004, DepositsItsTourAndItsStraightenedPath) {
   p.ants = 1;
   p.iterations = 2;
   std::vector<double> tau;
-  Planner(grid).plan({.start = {0, 0}, .goal = {4, 0}}, p, nullptr,
-                     [&](const GridProgress& progress) {
+  Planner(grid).plan({.start = {0, 0}, .goal = {4, 0}}, p,
+                     {.observer = [&](const GridProgress& progress) {
                        if (progress.iteration > 0) return;
                        for (int x = 0; x < 5; ++x) tau.push_back(progress.pheromone({x, 0}));
-                     });
+                     }});
   ASSERT_EQ(tau.size(), 5u);
   for (const double t : tau) EXPECT_NEAR(t, 50.7, 1e-4);
 }
@@ -144,11 +144,11 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   p.iterations = 1;
   p.initial_pheromone = 1;
   double on_arc = 0, off = 0;
-  Planner(grid).plan({.start = {0, 0}, .goal = {4, 0}}, p, nullptr,
-                     [&](const GridProgress& progress) {
+  Planner(grid).plan({.start = {0, 0}, .goal = {4, 0}}, p,
+                     {.observer = [&](const GridProgress& progress) {
                        on_arc = progress.pheromone({0, 0});
                        off = progress.pheromone({4, 0});  // no arc leads on from the goal
-                     });
+                     }});
   EXPECT_NEAR(on_arc, 0.7 + 0.25, 1e-6);
   EXPECT_NEAR(off, 0.7, 1e-6);
 }
@@ -238,7 +238,7 @@ TEST(LectureGrid, EndsWhenAllAntsTakeOnePath) {
   const auto iterations = [&](const Planner& planner) {
     const Result found = planner.plan({.start = {0, 0}, .goal = {8, 0}}, params);
     EXPECT_EQ(found.status, Status::solved);
-    return found.iterations;
+    return found.curves.iterations;
   };
   EXPECT_EQ(iterations(corridor), 1);
   EXPECT_EQ(iterations(hall), 50);

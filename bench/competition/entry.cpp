@@ -45,8 +45,8 @@ bool GetPath(void* data, xyLoc s, xyLoc g, std::vector<xyLoc>& path) {
   auto& map = *static_cast<ReadyMap*>(data);
   const lasius::Point from{s.x, s.y}, to{g.x, g.y};
   if (from == to) return true;
-  const auto result =
-      map.planner.plan({.start_point = from, .goal_point = to}, map.params, &map.workspace);
+  const auto result = map.planner.plan({.start_point = from, .goal_point = to}, map.params,
+                                       {.workspace = &map.workspace});
   for (const lasius::Point p : result.path) path.push_back({p.x, p.y});
   return true;
 }

@@ -73,9 +73,9 @@ void drive_one(const QuerySet& set, const Query& query, const CostDriveOptions& 
     if (walk.cost > 0) figures.dearer.push_back(tick.way->cost / walk.cost);
   };
   const ThreadTime time;
-  const DriveResult driven =
-      drive(navigator, set.grid, query.start, changes,
-            {.sense = options.sense, .max_ticks = 20'000}, {.time = &time}, compare);
+  const DriveResult driven = drive(
+      navigator, set.grid, query.start, changes,
+      {.sense = options.sense, .max_ticks = 20'000, .stop = {.time = &time}, .observer = compare});
   for (const Replan& replan : driven.replans)
     if (replan.tick > 0) figures.ticks.push_back(replan.ms);
 }

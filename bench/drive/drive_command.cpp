@@ -69,24 +69,19 @@ Navigator navigator_of(const QuerySet& set, const Query& query, const DriveOptio
   return {unknown(set), query.goal, how};
 }
 
-DriveResult drive_with(Pilot& pilot, const QuerySet& set, const Query& query,
-                       const DriveOptions& options, const DriveObserver& observer = {}) {
-  return drive(pilot, set.grid, query.start, {}, {.sense = options.sense}, {}, observer);
-}
-
 DriveResult drive_navigator(const QuerySet& set, const Query& query, const DriveOptions& options) {
   Navigator navigator = navigator_of(set, query, options);
-  return drive_with(navigator, set, query, options);
+  return drive(navigator, set.grid, query.start, {}, {.sense = options.sense});
 }
 
 DriveResult drive_dstar(const QuerySet& set, const Query& query, const DriveOptions& options) {
   peers::DStarPilot pilot(unknown(set), query.start, query.goal);
-  return drive_with(pilot, set, query, options);
+  return drive(pilot, set.grid, query.start, {}, {.sense = options.sense});
 }
 
 DriveResult drive_astar(const QuerySet& set, const Query& query, const DriveOptions& options) {
   AStarPilot pilot(unknown(set), query.goal);
-  DriveResult driven = drive_with(pilot, set, query, options);
+  DriveResult driven = drive(pilot, set.grid, query.start, {}, {.sense = options.sense});
   driven.planning_ms = pilot.searching_ms();
   return driven;
 }
@@ -98,12 +93,13 @@ std::vector<double> ways(const QuerySet& set, const Query& query, const DriveOpt
   std::vector<double> ratios;
   int replans = 0;
   Navigator navigator = navigator_of(set, query, options);
-  (void)drive_with(navigator, set, query, options, [&](const DriveTick& tick) {
+  const auto look = [&](const DriveTick& tick) {
     if (!tick.replanned || tick.way == nullptr || replans++ % kEvery != 0) return;
     const auto walk =
         shortest_walk(tick.robot_knows->map(), tick.robot, query.goal, Neighbours::eight);
     if (walk && *walk > 0) ratios.push_back(tick.way->length / *walk);
-  });
+  };
+  (void)drive(navigator, set.grid, query.start, {}, {.sense = options.sense, .observer = look});
   return ratios;
 }
 

@@ -116,7 +116,7 @@ void measure_prepared(const QuerySet& set, const EditsOptions& options, Table& t
       for (int x = 0; x < now.width(); ++x)
         if (now.blocked({x, y}) != set.grid.blocked({x, y}))
           all.push_back({{x, y}, now.blocked({x, y})});
-    const Planner edited = planner.edited(all);
+    const Planner edited = *planner.edited(all);
     ProcessorStopwatch watch;
     const Preparation again = edited.prepared(how).preparation();
     const double again_seconds = watch.seconds();

@@ -113,7 +113,7 @@ double steps_until(SurvivingColony& colony, const ChangedMap& map, double length
   colony.run(map.start, 1 << 30, {}, [&](const GridProgress& seen) {
     steps += static_cast<double>(seen.curves->steps.back());
     there = seen.curves->cut_best.back() <= length;
-    if (there || steps >= budget) seen.stop();
+    return there || steps >= budget ? Go::stop : Go::on;
   });
   return there ? steps : std::numeric_limits<double>::infinity();
 }

@@ -75,7 +75,7 @@ void judge_colony(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict)
     });
   }
   const auto more = run(threads);
-  verdict.expect(more->path == one->path && more->steps == one->steps,
+  verdict.expect(more->path == one->path && more->curves.steps == one->curves.steps,
                  [&] { return text("another answer with more threads"); });
 }
 

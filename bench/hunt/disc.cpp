@@ -11,7 +11,7 @@ void judge_disc(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) {
   // Not those that just fit: there both sides decide by rounding.
   const double radius = draw.real(0.1, 2.5) + 1e-4;
   const Planner plain(Grid(problem.grid), Disc{radius});
-  const Planner graph(Grid(problem.grid), Disc{radius}, {.threads = 1});
+  const Planner graph(Grid(problem.grid), {.threads = 1}, Disc{radius});
   oracle::DiscPaths oracle(problem.grid, radius);
   const auto& places = problem.places;
   for (std::size_t a = 0; a < places.size(); ++a)

@@ -92,8 +92,8 @@ void judge_shortest(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdic
   }
   const int alternatives = draw.one_in(4) ? 3 : 0;
   const auto edits = draw_edits(draw, problem.grid, places);
-  const Planner edited = plain.edited(edits);
-  const Planner stale_graph = graph.edited(edits), stale_labels = labels.edited(edits);
+  const Planner edited = *plain.edited(edits);
+  const Planner stale_graph = *graph.edited(edits), stale_labels = *labels.edited(edits);
 
   ShortestJudge now(problem.grid, verdict), then(edited.grid(), verdict);
   std::vector<Request> requests;

@@ -57,7 +57,8 @@ class ArmColony final : public ColonyWorld {
   }
 
   Result run() {
-    const Cause cause = run_colony_loop(*this, parameters_.iterations, request_.stop, result_);
+    const Cause cause =
+        run_colony_loop(*this, parameters_.iterations, request_.stop, result_.curves);
     result_.questions = lattice_.questions();
     if (cause == Cause::none && (!bound_ || bound_questions_ != result_.questions)) update_bound();
     finish(cause);

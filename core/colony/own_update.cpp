@@ -210,8 +210,7 @@ bool update_by_caller(Field& field, const OwnRules& own, const Params& params, c
   IterationTours view = numbered.view(tours, grid, params.trail);
   view.goal = goal;
   StoredPheromone stored(field, grid, params, tours.moves.count);
-  own.update(stored.pheromone, view);
-  return view.stopped();
+  return own.update(stored.pheromone, view) == Go::stop;
 }
 
 }  // namespace lasius

@@ -24,8 +24,8 @@ namespace {
 class CellDrive final : public DriveLoop {
  public:
   CellDrive(const Grid& map, const Grid& truth, Cell start, Pilot& pilot, const Changes& changes,
-            const DriveOptions& options, const StopCondition& stop, const DriveObserver& observer)
-      : DriveLoop(map, truth, start, pilot, changes, options, stop, observer, false),
+            const DriveOptions& options)
+      : DriveLoop(map, truth, start, pilot, changes, options, false),
         corners_(rule_of_walks(pilot.corners())),
         before_(start) {}
 
@@ -54,7 +54,7 @@ class CellDrive final : public DriveLoop {
       components.emplace(grid, connectivity_of(corners_));
       near = [&](Cell c) { return components->connected(grid, other, c); };
     }
-    find_nearest(result_, grid, cell, stop_.token, near);
+    find_nearest(result_, grid, cell, options_.stop.token, near);
     return true;
   }
   /// A way leads near enough to the goal, as far as is known.
@@ -140,19 +140,17 @@ class CellDrive final : public DriveLoop {
 }  // namespace
 
 DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
-                  const DriveOptions& options, const NavigatorOptions& navigator,
-                  const StopCondition& stop, const DriveObserver& observer) {
+                  const DriveOptions& options, const NavigatorOptions& navigator) {
   check_drive(map, truth, options);
   Navigator pilot(map, goal, navigator);
-  return CellDrive(map, truth, start, pilot, changes, options, stop, observer).run();
+  return CellDrive(map, truth, start, pilot, changes, options).run();
 }
 
 DriveResult drive(Pilot& pilot, const Grid& truth, Cell start, const Changes& changes,
-                  const DriveOptions& options, const StopCondition& stop,
-                  const DriveObserver& observer) {
+                  const DriveOptions& options) {
   const Grid map = pilot.map();
   check_drive(map, truth, options);
-  return CellDrive(map, truth, start, pilot, changes, options, stop, observer).run();
+  return CellDrive(map, truth, start, pilot, changes, options).run();
 }
 
 }  // namespace lasius

@@ -10,15 +10,12 @@
 namespace lasius {
 
 DriveLoop::DriveLoop(const Grid& map, const Grid& truth, Cell start, Pilot& pilot,
-                     const Changes& changes, const DriveOptions& options, const StopCondition& stop,
-                     const DriveObserver& observer, bool may_circle)
+                     const Changes& changes, const DriveOptions& options, bool may_circle)
     : map_(map),
       options_(options),
-      stop_(stop),
       world_(truth, changes, pilot.radius()),
       pilot_(pilot),
       robot_(start),
-      observer_(observer),
       may_circle_(may_circle) {}
 
 DriveResult DriveLoop::run() {
@@ -51,7 +48,7 @@ void DriveLoop::tick() {
     return end(Status::limit);
   }
   if (stopped) return end(Status::interrupted);
-  if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
+  if (const auto cause = options_.stop.poll(); cause != StopCondition::Cause::none) {
     end_run(result_, cause, Status::limit);
     return end(result_.status);
   }
@@ -84,20 +81,20 @@ void DriveLoop::learn(const std::vector<Cell>& cells, bool blocked) {
 }
 
 void DriveLoop::tell(const std::vector<Cell>& cells, bool blocked) {
-  const auto begin = stop_.now();
+  const auto begin = options_.stop.now();
   pilot_.observe(cells, blocked);
-  planning_ += stop_.now() - begin;
+  planning_ += options_.stop.now() - begin;
 }
 
 void DriveLoop::ask() {
-  StopCondition stop = stop_;
+  StopCondition stop = options_.stop;
   if (std::isfinite(options_.seconds_per_tick)) {
     const std::chrono::duration<double> left(options_.seconds_per_tick - planning_.count() / 1000);
     stop.deadline = std::min(stop.deadline, deadline_in(left, stop.now()));
   }
-  const auto begin = stop_.now();
+  const auto begin = options_.stop.now();
   way_ = &pilot_.step(robot_, stop);
-  planning_ += stop_.now() - begin;
+  planning_ += options_.stop.now() - begin;
   if (!way_->replanned) return;
   if (replanned_) result_.replans.pop_back();  // of the same tick
   replanned_ = true;
@@ -153,7 +150,7 @@ std::optional<Grid> DriveLoop::certain_walls() const {
     const Cell cell = result_.track[static_cast<std::size_t>(tick)];
     if (tick < tick_ && distance(from, cell) < apart) continue;
     from = cell;
-    if (stop_.poll() != StopCondition::Cause::none) return std::nullopt;
+    if (options_.stop.poll() != StopCondition::Cause::none) return std::nullopt;
     mark_walls_in_sight(world_.now(), from, options_.sense, certain);
   }
   return certain;
@@ -201,7 +198,7 @@ bool DriveLoop::trapped() {
 
 /// True where the observer ends the drive.
 bool DriveLoop::show(Found found) {
-  if (!observer_) return false;
+  if (!options_.observer) return false;
   DriveTick view;
   view.tick = tick_;
   view.robot = robot_;
@@ -213,8 +210,7 @@ bool DriveLoop::show(Found found) {
   view.obstacles = world_.obstacles();
   view.news = news_;
   view.replanned = replanned_;
-  observer_(view);
-  return view.stopped();
+  return options_.observer(view) == Go::stop;
 }
 
 }  // namespace lasius

@@ -20,8 +20,7 @@ class DriveLoop {
   /// `map` is what the pilot knows now. `may_circle`: what it knows may be forgotten again and
   /// again, so that it is to end where it enters no new cell for long.
   DriveLoop(const Grid& map, const Grid& truth, Cell start, Pilot& pilot, const Changes& changes,
-            const DriveOptions& options, const StopCondition& stop, const DriveObserver& observer,
-            bool may_circle);
+            const DriveOptions& options, bool may_circle);
   virtual ~DriveLoop() = default;
   DriveLoop(const DriveLoop&) = delete;
   DriveLoop& operator=(const DriveLoop&) = delete;
@@ -59,7 +58,6 @@ class DriveLoop {
 
   const Grid& map_;
   const DriveOptions& options_;
-  const StopCondition& stop_;
   World world_;
   Pilot& pilot_;
   Cell robot_;
@@ -87,7 +85,6 @@ class DriveLoop {
   static constexpr int kAttempts = 64;  // to move aside for what waits for the robot
   static constexpr int kDoubts = 64;    // of what was learned, then of the whole map
 
-  const DriveObserver& observer_;
   const bool may_circle_;
   News seen_;
   std::vector<Cell> news_;

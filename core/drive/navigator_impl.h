@@ -237,7 +237,7 @@ class Navigator::Impl {
                           .stop = stop,
                           .target_gap = options.target_gap,
                           .goal_tolerance = options.goal_tolerance};
-    return answer(known, request, options.params, &workspace, {});
+    return answer(known, request, options.params, {.workspace = &workspace});
   }
 
   void take(Result&& result, const StopCondition& stop) {

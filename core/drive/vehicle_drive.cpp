@@ -84,9 +84,8 @@ class VehiclePilot final : public Pilot {
 class VehicleDrive final : public DriveLoop {
  public:
   VehicleDrive(const Grid& map, const Grid& truth, const Vehicle& vehicle, const Pose& start,
-               VehiclePilot& pilot, const Changes& changes, const DriveOptions& options,
-               const StopCondition& stop, const DriveObserver& observer)
-      : DriveLoop(map, truth, cell_of(start), pilot, changes, options, stop, observer, true),
+               VehiclePilot& pilot, const Changes& changes, const DriveOptions& options)
+      : DriveLoop(map, truth, cell_of(start), pilot, changes, options, true),
         vehicle_(vehicle),
         outline_(vehicle),
         around_(std::max(1.0, circumscribed_radius(vehicle))),
@@ -174,14 +173,14 @@ class VehicleDrive final : public DriveLoop {
     if (!asked.way || asked.from != pose_ || asked.walls != walls) {
       asked.way.reset();
       if (!truths_ || truths_walls_ != walls) {
-        std::optional<Planner> planner =
-            truths_ ? truths_->on(walls, stop_) : Planner::make(walls, vehicle_, stop_);
+        std::optional<Planner> planner = truths_ ? truths_->on(walls, options_.stop)
+                                                 : Planner::make(walls, vehicle_, options_.stop);
         if (!planner) return true;
         truths_ = std::move(planner);
         truths_walls_ = walls;
       }
-      Result way = truths_->plan(vehicles_pilot_.request(stop_));
-      if (way.segments.empty() && stop_.poll() != StopCondition::Cause::none) return true;
+      Result way = truths_->plan(vehicles_pilot_.request(options_.stop));
+      if (way.segments.empty() && options_.stop.poll() != StopCondition::Cause::none) return true;
       asked = {std::move(walls), pose_, std::move(way)};
     }
     return !asked.way->segments.empty();
@@ -303,15 +302,14 @@ class VehicleDrive final : public DriveLoop {
 
 DriveResult drive(const Grid& map, const Grid& truth, const Vehicle& vehicle, const Pose& start,
                   std::vector<Pose> goals, const Changes& changes, const DriveOptions& options,
-                  const NavigatorOptions& navigator, const StopCondition& stop,
-                  const DriveObserver& observer) {
+                  const NavigatorOptions& navigator) {
   check_drive(map, truth, options);
   require_pose(start, "a coordinate of the start");
   for (const Pose& goal : goals) require_pose(goal, "a coordinate of a goal");
   NavigatorOptions how = navigator;
   how.doubt_after = 0;
   VehiclePilot pilot(map, vehicle, std::move(goals), how);
-  return VehicleDrive(map, truth, vehicle, start, pilot, changes, options, stop, observer).run();
+  return VehicleDrive(map, truth, vehicle, start, pilot, changes, options).run();
 }
 
 }  // namespace lasius::vehicle

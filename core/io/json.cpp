@@ -142,7 +142,7 @@ std::string result_to_json(const Result& result) {
                  {"error", json::text_or_null(result.error)},
                  {"length", json::number(result.length)},
                  {"path", json::points(result.path)}};
-  json::add_convergence(object, result);
+  json::add_convergence(object, result.curves);
   json::add_proof(object, result);
   if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
   if (result.own_rules) object["own_rules"] = true;
@@ -167,19 +167,20 @@ Result result_from_json(std::string_view text) {
     if (!other.is_object()) throw broken("holds an alternative that is no object");
     result.alternatives.push_back({path_of(other), member<double>(other, "length")});
   }
-  result.iterations = member<int>(object, "iterations");
-  result.best = curve(object, "best");
-  result.mean = curve(object, "mean");
-  result.arrived = whole_numbers(object, "arrived");
+  result.curves.iterations = member<int>(object, "iterations");
+  result.curves.best = curve(object, "best");
+  result.curves.mean = curve(object, "mean");
+  result.curves.arrived = whole_numbers(object, "arrived");
   if (object.contains("steps")) {  // a colony's
-    result.raw_best = curve(object, "raw_best");
-    result.cut_mean = curve(object, "cut_mean");
-    result.cut_best = curve(object, "cut_best");
-    result.steps = whole_numbers<std::int64_t>(object, "steps");
-    result.band = curve(object, "band");
-    result.trail_entropy = curve(object, "trail_entropy");
+    result.curves.raw_best = curve(object, "raw_best");
+    result.curves.cut_mean = curve(object, "cut_mean");
+    result.curves.cut_best = curve(object, "cut_best");
+    result.curves.steps = whole_numbers<std::int64_t>(object, "steps");
+    result.curves.band = curve(object, "band");
+    result.curves.trail_entropy = curve(object, "trail_entropy");
   }
-  if (object.contains("iteration_best")) result.iteration_best = curve(object, "iteration_best");
+  if (object.contains("iteration_best"))
+    result.curves.iteration_best = curve(object, "iteration_best");
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");

@@ -192,15 +192,14 @@ struct Result : SearchResult {
 };
 
 /// What an observer sees after each iteration.
-class ArmProgress : public Progress {
- public:
+struct ArmProgress : Progress {
   Questions questions;  ///< so far
   /// Joint values of the best way so far, a column for each lattice point, the start first; none
   /// without one. Made when they are asked for; holds until the observer returns.
   std::function<Eigen::MatrixXd()> joints;
 };
 /// Called on the thread that called `plan`.
-using Observer = std::function<void(const ArmProgress&)>;
+using Observer = Callback<const ArmProgress&>;
 
 /// Searches for a short way of the tip from where the arm stands to the goal, and makes a motion of
 /// it: make_trajectory along the waypoints, with the request's stop condition and

@@ -34,8 +34,10 @@ struct CostOptions {
   /// mean and its polish, the heuristic has the factor least weight / weight of the cell that a
   /// move leads to, and nothing is certified. Corners::allow is refused, and grid-ga.
   Params params = {};
-  const OwnRules* own = nullptr;   ///< of a colony, see OwnRules; its lengths are costs
-  Workspace* workspace = nullptr;  ///< of a colony, see Planner::plan
+  Workspace* workspace = nullptr;  ///< as PlanOptions::workspace, of a colony
+  /// Called with every cheaper path, of a colony once an iteration; its best_length is a cost.
+  Observer observer = {};
+  OwnRules own_rules = {};  ///< of a colony, see OwnRules; its lengths are costs
   /// Only walks by eight moves from centre to centre, for comparison with other planners;
   /// `lower_bound` and `optimal` are about these. Not of a disc.
   bool eight_moves = false;
@@ -73,20 +75,16 @@ class LASIUS_EXPORT CostPlanner {
   /// Answers one request, deterministic as Planner::plan. Of any angle: a path soon, then better
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
-  /// Planner::plan's `exact`, unless a proof is asked for. `observer` is called with every cheaper
-  /// path, of a colony once an iteration; its best_length is a cost. Between points of cells the
-  /// plan is the one between their centres, its first and last piece put in place: then there is
-  /// no proof, and what an observer sees begins at centres. Request::via as of Planner::plan, and
-  /// without a proof. @throws as Planner::plan; for options that do not go together.
-  CostResult plan(const Request& request, const CostOptions& options = {},
-                  const Observer& observer = {}) const;
+  /// Planner::plan's `exact`, unless a proof is asked for. Between points of cells the plan is the
+  /// one between their centres, its first and last piece put in place: then there is no proof, and
+  /// what an observer sees begins at centres. Request::via as of Planner::plan, and without a
+  /// proof. @throws as Planner::plan; for options that do not go together.
+  CostResult plan(const Request& request, const CostOptions& options = {}) const;
 
  private:
   struct Impl;
-  CostResult plan_through(const Request& asked, const CostOptions& options,
-                          const Observer& observer) const;
-  CostResult plan_cells(const Request& request, const CostOptions& options,
-                        const Observer& observer) const;
+  CostResult plan_through(const Request& asked, const CostOptions& options) const;
+  CostResult plan_cells(const Request& request, const CostOptions& options) const;
   std::shared_ptr<const Impl> impl_;
 };
 

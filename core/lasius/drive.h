@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -61,6 +60,24 @@ LASIUS_EXPORT Changes read_changes(std::string_view text, const std::string& nam
 /// Reads a file of changes. @throws likewise, and Error(file_missing).
 LASIUS_EXPORT Changes read_changes_file(const std::string& path, int width, int height);
 
+/// A tick as an observer sees it, after the robot has seen and planned, before it moves. Pointers
+/// hold until the observer returns.
+struct DriveTick {
+  std::int64_t tick = 0;               ///< from 0
+  Cell robot;                          ///< where it is
+  const Grid* world = nullptr;         ///< what is there in truth, moving obstacles too
+  const Grid* still = nullptr;         ///< the same without moving obstacles
+  const Pilot* robot_knows = nullptr;  ///< its planner, with its map
+  const Way* way = nullptr;            ///< null where the planner gave none, and on arrival
+  std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
+  std::vector<Cell> news;              ///< cells that the robot learned in this tick
+  bool replanned = false;              ///< the way was planned in this tick
+  bool arrived = false;                ///< at the goal, or as near as its tolerance lets it
+};
+/// Called at each tick and on arrival, but not at one that ends without a way. Go::stop ends the
+/// drive there, where it has neither arrived nor spent its ticks: Status::interrupted.
+using DriveObserver = Callback<const DriveTick&>;
+
 /// How to drive.
 struct DriveOptions {
   /// The robot sees cells whose centre is at most so far from its own, in cells: a free one where
@@ -73,6 +90,8 @@ struct DriveOptions {
   double seconds_per_tick = std::numeric_limits<double>::infinity();
   /// As Params::seed; draws the cells to which the robot steps aside for obstacles: see drive().
   std::uint64_t seed = 1;
+  StopCondition stop = {};      ///< ends the drive; by its clock time is told
+  DriveObserver observer = {};  ///< sees each tick
 };
 
 /// A way that was planned.
@@ -112,31 +131,6 @@ struct DriveResult {
   std::int64_t deferred_changes = 0;  ///< sum over ticks of cells whose change waits for the robot
 };
 
-/// A tick as an observer sees it, after the robot has seen and planned, before it moves. Pointers
-/// hold until the observer returns.
-class DriveTick {
- public:
-  std::int64_t tick = 0;               ///< from 0
-  Cell robot;                          ///< where it is
-  const Grid* world = nullptr;         ///< what is there in truth, moving obstacles too
-  const Grid* still = nullptr;         ///< the same without moving obstacles
-  const Pilot* robot_knows = nullptr;  ///< its planner, with its map
-  const Way* way = nullptr;            ///< null where the planner gave none, and on arrival
-  std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
-  std::vector<Cell> news;              ///< cells that the robot learned in this tick
-  bool replanned = false;              ///< the way was planned in this tick
-  bool arrived = false;                ///< at the goal, or as near as its tolerance lets it
-
-  /// Ends the drive here, where it has neither arrived nor spent its ticks: Status::interrupted.
-  void stop() const noexcept { stopped_ = true; }
-  bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
-
- private:
-  mutable bool stopped_ = false;
-};
-/// Called at each tick and on arrival, but not at one that ends without a way.
-using DriveObserver = std::function<void(const DriveTick&)>;
-
 /// Drives a robot from `start` to `goal`, in each tick one move to one of the eight neighbours, or
 /// none.
 ///
@@ -161,13 +155,11 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 /// of range or, as Navigator, for other algorithms; what the observer throws.
 LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal,
                                 const Changes& changes = {}, const DriveOptions& options = {},
-                                const NavigatorOptions& navigator = {},
-                                const StopCondition& stop = {}, const DriveObserver& observer = {});
+                                const NavigatorOptions& navigator = {});
 
 /// The same with a planner that is there already, to its goal; it knows what it has observed.
 /// @throws likewise, and where its walk leads to no neighbour of the robot's cell.
 LASIUS_EXPORT DriveResult drive(Pilot& pilot, const Grid& truth, Cell start,
-                                const Changes& changes = {}, const DriveOptions& options = {},
-                                const StopCondition& stop = {}, const DriveObserver& observer = {});
+                                const Changes& changes = {}, const DriveOptions& options = {});
 
 }  // namespace lasius

@@ -13,6 +13,7 @@
 #include "lasius/moves.h"
 #include "lasius/params.h"
 #include "lasius/schedule.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -80,17 +81,12 @@ struct LASIUS_EXPORT IterationTours {
   std::span<const TrailPlace> best_arcs() const noexcept;    ///< its moves as arcs() has them
   std::span<const TrailPlace> best_places() const noexcept;  ///< as places_of()
 
-  /// Ends the search after this iteration, as Progress::stop() does.
-  void stop() const noexcept { stopped_ = true; }
-  bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
-
  private:
   friend class NumberedTours;
   explicit IterationTours(NumberedTours& tours) noexcept : tours_(&tours) {}
   IterationTours(IterationTours&&) = default;
 
   NumberedTours* tours_;
-  mutable bool stopped_ = false;
 };
 
 /// A part of the trail as it is stored, see Pheromone::tile().
@@ -193,8 +189,8 @@ struct OwnRules {
 
   /// Takes the place of Params::update once the ants of an iteration have walked. What else lays
   /// pheromone stays as Params have it, and can be turned off there: straight_deposit after it,
-  /// local_evaporation of `acs` before.
-  std::function<void(Pheromone& trail, const IterationTours& tours)> update = {};
+  /// local_evaporation of `acs` before. Go::stop ends the search after this iteration.
+  Callback<Pheromone&, const IterationTours&> update = {};
 
   /// Takes the place of the schedule that Params give. The rules of pheromone and distance alone
   /// can only have a share where they have one in Params at some iteration.

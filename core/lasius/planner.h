@@ -51,6 +51,13 @@ class LASIUS_EXPORT Workspace {
   std::unique_ptr<WorkspaceMemory> memory_;
 };
 
+/// What else a plan may be given.
+struct PlanOptions {
+  Workspace* workspace = nullptr;  ///< kept from call to call; null: memory of this call alone
+  Observer observer = {};          ///< called as Progress says
+  OwnRules own_rules = {};         ///< of a colony
+};
+
 /// A robot: a disc whose centre keeps a distance of `radius` cells, and no more is asked, from
 /// every blocked cell (a closed square) and from what lies outside the map. 0: a point.
 struct Disc {
@@ -62,37 +69,32 @@ struct Disc {
 class LASIUS_EXPORT Planner {
  public:
   /// Labels the components of the free cells; nothing else is made of the map.
-  explicit Planner(Grid grid);
-  /// Also prepares the map for `exact`: makes its visibility graph. Answers are as short and as
-  /// certain as without; where several paths are shortest perhaps another one. If the graph was
-  /// abandoned, planning uses the ordinary search; the stop condition is asked about the graph
-  /// alone. Of planners made from this one by edited, exclude and allow see edited.
-  /// @throws Error(invalid_parameter) where the number of threads is out of range.
-  Planner(Grid grid, const PrepareOptions& options);
-  /// As the constructors, for those who may have to stop: empty if stopped while components were
-  /// labelled. `grid` is moved from only where a planner comes of it.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop = {});
-  /// The same, with the visibility graph; empty only if stopped while components were labelled.
-  /// @throws as the constructor with options.
-  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
-                                                            const PrepareOptions& options = {});
-  /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers
-  /// have a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and
-  /// start and goal may be cells whose centres alone keep the radius. Its radii are those of [0.05,
-  /// 54] cells; for any other it refuses every request. All other algorithms walk over
-  /// `passable()`: their paths keep the radius, too, but a door whose middle is no centre of a cell
-  /// may be closed to them. Params::corners has no effect: diagonal moves are those that keep the
-  /// radius, or between four passable cells; a knight's move needs all of its 2 x 3 cells then.
+  ///
+  /// For a disc, unless its radius is 0, `exact` plans exactly where it can go: its answers have a
+  /// Result::curve of straight pieces and arcs, a door as wide as the disc is open, and start and
+  /// goal may be cells whose centres alone keep the radius. Its radii are those of [0.05, 54]
+  /// cells; for any other it refuses every request. All other algorithms walk over `passable()`:
+  /// their paths keep the radius, too, but a door whose middle is no centre of a cell may be closed
+  /// to them. Params::corners has no effect: diagonal moves are those that keep the radius, or
+  /// between four passable cells; a knight's move needs all of its 2 x 3 cells then.
   /// @throws Error(invalid_parameter) for a radius that is negative or not finite.
-  Planner(Grid grid, Disc robot);
-  /// The same; the graph that is made is that of the disc's curves. @throws as both.
-  Planner(Grid grid, Disc robot, const PrepareOptions& options);
-  /// As make, for a disc. @throws as the constructor.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, Disc robot,
+  explicit Planner(Grid grid, Disc robot = {});
+  /// Also prepares the map for `exact`: makes its visibility graph, of a disc that of its curves.
+  /// Answers are as short and as certain as without; where several paths are shortest perhaps
+  /// another one. If the graph was abandoned, planning uses the ordinary search; the stop condition
+  /// is asked about the graph alone. Of planners made from this one by edited, exclude and allow
+  /// see edited.
+  /// @throws Error(invalid_parameter) where the number of threads is out of range, and as above.
+  Planner(Grid grid, const PrepareOptions& options, Disc robot = {});
+  /// As the constructors, for those who may have to stop: empty if stopped while components were
+  /// labelled, or a disc's free space was made. `grid` is moved from only where a planner comes of
+  /// it. @throws as they do.
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, Disc robot = {},
                                                    const StopCondition& stop = {});
-  /// As make_prepared, for a disc. @throws as the constructor.
-  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid, Disc robot,
-                                                            const PrepareOptions& options = {});
+  /// The same, with the visibility graph: a stop that comes later leaves the planner without it.
+  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
+                                                            const PrepareOptions& options = {},
+                                                            Disc robot = {});
   /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
   /// components; this one stays as it is. @throws as the constructor with options.
   Planner prepared(const PrepareOptions& options) const;
@@ -158,19 +160,14 @@ class LASIUS_EXPORT Planner {
   /// Answers one request.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
-  /// `observer` is called as Progress says, and may stop the run.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a target gap that is
   /// out of range or that the algorithm cannot certify, a goal tolerance out of range, a disc's
-  /// radius that `exact` has no answers for, and from a colony where the environment's
-  /// LASIUS_KERNELS names no kernels that this CPU has; what the observer throws. Start or goal
-  /// outside or blocked is an answer, not an exception: Status::invalid.
-  Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
-              const Observer& observer = {}) const;
-  /// The same with a colony some of whose rules are the caller's own, see OwnRules.
-  /// @throws Error(invalid_parameter) for parameters that validate(params, own) refuses, rules that
-  /// do not go with map or algorithm, and as above; what they throw.
-  Result plan(const Request& request, const Params& params, const OwnRules& own,
-              Workspace* workspace = nullptr, const Observer& observer = {}) const;
+  /// radius that `exact` has no answers for, own rules that do not go with map or algorithm, and
+  /// from a colony where the environment's LASIUS_KERNELS names no kernels that this CPU has; what
+  /// observer and own rules throw. Start or goal outside or blocked is an answer, not an exception:
+  /// Status::invalid.
+  Result plan(const Request& request, const Params& params = {},
+              const PlanOptions& options = {}) const;
 
   /// What is to be of a cell.
   struct Edit {
@@ -186,11 +183,9 @@ class LASIUS_EXPORT Planner {
   /// distances; and by the ordinary search where it is not proven. prepared() of it prepares the
   /// new map, which another thread may do meanwhile; labels keep the order that the older ones had,
   /// as long as few corners are new. @throws Error(invalid_parameter) for a cell outside the map.
-  Planner edited(std::span<const Edit> edits) const;
-  /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
-  /// So with a condition below.
+  /// Empty only if stopped while tiles were labelled; the bitmap's copy is not cut short.
   [[nodiscard]] std::optional<Planner> edited(std::span<const Edit> edits,
-                                              const StopCondition& stop) const;
+                                              const StopCondition& stop = {}) const;
 
   /// A direction out of a cell, towards one of its eight neighbours.
   struct Direction {
@@ -204,18 +199,14 @@ class LASIUS_EXPORT Planner {
   /// kept out of the directions in which a sensor reports an obstacle that the map does not have.
   /// The neighbour there counts as blocked, for the polish and for reachability too, until no
   /// direction to it is excluded any more. Costs what `edited` does; this planner stays as it is,
-  /// so plans under way end in the world that they began in.
+  /// so plans under way end in the world that they began in. Empty only if stopped.
   /// @throws Error(invalid_parameter) for a cell outside the map or a step that is no direction.
-  Planner exclude(std::span<const Direction> reported) const;
-  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> exclude(std::span<const Direction> reported,
-                                               const StopCondition& stop) const;
+                                               const StopCondition& stop = {}) const;
   /// The same without these directions: the sensor has stopped reporting them. Those that were not
   /// excluded are ignored.
-  Planner allow(std::span<const Direction> gone) const;
-  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> allow(std::span<const Direction> gone,
-                                             const StopCondition& stop) const;
+                                             const StopCondition& stop = {}) const;
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 

@@ -194,13 +194,12 @@ struct Result : SearchResult {
 };
 
 /// What an observer sees of a plan among polygons.
-class PlanProgress : public Progress {
- public:
+struct PlanProgress : Progress {
   /// The best path so far, made when it is asked for; holds until the observer returns.
   std::function<std::vector<Point>()> path;
 };
 /// Called on the thread that called `plan`.
-using Observer = std::function<void(const PlanProgress&)>;
+using Observer = Callback<const PlanProgress&>;
 
 /// A world made ready: obstacles grown, clipped and merged, the MAKLINK graph made. Immutable: use
 /// one from many threads.
@@ -292,6 +291,6 @@ LASIUS_POLYGON_EXPORT std::vector<BatchAnswer> plan_batch(const Planner& planner
 /// @throws Error(invalid_parameter) as that, and for coordinates that are not finite.
 LASIUS_POLYGON_EXPORT TourResult
 plan_tour(const Planner& planner, const TourRequest& request,
-          const std::function<bool(std::span<const int> order, double length)>& observer = {});
+          const Callback<std::span<const int>, double>& observer = {});
 
 }  // namespace lasius::polygon

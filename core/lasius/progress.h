@@ -1,7 +1,6 @@
-// What an observer sees of a search under way, and how it stops it.
+// What an observer sees of a search under way.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -9,13 +8,13 @@
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/search_result.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
 /// Where a search stands, in any world. Colonies and genetic algorithms show it after every
 /// iteration, exact searches with every shorter path, on the thread that called the planner.
-class Progress {
- public:
+struct Progress {
   int iteration = 0;  ///< from 0; of an exact search the number of the improvement
   double best_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if none yet
   double mean_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if no ant arrived
@@ -25,15 +24,6 @@ class Progress {
   /// they hold until the observer returns.
   /// Null from an exact search.
   const Convergence* curves = nullptr;
-
-  /// Ends the search, where it has not ended by itself, as in its last iteration or in one in which
-  /// it settles: its answer is the best so far, its status Status::interrupted.
-  void stop() const noexcept { stopped_ = true; }
-  /// True once stop() was called.
-  bool stopped() const noexcept { return stopped_; }
-
- private:
-  mutable bool stopped_ = false;
 };
 
 /// The same on a bitmap, with what can be looked at while the observer is called. To `grid-ga` ants
@@ -54,6 +44,6 @@ class LASIUS_EXPORT GridProgress : public Progress {
   virtual double pheromone(Cell c) const;
 };
 /// Called with a view that holds until it returns.
-using Observer = std::function<void(const GridProgress&)>;
+using Observer = Callback<const GridProgress&>;
 
 }  // namespace lasius

@@ -22,7 +22,7 @@ struct Result : SearchResult {
   /// From start to goal, cells' centres or the points asked for; one point where they are the same,
   /// none without a path. Of walks over cells that begin or end at points, what ants, observers and
   /// the other curves are about is the walk between centres of cells there; `path`, `length` and
-  /// `best` are with the ends.
+  /// `curves.best` are with the ends.
   /// Of a disc's curve a polyline that keeps the radius as well and is at most a thousandth longer.
   std::vector<Point> path;
   /// Of `exact` for a disc: the path itself, whose length `length` is; else empty.
@@ -41,8 +41,8 @@ struct Result : SearchResult {
   /// tolerance also of a goal in another region.
   std::optional<Cell> nearest_reachable;
   /// With Request::via: which of them, from 0, is blocked, outside, or cannot be reached from the
-  /// point before it. Of a whole path `best` begins with the last leg, NaN in iterations before;
-  /// all other curves are of the legs, one after another.
+  /// point before it. Of a whole path `curves.best` begins with the last leg, NaN in iterations
+  /// before; all other curves are of the legs, one after another.
   std::optional<int> bad_via;
   /// Rules of the caller's own took part, see OwnRules: parameters and seed alone do not give this
   /// answer again.

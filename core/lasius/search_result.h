@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,19 +36,18 @@ struct Convergence {
 };
 
 /// What the answers of all planners have in common. Without a path `length` is not a number.
-struct LASIUS_EXPORT SearchResult : Convergence {
+struct LASIUS_EXPORT SearchResult {
   Status status = Status::no_path;  ///< how it ended
   Limit limit = Limit::none;        ///< which one ended it
   Fault fault = Fault::none;        ///< why it is invalid or unreachable
   std::string error;                ///< the same in a sentence that names the place; empty for none
-  double length;                    ///< of the path, in the world's unit
-  std::optional<double> lower_bound;  ///< certified: no path is shorter
+  double length = std::numeric_limits<double>::quiet_NaN();  ///< of the path, in the world's unit
+  std::optional<double> lower_bound;                         ///< certified: no path is shorter
   /// Certified (length - lower_bound) / lower_bound; 0 at length 0; nothing where there is no path
   /// or no bound above 0.
   std::optional<double> gap() const;
-  bool optimal = false;  ///< proven shortest
-
-  SearchResult();
+  bool optimal = false;     ///< proven shortest
+  Convergence curves = {};  ///< the course of the search
 };
 
 }  // namespace lasius

@@ -1,9 +1,13 @@
-// How a call is told to stop: a token, a deadline, or both.
+// How a call is told to stop: by a token, a deadline, or what a function of the caller's answers.
 #pragma once
 
 #include <chrono>
+#include <concepts>
+#include <functional>
 #include <stop_token>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "lasius/export.h"
 
@@ -44,5 +48,37 @@ struct StopCondition {
 };
 /// The name, as in "deadline".
 LASIUS_EXPORT std::string_view to_string(StopCondition::Cause cause) noexcept;
+
+/// Whether what has called is to go on. Told to stop, and where it has not ended by itself, as a
+/// search has in its last iteration or in one in which it settles, it ends with the best so far as
+/// Status::interrupted.
+enum class Go { on, stop };
+
+/// A function of the caller's that answers Go, or returns nothing, which is Go::on; or none.
+template <class... Args>
+class Callback {
+ public:
+  Callback() = default;
+  /// Of anything that can be copied and called so; none of an empty std::function.
+  template <std::invocable<Args...> Function>
+  Callback(Function function) {
+    if constexpr (requires { function == nullptr; })
+      if (function == nullptr) return;
+    function_ = [called = std::move(function)](Args... args) mutable {
+      if constexpr (std::is_void_v<std::invoke_result_t<Function&, Args...>>) {
+        called(args...);
+        return Go::on;
+      } else {
+        return called(args...);
+      }
+    };
+  }
+  /// Precondition: there is one.
+  Go operator()(Args... args) const { return function_(args...); }
+  explicit operator bool() const noexcept { return static_cast<bool>(function_); }  ///< is there?
+
+ private:
+  std::function<Go(Args...)> function_;
+};
 
 }  // namespace lasius

@@ -100,12 +100,12 @@ struct TourResult {
   /// Proven shortest, up to the rounding of sums: up to 12 stops, and where the gap is 0.
   bool optimal = false;
   std::vector<LeftOut> left_out;  ///< by rising stop
-  Convergence run = {};           ///< of ants, in cells: a path is a tour
+  Convergence curves = {};        ///< of ants, in cells: a path is a tour
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound
 };
 
-/// Told each better order, and its length as known by then; false ends the search.
-using TourObserver = std::function<bool(std::span<const int> order, double length)>;
+/// Told each better order, and its length as known by then.
+using TourObserver = Callback<std::span<const int>, double>;
 
 /// Plans a tour. Up to 12 stops the order is a shortest; above, it is searched (tours of the same
 /// request and seed are the same, unless stopped). Stops that are outside, blocked or not joined to

@@ -1,12 +1,9 @@
 #include <stdexcept>
 
-#include "core/base/special_values.h"
 #include "lasius/progress.h"
 #include "lasius/search_result.h"
 
 namespace lasius {
-
-SearchResult::SearchResult() : length(kNaN) {}
 
 std::optional<double> SearchResult::gap() const {
   if (length == 0) return 0;

@@ -58,7 +58,7 @@ SomeResult already_there() {
 /// The result of a run of the loop on a bitmap. `best` is empty where it found no path.
 inline Result result_after(StopCondition::Cause cause, Convergence run, std::vector<Point> best) {
   Result result;
-  static_cast<Convergence&>(result) = std::move(run);
+  result.curves = std::move(run);
   end_run(result, cause, best.empty() ? Status::no_path : Status::solved);
   if (best.empty()) return result;
   result.path = std::move(best);
@@ -76,8 +76,7 @@ StopCondition::Cause show(const SomeObserver& observer, const Convergence& run, 
   view.mean_length = run.mean.back();
   view.arrived = run.arrived.back();
   view.curves = &run;
-  observer(view);
-  return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
+  return observer(view) == Go::stop ? StopCondition::Cause::token : StopCondition::Cause::none;
 }
 
 }  // namespace lasius

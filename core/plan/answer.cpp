@@ -50,9 +50,7 @@ Result run_exact(const PlanningMap& map, const Request& request, const Places& p
                  WorkspaceMemory& memory, const Observer& observer) {
   int improvements = 0;
   const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
-    const ExactView view(path, improvements++, length, bound);
-    observer(view);
-    return !view.stopped();
+    return observer(ExactView(path, improvements++, length, bound)) == Go::on;
   };
   const ExactOptions options{.target_gap = request.target_gap,
                              .improved = observer ? &show : nullptr};
@@ -101,7 +99,7 @@ void lead_out(Result& result, Point start, Point way_out, bool curved) {
   result.way_out = way_out;
   result.lower_bound.reset();
   result.optimal = false;
-  for (auto* lengths : {&result.best, &result.iteration_best})
+  for (auto* lengths : {&result.curves.best, &result.curves.iteration_best})
     for (double& length : *lengths) length += leg;
   if (result.path.empty()) return;
   result.path.insert(result.path.begin(), start);
@@ -148,16 +146,13 @@ Result with_ends(PathEnds ends, const StopCondition& stop, const Observer& obser
       take(progress.path());
     }
     best.push_back(length < kInfinity ? length : kNaN);
-    if (!observer) return;
-    const EndedView view(progress, path, best.back());
-    observer(view);
-    if (view.stopped()) progress.stop();
+    return observer ? observer(EndedView(progress, path, best.back())) : Go::on;
   };
   Result result = run(look);
   if (result.path.empty()) return result;
   take(result.path);
-  best.resize(result.best.size(), length);
-  result.best = std::move(best);
+  best.resize(result.curves.best.size(), length);
+  result.curves.best = std::move(best);
   result.path = std::move(path);
   result.length = length;
   return result;
@@ -261,10 +256,8 @@ void check_path(const Question& q, const Result& result) {
 
 /// Leg by leg, each a question of its own.
 Result answer_through(const PlanningMap& map, const Request& asked, const Params& params,
-                      Workspace* workspace, const Observer& observer, const OwnRules& own) {
-  const auto plan = [&](const Request& leg) {
-    return answer(map, leg, params, workspace, observer, own);
-  };
+                      const PlanOptions& options) {
+  const auto plan = [&](const Request& leg) { return answer(map, leg, params, options); };
   Result whole = plan_legs(asked, plan);
   if (map.disc == nullptr) refuse_squeezes(map.grid, asked, corners_of_paths(params, {}), whole);
   return whole;
@@ -273,11 +266,12 @@ Result answer_through(const PlanningMap& map, const Request& asked, const Params
 }  // namespace
 
 Result answer(const PlanningMap& map, const Request& asked, const Params& given,
-              Workspace* workspace, const Observer& observer, const OwnRules& own) {
+              const PlanOptions& options) {
+  const OwnRules& own = options.own_rules;
   const Disc robot{map.disc != nullptr ? map.disc->radius : 0};
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_alternatives(asked, algorithm, robot);
-  if (!asked.via.empty()) return answer_through(map, asked, given, workspace, observer, own);
+  if (!asked.via.empty()) return answer_through(map, asked, given, options);
   validate(given, own);
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
@@ -293,10 +287,11 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Asked goal(ends.map_alone(), asked.goal, asked.goal_point);
   Places places;
   if (auto refusal = refused(ends, asked, start, goal, places)) return std::move(*refusal);
+  Workspace* workspace = options.workspace;
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
-  Question q{map, params, algorithm, observer, own, memory, corners, places, asked};
+  Question q{map, params, algorithm, options.observer, own, memory, corners, places, asked};
   std::tie(q.request.start, q.request.goal) =
       curved ? std::pair(cell_at(places.from), cell_at(places.to))
              : ends.walk(places.from, places.to);
@@ -305,8 +300,8 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
     static_cast<SearchResult&>(result) = already_there<SearchResult>();
     result.path = {places.from};
   } else if (q.exact()) {
-    result = map.search ? map.search(q.request, observer)
-                        : run_exact(map, q.request, places, memory, observer);
+    result = map.search ? map.search(q.request, options.observer)
+                        : run_exact(map, q.request, places, memory, options.observer);
     // Cells may be joined where a disc is not: then the search has proven it. Of a point the cells
     // prove more: it is within rounding of a corner, and the search lost its ways.
     if (result.status == Status::unreachable && map.disc == nullptr) {

@@ -55,9 +55,9 @@ struct PlanningMap {
   bool walked = false;
 };
 
-/// What Planner::plan answers, and throws. `own`: the caller's, if any.
+/// What Planner::plan answers, and throws.
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
-              Workspace* workspace, const Observer& observer, const OwnRules& own = {});
+              const PlanOptions& options);
 
 /// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked, or
 /// what else makes it useless, or outside the map. `name`: of what is told of, if not the cell's.

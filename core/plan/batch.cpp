@@ -33,7 +33,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
     return [&planner, &own, mine, workspace = std::make_shared<Workspace>()](
                const Request& request, std::uint64_t seed) mutable {
       mine.seed = seed;
-      return planner.plan(request, mine, own, workspace.get());
+      return planner.plan(request, mine, {.workspace = workspace.get(), .own_rules = own});
     };
   };
   return run_batch<Result>(requests, params.seed, options, receive, make_plan);

@@ -58,9 +58,7 @@ class Kept {
     path_ = std::move(path);
     cost_ = cost;
     if (!observer_) return true;
-    const ExactView view(path_, improvements_++, cost_, std::min(bound, cost_));
-    observer_(view);
-    return !view.stopped();
+    return observer_(ExactView(path_, improvements_++, cost_, std::min(bound, cost_))) == Go::on;
   }
   std::vector<Point>& path() noexcept { return path_; }
   bool any() const noexcept { return !path_.empty(); }

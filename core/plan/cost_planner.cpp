@@ -61,12 +61,11 @@ struct CostPlanner::Impl {
   CostAnswer search_for_disc(Run& run) const;
   bool uniform() const noexcept { return terrain.least() == terrain.most(); }
   CostResult shortest(const Request& request) const;
-  CostResult over_uniform(const Request& request, const CostOptions& options,
-                          const Observer& observer) const;
+  CostResult over_uniform(const Request& request, const CostOptions& options) const;
   bool join_ends(const Request& between, const Asked& start, const Asked& goal,
                  CostResult& result) const;
-  CostResult colony(const Planner::Impl& map, const Request& request, const CostOptions& options,
-                    const Observer& observer) const;
+  CostResult colony(const Planner::Impl& map, const Request& request,
+                    const CostOptions& options) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
 
   Planner planner;
@@ -130,7 +129,7 @@ CostAnswer CostPlanner::Impl::search_for_disc(Run& run) const {
 
 // Polylines of a colony over costs may be a whole disc's, led out first.
 CostResult CostPlanner::Impl::colony(const Planner::Impl& map, const Request& request,
-                                     const CostOptions& options, const Observer& observer) const {
+                                     const CostOptions& options) const {
   const Params& params = options.params;
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
     refuse(std::string(params.algorithm()) + " plans by length alone",
@@ -142,8 +141,10 @@ CostResult CostPlanner::Impl::colony(const Planner::Impl& map, const Request& re
   PlanningMap planning = map.planning_map(request.stop);
   planning.terrain = &terrain;
   CostResult result;
-  static_cast<Result&>(result) = answer(planning, request, params, options.workspace, observer,
-                                        options.own != nullptr ? *options.own : no_own_rules());
+  static_cast<Result&>(result) = answer(planning, request, params,
+                                        {.workspace = options.workspace,
+                                         .observer = options.observer,
+                                         .own_rules = options.own_rules});
   if (!result.path.empty())
     result.cost = cost::cost_of(space != nullptr ? *whole : terrain, result.path);
   return result;
@@ -173,10 +174,10 @@ CostResult CostPlanner::Impl::shortest(const Request& request) const {
 }
 
 // Every cell costs the same: the shortest path is the cheapest.
-CostResult CostPlanner::Impl::over_uniform(const Request& request, const CostOptions& options,
-                                           const Observer& observer) const {
+CostResult CostPlanner::Impl::over_uniform(const Request& request,
+                                           const CostOptions& options) const {
   CostResult result;
-  static_cast<Result&>(result) = planner.plan(request, Params(), nullptr, observer);
+  static_cast<Result&>(result) = planner.plan(request, {}, {.observer = options.observer});
   result.cost = result.length * terrain.least();
   if (result.lower_bound) *result.lower_bound *= terrain.least();
   if (!options.proof || result.path.empty()) return result;
@@ -236,23 +237,22 @@ double CostPlanner::least_weight() const noexcept {
 
 // Searches go from a point inside a cell to another: one on its border is moved inside, a colony's
 // to its centre. What a straight piece there costs is taken off the bound.
-CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
-                             const Observer& observer) const {
+CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) const {
   if (asked.alternatives != 0)
     refuse("alternatives are asked for over costs",
            "ask a Planner: they are ways beside a shortest path");
-  if (!asked.via.empty()) return plan_through(asked, options, observer);
+  if (!asked.via.empty()) return plan_through(asked, options);
   const Grid& grid = planner().grid();
   const Asked start(grid, asked.start, asked.start_point);
   const Asked goal(grid, asked.goal, asked.goal_point);
   const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
   const bool centres = !exact || options.eight_moves || options.proof;
-  if (!centres && impl_->uniform()) return plan_cells(asked, options, observer);
+  if (!centres && impl_->uniform()) return plan_cells(asked, options);
   Request request = asked;
   request.start = start.cell;
   request.goal = goal.cell;
   request.start_point = request.goal_point = std::nullopt;
-  if (!start.is_point && !goal.is_point) return plan_cells(request, options, observer);
+  if (!start.is_point && !goal.is_point) return plan_cells(request, options);
   if (impl_->space == nullptr) {
     const PlanningMap map = planner().impl_->planning_map(asked.stop);
     const Ends ends(map, nullptr, corners_of_paths(options.params, {}));
@@ -273,21 +273,20 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options,
       refuse("a colony over costs is asked for a disc between points that are no cells' centres",
              "take exact, or cells");
   }
-  CostResult result = plan_cells(request, options, observer);
+  CostResult result = plan_cells(request, options);
   if (result.path.empty() || !moved) return result;
   return impl_->join_ends(request, start, goal, result) ? result : impl_->shortest(asked);
 }
 
 // Lengths of a colony's `best` are costs, but plan_legs() puts the lengths of the legs before it.
-CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options,
-                                     const Observer& observer) const {
+CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options) const {
   if (options.proof)
     refuse("a proof is asked for of a path through points", "ask for one of each part");
   CostResult whole;
   double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
   const auto plan_leg = [&](const Request& leg) -> Result {
     dearer = cost - whole.length;
-    CostResult found = plan(leg, options, observer);
+    CostResult found = plan(leg, options);
     cost += found.cost;
     whole.length += found.length;
     return found;
@@ -298,19 +297,17 @@ CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& op
     refuse_squeezes(planner().grid(), asked, corners_of_paths(options.params, {}), whole);
   if (whole.path.empty()) return whole;
   whole.cost = cost;
-  for (double& best : whole.best) best += dearer;
+  for (double& best : whole.curves.best) best += dearer;
   return whole;
 }
 
-CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options,
-                                   const Observer& observer) const {
+CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options) const {
   const Terrain& terrain = impl_->terrain;
   const bool disc = impl_->space != nullptr;
   if (find_algorithm(options.params.algorithm()).kind != Algorithm::Kind::exact)
-    return impl_->colony(*impl_->planner.impl_, request, options, observer);
+    return impl_->colony(*impl_->planner.impl_, request, options);
   check_asked(options, disc);
-  if (impl_->uniform() && !options.eight_moves)
-    return impl_->over_uniform(request, options, observer);
+  if (impl_->uniform() && !options.eight_moves) return impl_->over_uniform(request, options);
   CostResult result;
   Result& plain = result;
   // Start and goal are judged as for `exact`, which has no time to search.
@@ -323,7 +320,7 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   const Point from = request.start_point.value_or(centre(request.start));
   const Point to = goal == request.goal ? request.goal_point.value_or(centre(goal)) : centre(goal);
   if (disc && (result.way_out || !impl_->space->clear(to))) return impl_->shortest(request);
-  Kept kept(terrain, impl_->space, observer);
+  Kept kept(terrain, impl_->space, options.observer);
   Impl::Run run{request, goal, options, kept};
   if (request.start == goal) {
     result.status = Status::solved;

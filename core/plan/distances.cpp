@@ -195,7 +195,7 @@ std::optional<std::vector<double>> Planner::distances(std::span<const Point> sou
         for (std::size_t i = 0; i < part.size() && !ended; ++i) {
           const Result found =
               plan({.stop = stop, .start_point = sources[row], .goal_point = targets[first + i]},
-                   params, &workspaces[thread]);
+                   params, {.workspace = &workspaces[thread]});
           if (found.status == Status::limit || found.status == Status::interrupted) ended.set();
           part[i] = found.path.empty() ? std::numeric_limits<double>::infinity() : found.length;
         }

@@ -33,21 +33,19 @@ void append(std::vector<Number>& to, const std::vector<Number>& more) {
 
 /// Puts a leg behind those before it.
 void join(Result& whole, Result&& leg, bool last) {
-  const auto before = static_cast<std::size_t>(whole.iterations);
-  if (last && !leg.best.empty()) {
-    whole.best.assign(before, kNaN);
-    for (const double length : leg.best) whole.best.push_back(whole.length + length);
+  Convergence& all = whole.curves;
+  const Convergence& more = leg.curves;
+  if (last && !more.best.empty()) {
+    all.best.assign(static_cast<std::size_t>(all.iterations), kNaN);
+    for (const double length : more.best) all.best.push_back(whole.length + length);
   }
-  whole.iterations += leg.iterations;
-  append(whole.mean, leg.mean);
-  append(whole.arrived, leg.arrived);
-  append(whole.raw_best, leg.raw_best);
-  append(whole.cut_mean, leg.cut_mean);
-  append(whole.cut_best, leg.cut_best);
-  append(whole.iteration_best, leg.iteration_best);
-  append(whole.steps, leg.steps);
-  append(whole.band, leg.band);
-  append(whole.trail_entropy, leg.trail_entropy);
+  all.iterations += more.iterations;
+  append(all.arrived, more.arrived);
+  append(all.steps, more.steps);
+  for (const auto curve :
+       {&Convergence::mean, &Convergence::raw_best, &Convergence::cut_mean, &Convergence::cut_best,
+        &Convergence::iteration_best, &Convergence::band, &Convergence::trail_entropy})
+    append(all.*curve, more.*curve);
   for (const Point p : leg.path)
     if (whole.path.empty() || p != whole.path.back()) whole.path.push_back(p);
   append(whole.curve, leg.curve);
@@ -91,9 +89,9 @@ Result plan_legs(const Request& asked, const std::function<Result(const Request&
       const bool at_start =
           found.fault == Fault::start_blocked || found.fault == Fault::start_outside;
       if (!found.error.empty() && !last && !at_start) found.bad_via = static_cast<int>(i);
-      Convergence none;  // of no path
-      none.iterations = whole.iterations + found.iterations;
-      static_cast<Convergence&>(found) = none;
+      const int done = whole.curves.iterations + found.curves.iterations;
+      found.curves = {};  // of no path
+      found.curves.iterations = done;
       found.lower_bound.reset();
       return found;
     }

@@ -53,23 +53,14 @@ std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
                                 std::move(closed), std::move(disc));
 }
 
-Planner::Planner(Grid grid) : Planner(std::move(grid), Disc{}) {}
-Planner::Planner(Grid grid, const PrepareOptions& options)
-    : Planner(std::move(grid), Disc{}, options) {}
 Planner::Planner(Grid grid, Disc robot) : impl_(Impl::make(std::move(grid), robot, {})) {}
-Planner::Planner(Grid grid, Disc robot, const PrepareOptions& options)
+Planner::Planner(Grid grid, const PrepareOptions& options, Disc robot)
     : impl_(Impl::make(std::move(grid), robot, options, {})) {}
-std::optional<Planner> Planner::make(Grid&& grid, const StopCondition& stop) {
-  return make(std::move(grid), Disc{}, stop);
-}
 std::optional<Planner> Planner::make(Grid&& grid, Disc robot, const StopCondition& stop) {
   return if_made(Impl::make(std::move(grid), robot, stop));
 }
-std::optional<Planner> Planner::make_prepared(Grid&& grid, const PrepareOptions& options) {
-  return make_prepared(std::move(grid), Disc{}, options);
-}
-std::optional<Planner> Planner::make_prepared(Grid&& grid, Disc robot,
-                                              const PrepareOptions& options) {
+std::optional<Planner> Planner::make_prepared(Grid&& grid, const PrepareOptions& options,
+                                              Disc robot) {
   return if_made(Impl::make(std::move(grid), robot, options, options.stop));
 }
 Planner Planner::prepared(const PrepareOptions& options) const {
@@ -131,14 +122,9 @@ std::optional<Cell> Planner::nearest_reachable(Cell c, Cell from, Corners corner
   return lasius::nearest_free(impl_->grid, c, poller, joined);
 }
 
-Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
-                     const Observer& observer) const {
-  return plan(request, params, {}, workspace, observer);
-}
-
-Result Planner::plan(const Request& request, const Params& params, const OwnRules& own,
-                     Workspace* workspace, const Observer& observer) const {
-  return answer(impl_->planning_map(request.stop), request, params, workspace, observer, own);
+Result Planner::plan(const Request& request, const Params& params,
+                     const PlanOptions& options) const {
+  return answer(impl_->planning_map(request.stop), request, params, options);
 }
 
 void Planner::limit_own_graph(std::int64_t max_bytes) noexcept {

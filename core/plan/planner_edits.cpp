@@ -83,15 +83,9 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next_of_disc(
                                       std::move(shut), std::move(next_disc));
 }
 
-Planner Planner::edited(std::span<const Edit> edits) const { return *edited(edits, {}); }
-
 std::optional<Planner> Planner::edited(std::span<const Edit> edits,
                                        const StopCondition& stop) const {
   return if_made(impl_->next(edits, impl_->excluded, stop));
-}
-
-Planner Planner::exclude(std::span<const Direction> reported) const {
-  return *exclude(reported, {});
 }
 
 std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
@@ -110,8 +104,6 @@ std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
   }
   return if_made(impl_->next({}, std::move(directions), stop));
 }
-
-Planner Planner::allow(std::span<const Direction> gone) const { return *allow(gone, {}); }
 
 std::optional<Planner> Planner::allow(std::span<const Direction> gone,
                                       const StopCondition& stop) const {

@@ -79,7 +79,7 @@ StopCondition::Cause RoutePlan::observe(const Convergence& run,
     return result.dijkstra && result.crossing.length <= here.length ? result.crossing.path
                                                                     : here.path;
   };
-  view.iteration = result.iterations;
+  view.iteration = result.curves.iterations;
   if (result.dijkstra) view.best_length = result.crossing.length;
   view.lower_bound = result.lower_bound;
   return show(observer_, run, view);
@@ -88,11 +88,12 @@ StopCondition::Cause RoutePlan::observe(const Convergence& run,
 void RoutePlan::append(const Convergence& run, Result& result) const {
   for (const double best : run.best) {
     const double length = best + end_pieces_;
-    result.best.push_back(result.dijkstra ? std::min(length, result.crossing.length) : length);
+    result.curves.best.push_back(result.dijkstra ? std::min(length, result.crossing.length)
+                                                 : length);
   }
-  for (const double mean : run.mean) result.mean.push_back(mean + end_pieces_);
-  result.arrived.insert(result.arrived.end(), run.arrived.begin(), run.arrived.end());
-  result.iterations += run.iterations;
+  for (const double mean : run.mean) result.curves.mean.push_back(mean + end_pieces_);
+  result.curves.arrived.insert(result.curves.arrived.end(), run.arrived.begin(), run.arrived.end());
+  result.curves.iterations += run.iterations;
 }
 
 }  // namespace lasius::polygon

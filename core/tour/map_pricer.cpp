@@ -136,7 +136,7 @@ Cost MapPricer::price(int a, int b) {
   // From the lower stop: the same length, to the last bit, whoever asks first.
   const Result found = planner_.plan(
       {.stop = stop_, .start_point = stops_[std::min(a, b)], .goal_point = stops_[std::max(a, b)]},
-      params_, &workspace_);
+      params_, {.workspace = &workspace_});
   stopped_ = found.status == Status::limit || found.status == Status::interrupted;
   if (stopped_ || found.path.empty()) return dear_ + straight(a, b);
   const Cost cost = cost_of(a, b, found.length);

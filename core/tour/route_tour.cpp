@@ -31,7 +31,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
       std::vector<int> told;
       for (const auto& order : found.orders)
         for (const int v : order) told.push_back(stops.indices[v]);
-      return observer(told, static_cast<double>(found.cost) / scale);
+      return observer(told, static_cast<double>(found.cost) / scale) == Go::on;
     };
   Poller poller(request.stop);
   const bool own_bounds = &lower != &costs;

@@ -78,7 +78,7 @@ void plan_legs(const Planner& planner, std::span<const Point> points, int thread
                  TourLeg& leg = tour.legs[i];
                  Result planned =
                      planner.plan({.start_point = points[leg.from], .goal_point = points[leg.to]},
-                                  exact, &workspaces[thread]);
+                                  exact, {.workspace = &workspaces[thread]});
                  leg.length = planned.length;
                  leg.path = std::move(planned.path);
                });
@@ -140,7 +140,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
       told.clear();
       for (const int v : order) told.push_back(named[v]);
-      return observer(told, static_cast<double>(cost) / scale);
+      return observer(told, static_cast<double>(cost) / scale) == Go::on;
     };
   Poller poller(request.stop);
   const bool ants = by_ants(request), own_bounds = &lower != &costs;
@@ -166,8 +166,8 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
   }
   if (ants) {
     ordered.found = find_order_by_ants(costs, ends, symmetric, request.ants, request.threads,
-                                       options, tour.run);
-    for (auto* lengths : {&tour.run.best, &tour.run.mean})
+                                       options, tour.curves);
+    for (auto* lengths : {&tour.curves.best, &tour.curves.mean})
       for (double& length : *lengths) length /= scale;
   } else {
     ordered.found = find_order(costs, ends, places, options);

@@ -19,7 +19,7 @@ int main() {
       std::cout << "tick " << tick.tick << ": " << tick.way->length << " cells to go\n";
   };
   const DriveResult result =
-      drive(map, truth, {3, 20}, {60, 20}, changes, {.sense = 8}, {}, {}, watch);
+      drive(map, truth, {3, 20}, {60, 20}, changes, {.sense = 8, .observer = watch});
   std::cout << to_string(result.status) << " after " << result.ticks << " ticks, " << result.length
             << " cells\n";
   return result.status == Status::solved && result.replans.size() > 1 ? 0 : 1;

@@ -14,10 +14,9 @@ int main() {
     std::cout << progress.iteration << ": best " << progress.best_length << ", " << progress.arrived
               << " ants arrived\n";
     if (std::isnan(first)) first = progress.best_length;
-    if (progress.best_length < first) progress.stop();
+    return progress.best_length < first ? Go::stop : Go::on;
   };
-  // The third argument is a workspace, memory that is kept from plan to plan: one plan needs none.
   const Result result =
-      planner.plan({.start = {14, 14}, .goal = {380, 179}}, Params("as"), nullptr, watch);
+      planner.plan({.start = {14, 14}, .goal = {380, 179}}, Params("as"), {.observer = watch});
   return result.status == Status::interrupted && result.length < first ? 0 : 1;
 }

@@ -20,7 +20,7 @@ int main() {
     }
     if (tours.best_length > 0) trail.add(tours.best_places(), kRanks / tours.best_length);
   };
-  const Result mine = planner.plan(request, params, own);
+  const Result mine = planner.plan(request, params, {.own_rules = own});
   const Result built_in = planner.plan(request, params);
   std::cout << "own " << mine.length << ", built-in " << built_in.length << '\n';
   return mine.own_rules && mine.path == built_in.path ? 0 : 1;

@@ -18,7 +18,7 @@ int main() {
                                      .goal = {380, 179},
                                      .stop = {.deadline = deadline_in(100ms)},
                                      .target_gap = 0.03},
-                                    Params(), &workspace);
+                                    Params(), {.workspace = &workspace});
   if (quick.gap()) std::cout << quick.length << ", certified gap " << *quick.gap() << '\n';
   return graph.state == Preparation::State::ready && !quick.path.empty() ? 0 : 1;
 }

@@ -28,7 +28,7 @@ class Columns {
     lengths_.push_back(result.length);
     bounds_.push_back(result.lower_bound.value_or(std::numeric_limits<double>::quiet_NaN()));
     optimal_.push_back(result.optimal);
-    iterations_.push_back(result.iterations);
+    iterations_.push_back(result.curves.iterations);
     seconds_.push_back(answer.elapsed.count());
     points_.insert(points_.end(), result.path.begin(), result.path.end());
     offsets_.push_back(static_cast<std::int64_t>(points_.size()));

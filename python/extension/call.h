@@ -81,6 +81,13 @@ class Call {
     return !error_;
   }
 
+  /// The same of what answers: Go::stop if it raises, too.
+  template <class Back>
+  Go ask(const Back& back) {
+    Go answer = Go::stop;
+    return call_back([&] { answer = back(); }) ? answer : Go::stop;
+  }
+
   /// The exception that a callback or a signal handler raised meanwhile, or None.
   py::object error();
 

@@ -55,13 +55,14 @@ py::tuple plan_over(const CostPlanner& planner, Cell start, Cell goal, bool eigh
                     double goal_tolerance, std::optional<double> time_limit,
                     const py::object& callback) {
   Call call(time_limit);
-  const Observer observe = observer<GridProgress>(call, callback);
-  const CostOptions options{
-      .eight_moves = eight_moves, .corners = corners_from(corners), .proof = proof};
+  const CostOptions options{.observer = observer<GridProgress>(call, callback),
+                            .eight_moves = eight_moves,
+                            .corners = corners_from(corners),
+                            .proof = proof};
   std::optional<std::string> proven;
   const CostResult result = call.run([&] {
     CostResult found =
-        planner.plan({start, goal, call.condition(), target_gap, goal_tolerance}, options, observe);
+        planner.plan({start, goal, call.condition(), target_gap, goal_tolerance}, options);
     if (found.proof) proven = proof_to_json(*found.proof);
     return found;
   });

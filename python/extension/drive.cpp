@@ -36,8 +36,13 @@ py::tuple fields(const DriveResult& r) {
 }
 
 DriveOptions drive_options(double sense, std::int64_t max_ticks,
-                           std::optional<double> seconds_per_tick, std::uint64_t seed) {
-  DriveOptions options{.sense = sense, .max_ticks = max_ticks, .seed = seed};
+                           std::optional<double> seconds_per_tick, std::uint64_t seed, Call& call,
+                           const py::object& callback) {
+  DriveOptions options{.sense = sense,
+                       .max_ticks = max_ticks,
+                       .seed = seed,
+                       .stop = call.condition(),
+                       .observer = observer<DriveTick>(call, callback)};
   if (seconds_per_tick) options.seconds_per_tick = *seconds_per_tick;
   return options;
 }
@@ -48,11 +53,9 @@ py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, cons
                  const py::object& callback) {
   Call call(time_limit);
   const DriveOptions options =
-      drive_options(sense, max_ticks, seconds_per_tick, navigator.params.seed);
-  const DriveObserver observe = observer<DriveTick>(call, callback);
-  const DriveResult result = call.run([&] {
-    return drive(map, truth, start, goal, changes, options, navigator, call.condition(), observe);
-  });
+      drive_options(sense, max_ticks, seconds_per_tick, navigator.params.seed, call, callback);
+  const DriveResult result =
+      call.run([&] { return drive(map, truth, start, goal, changes, options, navigator); });
   return py::make_tuple(call.error(), fields(result));
 }
 
@@ -64,12 +67,12 @@ py::tuple vehicle_driven(const Grid& map, const Grid& truth, const vehicle::Vehi
                          std::optional<double> seconds_per_tick, std::uint64_t seed,
                          std::optional<double> time_limit, const py::object& callback) {
   Call call(time_limit);
-  const DriveOptions options = drive_options(sense, max_ticks, seconds_per_tick, seed);
+  const DriveOptions options =
+      drive_options(sense, max_ticks, seconds_per_tick, seed, call, callback);
   const std::vector<vehicle::Pose> ends = poses_from(goals, "goal");
-  const DriveObserver observe = observer<DriveTick>(call, callback);
   const vehicle::DriveResult result = call.run([&] {
     return vehicle::drive(map, truth, driver, {start[0], start[1], start[2]}, ends, changes,
-                          options, navigator, call.condition(), observe);
+                          options, navigator);
   });
   return py::make_tuple(call.error(), fields(result), pose_rows(result.poses),
                         segment_rows(result.moves));
@@ -99,7 +102,7 @@ void bind_tick(py::module_& module) {
       .def_property_readonly(
           "news", [](const Seen& v) { return to_array(std::span<const Cell>(v.get().news)); })
       .def_property_readonly("replanned", [](const Seen& v) { return v.get().replanned; })
-      .def("stop", [](const Seen& v) { v.get().stop(); });
+      .def("stop", &Seen::stop);
 }
 
 void bind_changes(py::module_& module) {

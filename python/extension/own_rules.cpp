@@ -141,13 +141,13 @@ OwnRules own_rules(const Given& given, const Params& params, Call& call) {
   if (given.heuristic) own.heuristic = span_of(*given.heuristic);
   if (!given.update.is_none()) {
     own.update = [&given, &call](Pheromone& trail, const IterationTours& tours) {
-      const bool go_on = call.call_back([&] {
+      return call.ask([&] {
         const Hand hand{trail, tours.height, tours.width, tours.moves};
         const Lent<Hand> lent(hand);
         const Lent<IterationTours> seen(tours);
         given.update(lent.get(), seen.get());
+        return seen.answer();
       });
-      if (!go_on) tours.stop();
     };
   }
   if (!given.schedule.is_none()) {
@@ -194,7 +194,7 @@ void bind_own_rules(py::module_& module) {
       .def("cells_of", of_ant(&T::cells_of))
       .def("places_of", of_ant(&T::places_of))
       .def("best_places", numbered(&T::best_places))
-      .def("stop", [](const ToursView& v) { v.get().stop(); });
+      .def("stop", &ToursView::stop);
 }
 
 }  // namespace lasius::python

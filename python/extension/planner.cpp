@@ -109,8 +109,10 @@ py::tuple plan(const Planner& planner, const py::object& start, const py::object
     const End on_the_way(py::reinterpret_borrow<py::object>(place));
     request.via.push_back(on_the_way.point.value_or(centre(on_the_way.cell)));
   }
-  const Result result =
-      call.run([&] { return planner.plan(request, params, own, use.get(), observe); });
+  const Result result = call.run([&] {
+    return planner.plan(request, params,
+                        {.workspace = use.get(), .observer = observe, .own_rules = own});
+  });
   return py::make_tuple(call.error(), fields(result));
 }
 

@@ -1,7 +1,6 @@
 // What a callback sees of a search under way.
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 
 #include "lasius/progress.h"
@@ -17,6 +16,12 @@ class View {
  public:
   explicit View(const Progress& progress) noexcept : progress_(&progress) {}
   void end() noexcept { progress_ = nullptr; }
+  /// The callback's answer is Go::stop. @throws as get.
+  void stop() {
+    (void)get();
+    answer_ = Go::stop;
+  }
+  Go answer() const noexcept { return answer_; }
   /// @throws std::runtime_error after the callback.
   const Progress& get() const {
     if (progress_ != nullptr) return *progress_;
@@ -25,6 +30,7 @@ class View {
 
  private:
   const Progress* progress_;
+  Go answer_ = Go::on;
 };
 
 /// A Python object over something that outlives this; it ends with this.
@@ -32,26 +38,29 @@ template <class Seen>
 class Lent {
  public:
   explicit Lent(const Seen& seen) : object_(py::cast(View<Seen>(seen))) {}
-  ~Lent() { object_.template cast<View<Seen>&>().end(); }
+  ~Lent() { view().end(); }
   Lent(const Lent&) = delete;
   Lent& operator=(const Lent&) = delete;
   const py::object& get() const noexcept { return object_; }
+  Go answer() const { return view().answer(); }  ///< of who has seen it
 
  private:
+  View<Seen>& view() const { return object_.template cast<View<Seen>&>(); }
+
   py::object object_;
 };
 
 /// An observer that calls `function` with a view, and ends the search or drive where it raises.
 /// Empty for None. Both must live as long.
 template <class Progress>
-std::function<void(const Progress&)> observer(Call& call, const py::object& function) {
+Callback<const Progress&> observer(Call& call, const py::object& function) {
   if (function.is_none()) return {};
   return [&call, &function](const Progress& progress) {
-    const bool go_on = call.call_back([&] {
+    return call.ask([&] {
       const Lent view(progress);
       function(view.get());
+      return view.answer();
     });
-    if (!go_on) progress.stop();
   };
 }
 
@@ -70,7 +79,7 @@ py::class_<View<Progress>> bind_progress(py::module_& module, const char* name) 
                                const Convergence* const seen = v.get().curves;
                                return seen == nullptr ? py::none() : curves(*seen);
                              })
-      .def("stop", [](const Seen& v) { v.get().stop(); });
+      .def("stop", &Seen::stop);
 }
 
 }  // namespace lasius::python

@@ -19,7 +19,7 @@ py::object curves(const Convergence& c) {
 py::tuple search_fields(const SearchResult& r) {
   return py::make_tuple(text(to_string(r.status)), text(to_string(r.limit)),
                         text(to_string(r.fault)), r.error, r.length, r.lower_bound, r.gap(),
-                        r.optimal, r.iterations, curves(r));
+                        r.optimal, r.curves.iterations, curves(r.curves));
 }
 
 py::tuple fields(const Result& r) {

@@ -47,11 +47,11 @@ py::tuple fields(const vehicle::TourResult& tour) {
 TourObserver observer_of(Call& call, const py::object& callback) {
   if (callback.is_none()) return {};
   return [&](std::span<const int> order, double length) {
-    bool more = true;
-    return call.call_back([&] {
+    return call.ask([&] {
       const std::vector<int> told(order.begin(), order.end());
-      more = !callback(to_array(told), length).equal(py::bool_(false));
-    }) && more;
+      const bool more = !callback(to_array(told), length).equal(py::bool_(false));
+      return more ? Go::on : Go::stop;
+    });
   };
 }
 

@@ -52,9 +52,8 @@ struct FarApart {
   Planner planner{blobs()};
   Request request = far_apart(planner);
 
-  template <class... More>
-  Result plan(const More&... more) const {
-    return planner.plan(request, more...);
+  Result plan(const Params& params = {}, const PlanOptions& options = {}) const {
+    return planner.plan(request, params, options);
   }
 };
 

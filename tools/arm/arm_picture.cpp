@@ -246,10 +246,10 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
                      }});
   const auto add = [&](const auto& draw_chart) { charts.push_back({"", draw_chart, true}); };
   if (moves) add([&](Canvas& canvas, const Box& box) { draw(canvas, box, joint_chart(answer)); });
-  if (!plan.best.empty())
+  if (!plan.curves.best.empty())
     add([&](Canvas& canvas, const Box& box) {
-      Convergence convergence{.best = {"best lattice path so far", plan.best},
-                              .tours = {{"mean tour of the ants", plan.mean}},
+      Convergence convergence{.best = {"best lattice path so far", plan.curves.best},
+                              .tours = {{"mean tour of the ants", plan.curves.mean}},
                               .unit = unit_of(answer.parameters.objective)};
       if (plan.lower_bound) convergence.levels = {{"lower bound", *plan.lower_bound}};
       draw_convergence(canvas, box, convergence);

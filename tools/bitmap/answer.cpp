@@ -97,9 +97,10 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   const auto begin = Clock::now();
   in_metres_asked(map, run, [&] {
     if (map.costs)
-      set_costs(answer, map.costs->planner->plan(request, cost_options(run), observer));
+      set_costs(answer, map.costs->planner->plan(request, cost_options(run, observer)));
     else
-      answer.result = map.planner->plan(request, run.params, &workspace, observer);
+      answer.result =
+          map.planner->plan(request, run.params, {.workspace = &workspace, .observer = observer});
   });
   answer.elapsed_ms = ms_since(begin);
   if (shared) leave_to_leader();
@@ -137,9 +138,12 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
   }
 }
 
-CostOptions cost_options(const RunOptions& run) {
+CostOptions cost_options(const RunOptions& run, const Observer& observer) {
   const CostLayers& asked = run.map.costs;
-  return {.params = run.params, .eight_moves = asked.eight_moves, .proof = asked.proof};
+  return {.params = run.params,
+          .observer = observer,
+          .eight_moves = asked.eight_moves,
+          .proof = asked.proof};
 }
 
 std::string cost_text(const CostResult& result) {
@@ -198,7 +202,7 @@ std::optional<double> grid_gap(const Answer& answer, const Params& params) {
   const bool walked = params.polish == Polish::none && !answer.result.path.empty();
   double shortest = std::numeric_limits<double>::infinity();
   if (walked) shortest = answer.result.length;  // perhaps of several ants
-  for (const double tour : answer.result.cut_best) shortest = std::fmin(shortest, tour);
+  for (const double tour : answer.result.curves.cut_best) shortest = std::fmin(shortest, tour);
   if (!std::isfinite(shortest)) return std::nullopt;
   const auto gap = gap_to(answer.grid_optimum, shortest);
   if (!gap) return std::nullopt;

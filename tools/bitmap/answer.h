@@ -57,7 +57,7 @@ void in_metres_asked(const LoadedMap& map, const RunOptions& run,
                      const std::function<void()>& plan);
 
 /// How a run plans over costs.
-CostOptions cost_options(const RunOptions& run);
+CostOptions cost_options(const RunOptions& run, const Observer& observer = {});
 /// A path's cost, and how far above the least it is at most.
 std::string cost_text(const CostResult& result);
 /// What --gap asks for of a colony over costs: `exact`'s answer to the same question.

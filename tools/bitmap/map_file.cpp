@@ -30,7 +30,7 @@ std::optional<Planner> make_planner(Grid& grid, Disc robot, const MapOptions& op
                                     Corners corners, const StopCondition& stop) {
   const PrepareOptions more{.threads = threads, .stop = stop, .labels = options.labels};
   const bool at_once = options.prepare && options.prepared.empty();
-  auto planner = at_once ? Planner::make_prepared(std::move(grid), robot, more)
+  auto planner = at_once ? Planner::make_prepared(std::move(grid), more, robot)
                          : Planner::make(std::move(grid), robot, stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);

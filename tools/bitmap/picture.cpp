@@ -172,11 +172,11 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
   const bool cut = sheet.run.params.walk_cut != WalkCut::none, several = sheet.run.params.ants > 1;
   static const std::vector<double> kNone;
   Convergence convergence{
-      .best = {"best path so far", result.best},
-      .tours = {{colony ? "mean tour, as walked" : "mean of the population", result.mean},
-                {"mean tour after the cut", cut ? result.cut_mean : kNone},
-                {"shortest tour after the cut", cut && several ? result.cut_best : kNone},
-                {"shortest tour, as walked", !cut && several ? result.raw_best : kNone}},
+      .best = {"best path so far", result.curves.best},
+      .tours = {{colony ? "mean tour, as walked" : "mean of the population", result.curves.mean},
+                {"mean tour after the cut", cut ? result.curves.cut_mean : kNone},
+                {"shortest tour after the cut", cut && several ? result.curves.cut_best : kNone},
+                {"shortest tour, as walked", !cut && several ? result.curves.raw_best : kNone}},
       .unit = sheet.unit(),
       .scale = sheet.map.length_in(sheet.run.frame, 1)};
   const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
@@ -184,8 +184,9 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
     std::string label = name + std::string(" ") + sheet.length(*cells);
     // From there on the curve of the best path lies on the line.
     const auto on_it = [&](double best) { return std::abs(best - *cells) <= 1e-9 * *cells; };
-    if (const auto at = std::ranges::find_if(result.best, on_it); at != result.best.end())
-      label += ", reached in iteration " + std::to_string(at - result.best.begin() + 1);
+    if (const auto at = std::ranges::find_if(result.curves.best, on_it);
+        at != result.curves.best.end())
+      label += ", reached in iteration " + std::to_string(at - result.curves.best.begin() + 1);
     convergence.levels.push_back({std::move(label), convergence.scale * *cells, colour});
   };
   level("any-angle optimum", answer.optimum, kInk);
@@ -216,7 +217,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
     panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back(path_panel(sheet, answer, path_caption(sheet, answer)));
-  if (!answer.result.best.empty())
+  if (!answer.result.curves.best.empty())
     panels.push_back({"convergence: best path so far; tours by iteration",
                       [&](Canvas& canvas, const Box& box) { draw_run(canvas, box, sheet, answer); },
                       true});

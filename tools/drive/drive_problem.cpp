@@ -96,19 +96,14 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     if (filmed) film_.emplace(answer_.map.grid(), answer_.goal.cell);
     std::optional<Grid> at_start;  // the world without moving obstacles
     if (played) frames_.emplace(answer_.map.grid(), answer_.map.radius);
-    DriveObserver observer;
-    if (watch || recorder_)
-      observer = [&](const DriveTick& tick) {
-        if (watch) watch(tick.tick + 1, note_on(tick));
-        if (recorder_) recorder_->observe(tick);
-        if (film_) film_->observe(tick, *recorder_);
-        if (frames_) frames_->observe(tick, *recorder_);
-      };
     DrivingTime time;
-    const DriveObserver untimed = [&](const DriveTick& tick) {
+    const auto look = [&](const DriveTick& tick) {
       time.pause();
       if (tick.tick == 0) at_start.emplace(*tick.still);
-      if (observer) observer(tick);
+      if (watch) watch(tick.tick + 1, note_on(tick));
+      if (recorder_) recorder_->observe(tick);
+      if (film_) film_->observe(tick, *recorder_);
+      if (frames_) frames_->observe(tick, *recorder_);
       time.go_on();
     };
     const auto begin = time.now();
@@ -118,13 +113,15 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     // Time counts from when the map is prepared.
     StopCondition until = again(stop, command_.run.time_limit);
     until.time = &time;
-    const DriveOptions how{
-        .sense = answer_.sense, .max_ticks = command_.max_ticks, .seed = command_.run.params.seed};
+    const DriveOptions how{.sense = answer_.sense,
+                           .max_ticks = command_.max_ticks,
+                           .seed = command_.run.params.seed,
+                           .stop = until,
+                           .observer = look};
     const Grid& truth = answer_.truth().grid();
-    answer_.result = answer_.vehicle ? drive_vehicle(*answer_.vehicle, answer_.map, truth,
-                                                     answer_.changes, how, until, untimed)
-                                     : drive(*navigator, truth, answer_.start.cell, answer_.changes,
-                                             how, until, untimed);
+    answer_.result = answer_.vehicle
+                         ? drive_vehicle(*answer_.vehicle, answer_.map, truth, answer_.changes, how)
+                         : drive(*navigator, truth, answer_.start.cell, answer_.changes, how);
     if (answer_.vehicle) answer_.goal = answer_.vehicle->goal().place;
     const DriveResult& driven = answer_.result;
     answer_.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();

@@ -66,11 +66,10 @@ DriveCommand recorded_drive_of_vehicle(const Recorded& from) {
 }
 
 DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, const Grid& truth,
-                          const Changes& changes, const DriveOptions& how,
-                          const StopCondition& stop, const DriveObserver& observer) {
+                          const Changes& changes, const DriveOptions& how) {
   vehicle::DriveResult result =
       vehicle::drive(map.grid(), truth, driven.vehicle.vehicle, driven.start.pose,
-                     driven.goal_poses(), changes, how, driven.how, stop, observer);
+                     driven.goal_poses(), changes, how, driven.how);
   driven.met = result.goal;
   driven.poses = std::move(result.poses);
   driven.moves = std::move(result.moves);

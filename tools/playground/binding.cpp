@@ -180,12 +180,12 @@ val curves_object(const Convergence& curves) {
 }
 
 val result_object(const Result& result) {
-  val object = curves_object(result);
+  val object = curves_object(result.curves);
   object.set("status", text_of(to_string(result.status)));
   object.set("message", result.error);
   object.set("length", result.length);
   object.set("path", path_array(result.path));
-  object.set("iterations", result.iterations);
+  object.set("iterations", result.curves.iterations);
   object.set("optimal", result.optimal);
   if (result.nearest_free) {
     val cell = val::object();
@@ -235,18 +235,18 @@ class World {
       // Tracks of no iteration are kept there.
       PictureRecorder rasters(planner_.grid(), {std::numeric_limits<int>::max()}, params,
                               {.pixels = kMostPixels, .read_all = kReadAll});
-      return result_object(
-          planner_.plan(request, params, nullptr, [&](const GridProgress& progress) {
-            rasters.observe(progress);
-            const bool last = progress.iteration + 1 == params.iterations;
-            if (sent.wants(progress.iteration)) {
-              sent.add({});
-            } else if (!last) {
-              return;
-            }
-            rasters.capture(progress);
-            watch(frame_object(progress, rasters));
-          }));
+      const auto look = [&](const GridProgress& progress) {
+        rasters.observe(progress);
+        const bool last = progress.iteration + 1 == params.iterations;
+        if (sent.wants(progress.iteration)) {
+          sent.add({});
+        } else if (!last) {
+          return;
+        }
+        rasters.capture(progress);
+        watch(frame_object(progress, rasters));
+      };
+      return result_object(planner_.plan(request, params, {.observer = look}));
     });
   }
 

@@ -125,16 +125,16 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
   if (!result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   add(path_caption(answer), world.planner.free_space(),
       [&](Canvas& canvas, const Axes& axes) { canvas.polyline(axes.at(result.path), kPath, 3); });
-  if (!result.best.empty())
+  if (!result.curves.best.empty())
     panels.push_back(
         {"convergence: best path so far; paths by iteration",
          [&](Canvas& canvas, const Box& box) {
            const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
                                 Algorithm::Kind::genetic;
            Convergence convergence{
-               .best = {"best path so far", result.best},
+               .best = {"best path so far", result.curves.best},
                .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
-                          result.mean}},
+                          result.curves.mean}},
                .unit = "the world's units"};
            if (answer.result.optimum)
              convergence.levels.push_back(

@@ -57,7 +57,7 @@ std::string row(const Record& run, const std::vector<std::string>& ends) {
     shown(result.lower_bound);
   }
   add(run.gap);
-  row << "," << result.iterations << "," << to_text(run.elapsed_ms) << "," << run.seed;
+  row << "," << result.curves.iterations << "," << to_text(run.elapsed_ms) << "," << run.seed;
   shown(run.optimum);
   add(gap_to(run.optimum, result.length));
   row << "\n";

@@ -79,7 +79,7 @@ int run(Problem& problem) {
   const Record run = problem.record();
   const std::string why = explain(run);
   if (!why.empty() && (!run.found() || !options.messages.quiet)) message(why);
-  const int done = run.result.iterations;
+  const int done = run.result.curves.iterations;
   if (options.messages.verbose && run.result.status == Status::solved && done < iterations)
     message("ended by its own rule after " + counted(done, "iteration") + " of " +
             std::to_string(*iterations));

@@ -19,7 +19,7 @@ const char* limit_name(Limit limit) {
 }
 
 std::string after(const Record& run) {
-  return run.most_iterations ? " after " + counted(run.result.iterations, "iteration") : "";
+  return run.most_iterations ? " after " + counted(run.result.curves.iterations, "iteration") : "";
 }
 
 std::string reached(const Record& run) {
@@ -79,7 +79,7 @@ bool wants_json(const SearchOptions& options) {
 Json answer_json(const Record& run, const Json& path, const Json& effort, const Json& findings) {
   Json json = {{"length", number(run.result.length)}};
   json.update(path);
-  add_convergence(json, run.result);
+  add_convergence(json, run.result.curves);
   json.update(effort);
   add_proof(json, run.result);
   json["gap"] = optional_number(run.gap);
@@ -138,9 +138,10 @@ void write_csv(std::ostream& out, const Record& run) {
   }
   const SearchResult& result = run.result;
   out << "iteration,best" << m << ",mean" << m << ",arrived\n";
-  for (std::size_t i = 0; i < result.best.size(); ++i)
-    out << i + 1 << "," << finite_text(run.scale * result.best[i]) << ","
-        << finite_text(run.scale * result.mean[i]) << "," << result.arrived[i] << "\n";
+  for (std::size_t i = 0; i < result.curves.best.size(); ++i)
+    out << i + 1 << "," << finite_text(run.scale * result.curves.best[i]) << ","
+        << finite_text(run.scale * result.curves.mean[i]) << "," << result.curves.arrived[i]
+        << "\n";
 }
 
 int exit_code(const Record& run) {

@@ -72,11 +72,11 @@ class BudgetWatch {
   Observer observer() {
     if (!std::isfinite(steps_) && !std::isfinite(seconds_)) return {};
     return [this](const GridProgress& progress) {
-      if (progress.curves == nullptr) return;
+      if (progress.curves == nullptr) return Go::on;
       const auto& steps = progress.curves->steps;
       for (; seen_ < steps.size(); ++seen_) spent_ += static_cast<double>(steps[seen_]);
       fired_ = spent_ >= steps_ || thread_seconds() - begin_ >= seconds_;
-      if (fired_) progress.stop();
+      return fired_ ? Go::stop : Go::on;
     };
   }
   bool fired() const { return fired_; }
@@ -144,9 +144,11 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
     const Request request{question.start, question.goal, watch.stop(stop, params)};
     double cost = kUnknown;
     const auto plan = [&]() -> Result {
-      if (costs == nullptr) return planner.plan(request, seeded, &workspace, watch.observer());
-      CostResult found =
-          costs->plan(request, {.params = seeded, .workspace = &workspace}, watch.observer());
+      if (costs == nullptr)
+        return planner.plan(request, seeded,
+                            {.workspace = &workspace, .observer = watch.observer()});
+      CostResult found = costs->plan(
+          request, {.params = seeded, .workspace = &workspace, .observer = watch.observer()});
       cost = found.cost;
       return found;
     };
@@ -155,16 +157,17 @@ PreparedRun Bitmaps::prepare(const Question& question, const Contender& contende
     run.status =
         watch.fired() && result.status == Status::interrupted ? Status::limit : result.status;
     run.length = costs != nullptr ? cost : result.length;
-    run.iterations = result.iterations;
-    run.best = std::move(result.best);
-    run.mean = std::move(result.mean);
-    run.raw_best = std::move(result.raw_best);
-    run.cut_mean = std::move(result.cut_mean);
-    run.cut_best = std::move(result.cut_best);
-    run.band = std::move(result.band);
-    run.iteration_best = std::move(result.iteration_best);
-    run.steps_by.assign(result.steps.begin(), result.steps.end());
-    run.steps = std::accumulate(result.steps.begin(), result.steps.end(), std::int64_t{0});
+    run.iterations = result.curves.iterations;
+    run.best = std::move(result.curves.best);
+    run.mean = std::move(result.curves.mean);
+    run.raw_best = std::move(result.curves.raw_best);
+    run.cut_mean = std::move(result.curves.cut_mean);
+    run.cut_best = std::move(result.curves.cut_best);
+    run.band = std::move(result.curves.band);
+    run.iteration_best = std::move(result.curves.iteration_best);
+    run.steps_by.assign(result.curves.steps.begin(), result.curves.steps.end());
+    run.steps =
+        std::accumulate(result.curves.steps.begin(), result.curves.steps.end(), std::int64_t{0});
     run.path = std::move(result.path);
     return run;
   };

@@ -72,8 +72,8 @@ struct Ants {
 Figure draw_ants(const Place& place) {
   const Planner planner(load_map(place.question, place.maps));
   Ants ants;
-  (void)planner.plan({place.question.start, place.question.goal}, place.params, nullptr,
-                     [&](const GridProgress& progress) { ants.observe(progress); });
+  (void)planner.plan({place.question.start, place.question.goal}, place.params,
+                     {.observer = [&](const GridProgress& progress) { ants.observe(progress); }});
   const Grid& grid = planner.grid();
   const auto walk = [&](const std::vector<Cell>& cells, std::size_t colour, std::string caption) {
     const auto draw = [&, colour](tool::Canvas& canvas, const tool::Box& box) {

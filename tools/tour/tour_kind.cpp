@@ -114,20 +114,20 @@ void choose_ants(TourCommand& command) {
 }
 
 void add_course(Json& json, const Record& record) {
-  if (record.algorithm.kind == Algorithm::Kind::colony) json::add_convergence(json, record.result);
+  if (record.algorithm.kind == Algorithm::Kind::colony)
+    json::add_convergence(json, record.result.curves);
 }
 
 TourObserver told_to(const Problem::Watch& watch, double scale, const std::string& unit) {
   if (!watch) return {};
   return [=, told = std::int64_t{0}](std::span<const int>, double length) mutable {
     watch(++told, best_text(scale * length, unit));
-    return true;
   };
 }
 
 SearchResult search_result(const TourResult& tour) {
   SearchResult result;
-  static_cast<lasius::Convergence&>(result) = tour.run;
+  result.curves = tour.curves;
   result.status = tour.status;
   if (tour.status == Status::limit) result.limit = Limit::time;
   result.error = tour.error;

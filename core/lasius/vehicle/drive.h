@@ -32,7 +32,6 @@ struct DriveResult : lasius::DriveResult {
 LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, const Vehicle& vehicle,
                                 const Pose& start, std::vector<Pose> goals,
                                 const Changes& changes = {}, const DriveOptions& options = {},
-                                const NavigatorOptions& navigator = {},
-                                const StopCondition& stop = {}, const DriveObserver& observer = {});
+                                const NavigatorOptions& navigator = {});
 
 }  // namespace lasius::vehicle

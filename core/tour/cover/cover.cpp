@@ -132,7 +132,7 @@ void join_swaths(const Planner& planner, const CoverRequest& request, double bet
                              .stop = ordering};
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
-      return observer(order, cells(cost));
+      return observer(order, cells(cost)) == Go::on;
     };
   const tour::OrderFound order = find_order(costs, ends, result.stops, options);
   found.order = whole_swaths(order.order, pricer, request.open);

@@ -231,7 +231,8 @@ class TourSearch {
       std::vector<int> told;
       for (const auto& order : best_)
         for (const int a : order) told.push_back(stops_.indices[legs_.at(a).place]);
-      if (!observer_(told, static_cast<double>(best_cost_) / legs_.scale())) return false;
+      const double length = static_cast<double>(best_cost_) / legs_.scale();
+      if (observer_(told, length) == Go::stop) return false;
     }
     return request_.target_gap <= 0 || length() > bound() * (1 + request_.target_gap);
   }

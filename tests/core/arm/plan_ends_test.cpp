@@ -34,7 +34,7 @@ TEST(ArmPlan, SaysOfALatticeWithoutAWayThatItIsTheLattice) {
   EXPECT_EQ(r.status, Status::no_path);
   expect_says(r.error, "pitch 0.05 m");
   expect_says(r.error, "try a smaller pitch, or the algorithm postures");
-  EXPECT_LT(r.iterations, 100);
+  EXPECT_LT(r.curves.iterations, 100);
   EXPECT_EQ(r.joints.cols(), 0);
   EXPECT_TRUE(std::isnan(r.length));
   EXPECT_EQ(shortest_lattice_way(robot, wall, request, parameters).status, Status::no_path);
@@ -151,7 +151,7 @@ TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
   p.initial_pheromone = 1e-12;
   p.persistence = 0;
   p.alpha = 8;
-  EXPECT_EQ(plan(robot, Nothing(), across(robot), p).iterations, p.iterations);
+  EXPECT_EQ(plan(robot, Nothing(), across(robot), p).curves.iterations, p.iterations);
 }
 
 TEST(ArmPlan, StopsEarlyWhenAsked) {
@@ -159,13 +159,13 @@ TEST(ArmPlan, StopsEarlyWhenAsked) {
   const SceneSensor sensor(c.robot, c.scene);
   c.parameters.patience = 5;
   const Result patient = plan(c.robot, sensor, c.request, c.parameters);
-  EXPECT_LT(patient.iterations, 100);
+  EXPECT_LT(patient.curves.iterations, 100);
   EXPECT_EQ(patient.status, Status::solved);
 
   c.parameters.patience = 0;
   c.request.target_gap = 0.5;
   const Result close = plan(c.robot, sensor, c.request, c.parameters);
-  EXPECT_LT(close.iterations, 100);
+  EXPECT_LT(close.curves.iterations, 100);
   EXPECT_LE(close.gap().value(), 0.5);
 }
 
@@ -179,14 +179,14 @@ TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
     if (view.iteration == 3) source.request_stop();
   });
   EXPECT_EQ(r.status, Status::interrupted);
-  EXPECT_EQ(r.iterations, 4);
+  EXPECT_EQ(r.curves.iterations, 4);
   EXPECT_GT(r.joints.cols(), 0);
 
   c.request.stop = {.deadline = Clock::now()};
   const Result late = plan(c.robot, sensor, c.request, c.parameters);
   EXPECT_EQ(late.status, Status::limit);
   EXPECT_EQ(late.limit, Limit::time);
-  EXPECT_EQ(late.iterations, 0);
+  EXPECT_EQ(late.curves.iterations, 0);
 }
 
 // What the observer ended is not gone on with: the motion rests at each waypoint.
@@ -198,10 +198,10 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
   const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
     best = view.joints();
     EXPECT_EQ(best.cols() == 0, std::isnan(view.best_length));
-    if (view.iteration == 3) view.stop();
+    return view.iteration == 3 ? Go::stop : Go::on;
   });
   EXPECT_EQ(r.status, Status::interrupted);
-  EXPECT_EQ(r.iterations, 4);
+  EXPECT_EQ(r.curves.iterations, 4);
   ASSERT_GT(r.joints.cols(), 0);
   EXPECT_EQ(best, r.joints);
   EXPECT_FALSE(r.trajectory.empty());
@@ -219,9 +219,9 @@ TEST(ArmPlan, AnObserverComesTooLateOnceTheSearchHasEnded) {
     ASSERT_EQ(whole.status, Status::solved);
     for (const int before : {1, 0}) {
       const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
-        if (view.iteration + 1 == whole.iterations - before) view.stop();
+        return view.iteration + 1 == whole.curves.iterations - before ? Go::stop : Go::on;
       });
-      EXPECT_EQ(r.iterations, whole.iterations - before);
+      EXPECT_EQ(r.curves.iterations, whole.curves.iterations - before);
       EXPECT_EQ(r.status, before > 0 ? Status::interrupted : Status::solved) << patience;
       if (before == 0) {
         EXPECT_EQ(r.joints, whole.joints);
@@ -239,7 +239,7 @@ TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   request.stop = time.is_up();
   const Result r = plan(robot, Nothing(), request, p);
   EXPECT_EQ(r.status, Status::limit);
-  EXPECT_EQ(r.iterations, 0);
+  EXPECT_EQ(r.curves.iterations, 0);
 }
 
 Result plan_quietly(const Robot& robot, const Sensor& sensor, const Request& request,

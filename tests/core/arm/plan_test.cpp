@@ -124,8 +124,8 @@ TEST(ArmPlan, ThreadsChangeNothing) {
     for (const Result& r : results) {
       EXPECT_EQ(r.status, results[0].status);
       EXPECT_EQ(r.joints, results[0].joints);
-      EXPECT_EQ(r.best, results[0].best);
-      EXPECT_EQ(r.mean, results[0].mean);
+      EXPECT_EQ(r.curves.best, results[0].curves.best);
+      EXPECT_EQ(r.curves.mean, results[0].curves.mean);
       EXPECT_EQ(r.questions, results[0].questions);
       EXPECT_EQ(r.steps, results[0].steps);
       EXPECT_EQ(r.lower_bound, results[0].lower_bound);
@@ -243,7 +243,7 @@ TEST(ArmPlan, TheStraightLineAsSeedLeadsTheFirstAnts) {
   const Result plain = plan(c.robot, sensor, c.request, c.parameters);
   c.parameters.line_ants = 1e5;
   const Result seeded = plan(c.robot, sensor, c.request, c.parameters);
-  EXPECT_LT(seeded.mean[0], 0.5 * plain.mean[0]);
+  EXPECT_LT(seeded.curves.mean[0], 0.5 * plain.curves.mean[0]);
 }
 
 TEST(ArmPlan, ATargetGapIsNotNegative) {
@@ -263,8 +263,8 @@ TEST(ArmPlan, KilledAntsLeaveNoTour) {
   const Result killed = plan(c.robot, sensor, c.request, c.parameters);
   c.parameters.dead_end = DeadEnd::backtrack;
   const Result back = plan(c.robot, sensor, c.request, c.parameters);
-  EXPECT_EQ(back.arrived[0], c.parameters.ants);
-  EXPECT_LT(killed.arrived[0], c.parameters.ants);
+  EXPECT_EQ(back.curves.arrived[0], c.parameters.ants);
+  EXPECT_LT(killed.curves.arrived[0], c.parameters.ants);
 }
 
 }  // namespace

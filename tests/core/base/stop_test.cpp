@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stop_token>
 
@@ -65,6 +66,23 @@ TEST(StopCondition, TheTokenCountsBeforeTheClock) {
   source.request_stop();
   EXPECT_EQ(stop.poll(), StopCondition::Cause::token);
   EXPECT_EQ(time.polls(), 1);
+}
+
+TEST(Callback, OfWhatAnswersOrReturnsNothing) {
+  using Watch = Callback<int&, double>;
+  EXPECT_FALSE(Watch());
+  EXPECT_FALSE(Watch(std::function<void(int&, double)>()));
+  int seen = 0;
+  const Watch silent = [](int& sum, double more) { sum += static_cast<int>(more); };
+  EXPECT_EQ(silent(seen, 2), Go::on);
+  EXPECT_EQ(seen, 2);
+  Watch counting = [calls = 0](int&, double) mutable { return ++calls < 2 ? Go::on : Go::stop; };
+  const Watch copy = counting;
+  EXPECT_EQ(counting(seen, 0), Go::on);
+  EXPECT_EQ(counting(seen, 0), Go::stop);
+  EXPECT_EQ(copy(seen, 0), Go::on) << "its own count";
+  counting = {};
+  EXPECT_FALSE(counting);
 }
 
 }  // namespace

@@ -101,7 +101,8 @@ inline std::vector<Result> plan_on_ranks(int count, const Params& params,
       const Ranks rank = meeting.rank(r);
       far.request.ranks = &rank;
       if (as) as(r, far.request);
-      EXPECT_NO_THROW(results[static_cast<std::size_t>(r)] = far.plan(params, nullptr, observer));
+      EXPECT_NO_THROW(results[static_cast<std::size_t>(r)] =
+                          far.plan(params, {.observer = observer}));
     });
   threads.clear();
   return results;

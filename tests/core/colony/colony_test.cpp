@@ -22,10 +22,10 @@ std::vector<double> corridor(Params params, int iterations) {
   params.iterations = iterations;
   std::vector<double> tau;
   Planner(Grid(5, 1))
-      .plan({.start = {0, 0}, .goal = {4, 0}}, params, nullptr, [&](const GridProgress& seen) {
-        tau.push_back(seen.pheromone({1, 0}));
-        EXPECT_EQ(seen.pheromone({2, 0}), tau.back());
-      });
+      .plan({.start = {0, 0}, .goal = {4, 0}}, params, {.observer = [&](const GridProgress& seen) {
+              tau.push_back(seen.pheromone({1, 0}));
+              EXPECT_EQ(seen.pheromone({2, 0}), tau.back());
+            }});
   return tau;
 }
 
@@ -48,8 +48,9 @@ TEST(Colony, LaterBatchesWalkByWhatEarlierOnesLeft) {
   const Result one_by_one = far.plan(params);
   params.batch = 0;
   const Result at_once = far.plan(params);
-  EXPECT_EQ(one_by_one.mean.front(), at_once.mean.front()) << "all tau0, whoever walked";
-  EXPECT_NE(one_by_one.mean, at_once.mean);
+  EXPECT_EQ(one_by_one.curves.mean.front(), at_once.curves.mean.front())
+      << "all tau0, whoever walked";
+  EXPECT_NE(one_by_one.curves.mean, at_once.curves.mean);
 }
 
 TEST(Colony, LaysStraightenedPathsAsAsked) {
@@ -71,11 +72,11 @@ TEST(Colony, LaysStraightenedPathsAsAsked) {
 
 /// The best so far is the least of what the iterations offered.
 void expect_best_of_iterations(const Result& found) {
-  ASSERT_EQ(found.iteration_best.size(), found.best.size());
+  ASSERT_EQ(found.curves.iteration_best.size(), found.curves.best.size());
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < found.best.size(); ++i) {
-    least = std::fmin(least, found.iteration_best[i]);
-    EXPECT_NEAR(found.best[i], least, 1e-9 * least) << i;
+  for (std::size_t i = 0; i < found.curves.best.size(); ++i) {
+    least = std::fmin(least, found.curves.iteration_best[i]);
+    EXPECT_NEAR(found.curves.best[i], least, 1e-9 * least) << i;
   }
 }
 
@@ -91,10 +92,11 @@ TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
     EXPECT_LE(seen.best_length, seen.pheromone(far.request.start) * (1 + 1e-6));
     joined += seen.best_length < 0.99 * shortest_tour ? 1 : 0;
   };
-  const Result found = far.plan(quick("terminal-index"), nullptr, look);
+  const Result found = far.plan(quick("terminal-index"), {.observer = look});
   EXPECT_GT(joined, 5);
   expect_best_of_iterations(found);
-  EXPECT_LT(found.iteration_best.front(), found.raw_best.front());  // an answer, no ant's tour
+  EXPECT_LT(found.curves.iteration_best.front(),
+            found.curves.raw_best.front());  // an answer, no ant's tour
 }
 
 TEST(Colony, RecordsWhatEachIterationOffered) {
@@ -105,10 +107,10 @@ TEST(Colony, RecordsWhatEachIterationOffered) {
     const Result found = far.plan(params);
     expect_best_of_iterations(found);
     if (polish == Polish::none) {
-      EXPECT_EQ(found.iteration_best, found.cut_best);
-      EXPECT_FALSE(std::ranges::is_sorted(found.iteration_best, std::greater()));
+      EXPECT_EQ(found.curves.iteration_best, found.curves.cut_best);
+      EXPECT_FALSE(std::ranges::is_sorted(found.curves.iteration_best, std::greater()));
     } else {
-      EXPECT_LT(found.iteration_best.back(), found.cut_best.back());
+      EXPECT_LT(found.curves.iteration_best.back(), found.curves.cut_best.back());
     }
   }
 }
@@ -123,18 +125,18 @@ TEST(Colony, TheBandIsCountedAlongTheRawTour) {
   const Request request{.start = {0, 0}, .goal = {20, 0}};
   std::vector<double> shares;
   const Result result =
-      Planner(grid).plan(request, params, nullptr, [&](const GridProgress& progress) {
-        double near = 0, all = 0;
-        for (int ant = 0; ant < progress.ants(); ++ant) {
-          for (const Cell c : progress.tour(ant)) {
-            near += c.y <= 2;
-            ++all;
-          }
-        }
-        shares.push_back(near / all);
-        EXPECT_EQ(progress.curves->band.back(), shares.back());
-      });
-  EXPECT_EQ(result.band, shares);
+      Planner(grid).plan(request, params, {.observer = [&](const GridProgress& progress) {
+                           double near = 0, all = 0;
+                           for (int ant = 0; ant < progress.ants(); ++ant) {
+                             for (const Cell c : progress.tour(ant)) {
+                               near += c.y <= 2;
+                               ++all;
+                             }
+                           }
+                           shares.push_back(near / all);
+                           EXPECT_EQ(progress.curves->band.back(), shares.back());
+                         }});
+  EXPECT_EQ(result.curves.band, shares);
   EXPECT_LT(shares.front(), 1);
   EXPECT_GT(shares.front(), 0);
 }

@@ -52,13 +52,13 @@ TEST_P(CutIteration, LeavesNeitherTrailNorRecord) {
     const auto run = [&](SurvivingColony& colony, int iterations, const StopCondition& stop,
                          Trails& into) {
       Result result = colony.run(request.start, iterations, stop, into.observer(planner.grid()));
-      into.add(result);
+      into.add(result.curves);
       return result;
     };
     Trails uncut;
     const CountingTime never(INT_MAX);
     SurvivingColony whole(planner.grid(), request.goal, params);
-    ASSERT_EQ(run(whole, kIterations, never.is_up(), uncut).iterations, kIterations);
+    ASSERT_EQ(run(whole, kIterations, never.is_up(), uncut).curves.iterations, kIterations);
     const int polls = never.polls();
     for (int i = 0; i < std::min(kCuts, polls); ++i) {
       const CountingTime time(static_cast<int>(std::int64_t{polls} * i / std::min(kCuts, polls)));
@@ -68,8 +68,8 @@ TEST_P(CutIteration, LeavesNeitherTrailNorRecord) {
       const Result cut = run(colony, kIterations, time.is_up(), trails);
       if (cut.status != Status::limit) continue;
       ++cut_runs;
-      EXPECT_LT(cut.iterations, kIterations);
-      const Result rest = run(colony, kIterations - cut.iterations, {}, trails);
+      EXPECT_LT(cut.curves.iterations, kIterations);
+      const Result rest = run(colony, kIterations - cut.curves.iterations, {}, trails);
       EXPECT_EQ(trails.pheromone, uncut.pheromone) << i;
       EXPECT_EQ(trails.curves.best, uncut.curves.best) << i;
       EXPECT_EQ(trails.curves.iteration_best, uncut.curves.iteration_best) << i;
@@ -95,13 +95,14 @@ TEST_P(CutIteration, AnObserverComesTooLateOnceTheSearchHasEnded) {
     params.agreement = settles ? 3 : 0;
     const Result whole = planner.plan(request, params);
     ASSERT_EQ(whole.status, Status::solved);
-    ASSERT_EQ(whole.iterations, settles ? 3 : 5);
-    for (int at = 0; at < whole.iterations; ++at) {
-      const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& seen) {
-        if (seen.iteration == at) seen.stop();
-      });
-      EXPECT_EQ(result.iterations, at + 1);
-      const bool last = at + 1 == whole.iterations;
+    ASSERT_EQ(whole.curves.iterations, settles ? 3 : 5);
+    for (int at = 0; at < whole.curves.iterations; ++at) {
+      const Result result =
+          planner.plan(request, params, {.observer = [&](const GridProgress& seen) {
+                         return seen.iteration == at ? Go::stop : Go::on;
+                       }});
+      EXPECT_EQ(result.curves.iterations, at + 1);
+      const bool last = at + 1 == whole.curves.iterations;
       EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;
       if (last) {
         EXPECT_EQ(result.path, whole.path);

@@ -41,9 +41,10 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b) {
 /// The same, though sums are made in another order.
 void expect_alike(const Result& a, const Result& b) {
   Result same = a;
-  for (const auto curve : {&Result::mean, &Result::cut_mean, &Result::trail_entropy}) {
-    expect_near(a.*curve, b.*curve);
-    same.*curve = b.*curve;
+  for (const auto curve :
+       {&Convergence::mean, &Convergence::cut_mean, &Convergence::trail_entropy}) {
+    expect_near(a.curves.*curve, b.curves.*curve);
+    same.curves.*curve = b.curves.*curve;
   }
   expect_same(same, b);
 }
@@ -76,7 +77,7 @@ TEST_P(Asynchronous, AThreadAloneTellsAllTheBestThatThereIs) {
     for (GridColony& one : colonies)
       if (best != nullptr && !(length(one) <= length(*best))) one.welcome(best->best_tour());
   });
-  EXPECT_EQ(far.plan(params).steps, steps);
+  EXPECT_EQ(far.plan(params).curves.steps, steps);
 }
 
 TEST_P(Asynchronous, ThreadsAndRanksFindAWholeAnswer) {
@@ -88,9 +89,9 @@ TEST_P(Asynchronous, ThreadsAndRanksFindAWholeAnswer) {
     for (const Result& one : plan_on_ranks(ranks, params)) {
       EXPECT_EQ(one.status, Status::solved);
       EXPECT_FALSE(path_fault(far.planner.grid(), one.path, params.corners));
-      EXPECT_NEAR(one.best.back(), one.length, 1e-9 * one.length);
-      EXPECT_TRUE(std::ranges::is_sorted(one.best, std::ranges::greater{}));
-      EXPECT_EQ(one.iterations, params.iterations);
+      EXPECT_NEAR(one.curves.best.back(), one.length, 1e-9 * one.length);
+      EXPECT_TRUE(std::ranges::is_sorted(one.curves.best, std::ranges::greater{}));
+      EXPECT_EQ(one.curves.iterations, params.iterations);
     }
   }
 }
@@ -136,8 +137,9 @@ TEST_P(Asynchronous, ATourOfAnotherRankIsLearnedByOnceItHasCome) {
   const Result none = second.plan(params);
   third.heard = {first.passed.back()};  // a good one
   const Result told = third.plan(params);
-  EXPECT_TRUE(std::equal(none.steps.begin(), none.steps.begin() + 3, told.steps.begin()));
-  EXPECT_NE(none.steps, told.steps);
+  EXPECT_TRUE(std::equal(none.curves.steps.begin(), none.curves.steps.begin() + 3,
+                         told.curves.steps.begin()));
+  EXPECT_NE(none.curves.steps, told.curves.steps);
   EXPECT_TRUE(std::ranges::find(third.passed, first.passed.back()) == third.passed.end());
 }
 
@@ -154,9 +156,8 @@ TEST(Asynchronous, WhatOneIsToldEndsAllOfThem) {
   }
   std::atomic<int> seen = 0;
   params.threads = 2;
-  for (const Result& one : plan_on_ranks(2, params, {}, [&](const GridProgress& now) {
-         if (++seen == 5) now.stop();
-       }))
+  for (const Result& one : plan_on_ranks(
+           2, params, {}, [&](const GridProgress&) { return ++seen == 5 ? Go::stop : Go::on; }))
     EXPECT_EQ(one.status, Status::interrupted);
 }
 
@@ -165,10 +166,10 @@ TEST(Asynchronous, AnObserverIsCalledByTheThreadThatPlans) {
   Params params = apart("mmas", 5);
   params.threads = 3;
   int seen = 0;
-  far.plan(params, nullptr, [&, here = std::this_thread::get_id()](const GridProgress& now) {
-    EXPECT_EQ(std::this_thread::get_id(), here);
-    EXPECT_EQ(now.iteration, seen++);
-  });
+  far.plan(params, {.observer = [&, here = std::this_thread::get_id()](const GridProgress& now) {
+             EXPECT_EQ(std::this_thread::get_id(), here);
+             EXPECT_EQ(now.iteration, seen++);
+           }});
   EXPECT_LE(seen, params.iterations);
 }
 

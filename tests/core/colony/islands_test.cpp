@@ -32,12 +32,12 @@ TEST_P(Archipelago, ThreadsAndWhatAWorkspaceHasSeenChangeNothing) {
   params.exchange_every = 2;
   const Result once = far.plan(params);
   EXPECT_EQ(once.status, Status::solved);
-  EXPECT_TRUE(std::ranges::is_sorted(once.best, std::ranges::greater{}));
+  EXPECT_TRUE(std::ranges::is_sorted(once.curves.best, std::ranges::greater{}));
   Workspace workspace;
   for (const int threads : {1, 2, 5}) {
     params.threads = threads;
-    expect_same(far.plan(params, &workspace), once);
-    (void)far.plan(split(GetParam(), threads + 1), &workspace);
+    expect_same(far.plan(params, {.workspace = &workspace}), once);
+    (void)far.plan(split(GetParam(), threads + 1), {.workspace = &workspace});
   }
 }
 
@@ -66,11 +66,10 @@ TEST(Islands, ARankThatIsToldToStopEndsAllOfThem) {
   }
   // An observer, of a rank that has islands, is heard in the next iteration.
   std::atomic<int> seen = 0;
-  for (const Result& one : plan_on_ranks(2, params, {}, [&](const GridProgress& now) {
-         if (++seen == 5) now.stop();
-       })) {
+  for (const Result& one : plan_on_ranks(
+           2, params, {}, [&](const GridProgress&) { return ++seen == 5 ? Go::stop : Go::on; })) {
     EXPECT_EQ(one.status, Status::interrupted);
-    EXPECT_LE(one.iterations, 5);
+    EXPECT_LE(one.curves.iterations, 5);
     EXPECT_FALSE(one.path.empty());
   }
 }
@@ -154,8 +153,9 @@ TEST_P(Archipelago, ATourIsLearnedByInTheIterationThatIsDue) {
   };
   const Result apart = until(1000), joined = until(2);
   // Ants of iteration 2 have walked when the trail learns.
-  EXPECT_TRUE(std::equal(apart.steps.begin(), apart.steps.begin() + 3, joined.steps.begin()));
-  EXPECT_NE(apart.steps, joined.steps);
+  EXPECT_TRUE(std::equal(apart.curves.steps.begin(), apart.curves.steps.begin() + 3,
+                         joined.curves.steps.begin()));
+  EXPECT_NE(apart.curves.steps, joined.curves.steps);
 }
 
 TEST_P(Archipelago, EachLearnsByTheOneBeforeIt) {
@@ -169,7 +169,7 @@ TEST_P(Archipelago, EachLearnsByTheOneBeforeIt) {
       before = &colony;
     }
   });
-  EXPECT_EQ(far.plan(params).steps, steps);
+  EXPECT_EQ(far.plan(params).curves.steps, steps);
 }
 
 TEST(Islands, TheEntropyIsOfThoseWhereAnAntHasArrived) {
@@ -180,9 +180,9 @@ TEST(Islands, TheEntropyIsOfThoseWhereAnAntHasArrived) {
   for (params.seed = 1; params.seed <= 40; ++params.seed) {
     const Result found = planner.plan(far_apart(planner), params);
     int arrived = 0;
-    for (std::size_t q = 0; q < found.arrived.size(); ++q) {
-      arrived += found.arrived[q];
-      EXPECT_EQ(std::isnan(found.trail_entropy[q]), arrived == 0) << params.seed << " " << q;
+    for (std::size_t q = 0; q < found.curves.arrived.size(); ++q) {
+      arrived += found.curves.arrived[q];
+      EXPECT_EQ(std::isnan(found.curves.trail_entropy[q]), arrived == 0) << params.seed << " " << q;
       one_alone = one_alone || arrived == 1;
     }
   }
@@ -195,11 +195,11 @@ TEST(Islands, AnAntHasTheNumbersThatItHasInOneColony) {
   for (const int islands : {2, 3, 7}) {
     const Result parts = far.plan(split("fan2004", islands));
     // The trail is blank for all.
-    EXPECT_EQ(parts.steps[0], whole.steps[0]) << islands;
-    EXPECT_EQ(parts.raw_best[0], whole.raw_best[0]) << islands;
-    EXPECT_EQ(parts.arrived[0], whole.arrived[0]) << islands;
-    EXPECT_EQ(parts.iteration_best[0], whole.iteration_best[0]) << islands;
-    EXPECT_NE(parts.steps, whole.steps) << islands;
+    EXPECT_EQ(parts.curves.steps[0], whole.curves.steps[0]) << islands;
+    EXPECT_EQ(parts.curves.raw_best[0], whole.curves.raw_best[0]) << islands;
+    EXPECT_EQ(parts.curves.arrived[0], whole.curves.arrived[0]) << islands;
+    EXPECT_EQ(parts.curves.iteration_best[0], whole.curves.iteration_best[0]) << islands;
+    EXPECT_NE(parts.curves.steps, whole.curves.steps) << islands;
   }
 }
 
@@ -208,14 +208,15 @@ TEST(Islands, AnObserverSeesTheLeaderAndEndsAllOfThem) {
   const Params params = split("mmas", 4);
   const Result whole = far.plan(params);
   int seen = 0;
-  const Result cut = far.plan(params, nullptr, [&](const GridProgress& now) {
-    EXPECT_EQ(now.best_length, whole.best[static_cast<std::size_t>(now.iteration)]);
-    EXPECT_GE(now.ants(), 1);
-    if (++seen == 3) now.stop();
-  });
+  const Result cut = far.plan(
+      params, {.observer = [&](const GridProgress& now) {
+        EXPECT_EQ(now.best_length, whole.curves.best[static_cast<std::size_t>(now.iteration)]);
+        EXPECT_GE(now.ants(), 1);
+        return ++seen == 3 ? Go::stop : Go::on;
+      }});
   EXPECT_EQ(cut.status, Status::interrupted);
-  EXPECT_EQ(cut.iterations, 3);
-  EXPECT_EQ(cut.length, whole.best[2]);
+  EXPECT_EQ(cut.curves.iterations, 3);
+  EXPECT_EQ(cut.length, whole.curves.best[2]);
 }
 
 TEST(Islands, WhatACutIterationFoundIsOffered) {
@@ -225,7 +226,7 @@ TEST(Islands, WhatACutIterationFoundIsOffered) {
   params.iterations = 1;
   const CountingTime never(INT_MAX);
   request.stop = never.is_up();
-  ASSERT_EQ(planner.plan(request, params).iterations, 1);
+  ASSERT_EQ(planner.plan(request, params).curves.iterations, 1);
 
   // Of the second island alone, which walks after the first.
   const CountingTime of_second(INT_MAX);
@@ -247,7 +248,7 @@ TEST(Islands, WhatACutIterationFoundIsOffered) {
     const CountingTime time(polls);
     request.stop = time.is_up();
     const Result found = planner.plan(request, params);
-    cut += found.iterations == 0 && !found.path.empty();
+    cut += found.curves.iterations == 0 && !found.path.empty();
   }
   EXPECT_GT(cut, of_second.polls() - before + 2);
 }
@@ -262,7 +263,7 @@ TEST(Islands, MoreThanThereAreAntsAreRefused) {
 TEST(Islands, OwnRulesAndMapsThatChangeHaveOneColony) {
   FarApart far;
   const OwnRules own{.schedule = [](int) { return StepWeights{}; }};
-  EXPECT_THROW(far.plan(split("as", 2), own), Error);
+  EXPECT_THROW(far.plan(split("as", 2), {.own_rules = own}), Error);
   NavigatorOptions options;
   options.params = split("as", 2);
   EXPECT_THROW(Navigator(far.planner.grid(), far.request.goal, options), Error);

@@ -16,7 +16,7 @@ namespace {
 /// What a plan is refused with, and a batch.
 std::string refusal_of(const Planner& planner, const Params& params, const OwnRules& own) {
   const std::vector<Request> requests{{.start = {0, 0}, .goal = {4, 3}}};
-  const auto plan = refusal([&] { (void)planner.plan(requests[0], params, own); });
+  const auto plan = refusal([&] { (void)planner.plan(requests[0], params, {.own_rules = own}); });
   const auto batch = refusal([&] { (void)plan_batch(planner, requests, params, {}, own); });
   EXPECT_EQ(plan, batch);
   return plan;

@@ -34,7 +34,7 @@ TEST_P(Rebuilt, APublishedUpdateGivesTheSamePlanFor20Seeds) {
   params.dead_end = DeadEnd::backtrack;
   int solved = 0;
   for (params.seed = 1; params.seed <= 20; ++params.seed) {
-    const Result own = planner.plan(request, params, rebuilt(params));
+    const Result own = planner.plan(request, params, {.own_rules = rebuilt(params)});
     expect_same(own, planner.plan(request, params));
     EXPECT_TRUE(own.own_rules);
     solved += own.status == Status::solved;
@@ -62,9 +62,9 @@ TEST(OwnRules, ALearnedHeuristicAndDeadEndsGiveTheSamePlan) {
   params.ants = 5;
   int lost = 0;
   for (params.seed = 1; params.seed <= 20; ++params.seed) {
-    const Result own = planner.plan(request, params, rebuilt(params));
+    const Result own = planner.plan(request, params, {.own_rules = rebuilt(params)});
     expect_same(own, planner.plan(request, params));
-    for (const int arrived : own.arrived) lost += 5 - arrived;
+    for (const int arrived : own.curves.arrived) lost += 5 - arrived;
   }
   EXPECT_GT(lost, 100);
 }
@@ -75,10 +75,10 @@ TEST(OwnRules, ThreadsChangeNothing) {
     Params params = quick(name);
     OwnRules own = rebuilt(params);
     own.schedule = [&](int q) { return schedule(params, q); };
-    const Result one = far.plan(params, own);
+    const Result one = far.plan(params, {.own_rules = own});
     for (const int threads : {2, 5}) {
       params.threads = threads;
-      expect_same(far.plan(params, own), one);
+      expect_same(far.plan(params, {.own_rules = own}), one);
     }
   }
 }
@@ -91,7 +91,7 @@ TEST(OwnRules, PolishedPathsAreTheSame) {
       params.polish = polish;
       params.threads = threads;
       params.straight_deposit = StraightDeposit::improving;
-      expect_same(far.plan(params, rebuilt(params)), far.plan(params));
+      expect_same(far.plan(params, {.own_rules = rebuilt(params)}), far.plan(params));
     }
   }
 }
@@ -105,7 +105,7 @@ TEST(OwnRules, TheBuiltInScheduleAsAnOwnOneChangesNothing) {
       EXPECT_EQ(q, called++);
       return schedule(params, q);
     }};
-    expect_same(far.plan(params, own), far.plan(params));
+    expect_same(far.plan(params, {.own_rules = own}), far.plan(params));
     EXPECT_GE(called, 1) << name;
   }
 }
@@ -123,8 +123,8 @@ TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
   params.alpha = params.beta = 1;
   const OwnRules own{
       .schedule = [](int) { return StepWeights{.alpha = 2, .beta = 3, .greedy = 0.7}; }};
-  expect_same(far.plan(params, own), expected);
-  EXPECT_NE(far.plan(params).steps, expected.steps);
+  expect_same(far.plan(params, {.own_rules = own}), expected);
+  EXPECT_NE(far.plan(params).curves.steps, expected.curves.steps);
 }
 
 // Of what waits for another setting, own rules may read what they take the place of, no more.
@@ -171,9 +171,9 @@ TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
     }
     const Result expected = far.plan(params);
     params.heuristic = Heuristic::uniform;
-    expect_same(far.plan(params, OwnRules{.heuristic = by_cell}), expected);
-    expect_same(far.plan(params, OwnRules{.heuristic = by_arc}), expected);
-    EXPECT_NE(far.plan(params).steps, expected.steps);
+    expect_same(far.plan(params, {.own_rules = {.heuristic = by_cell}}), expected);
+    expect_same(far.plan(params, {.own_rules = {.heuristic = by_arc}}), expected);
+    EXPECT_NE(far.plan(params).curves.steps, expected.curves.steps);
   }
 }
 
@@ -181,8 +181,8 @@ TEST(OwnRules, AValueOf0LeavesAMoveAChance) {
   const Planner planner(Grid(12, 3));
   const std::vector<double> nothing(12 * 3, 0);
   Params params = quick("ras");
-  const Result result =
-      planner.plan({.start = {0, 1}, .goal = {11, 1}}, params, {.heuristic = nothing});
+  const Result result = planner.plan({.start = {0, 1}, .goal = {11, 1}}, params,
+                                     {.own_rules = {.heuristic = nothing}});
   EXPECT_EQ(result.status, Status::solved);
 }
 
@@ -205,7 +205,8 @@ TEST(OwnRules, FunctionsAreCalledInTurnOnTheCallersThread) {
                            return StepWeights{};
                          }};
   params.iterations = 3;
-  (void)far.plan(params, own, nullptr, [&](const GridProgress&) { calls += "o"; });
+  (void)far.plan(params,
+                 {.observer = [&](const GridProgress&) { calls += "o"; }, .own_rules = own});
   EXPECT_EQ(calls, "s0u0os1u1os2u2o");
 }
 
@@ -216,11 +217,12 @@ TEST(OwnRules, AnUpdateStopsTheSearch) {
     params.threads = threads;
     int seen = 0;
     const OwnRules own{.update = [](Pheromone&, const IterationTours& tours) {
-      if (tours.iteration == 3) tours.stop();
+      return tours.iteration == 3 ? Go::stop : Go::on;
     }};
-    const Result result = far.plan(params, own, nullptr, [&](const GridProgress&) { ++seen; });
+    const Result result =
+        far.plan(params, {.observer = [&](const GridProgress&) { ++seen; }, .own_rules = own});
     EXPECT_EQ(result.status, Status::interrupted);
-    EXPECT_EQ(result.iterations, 4);
+    EXPECT_EQ(result.curves.iterations, 4);
     EXPECT_EQ(seen, 4);
     EXPECT_FALSE(result.path.empty());
   }
@@ -240,9 +242,9 @@ TEST(OwnRules, AnUpdateIsFinishedAndRecordedThoughATokenAsksToStop) {
     trail.add(many, 1);
     trail.get(std::span(many).first(1), {&after, 1});
   }};
-  const Result result = far.plan(params, own);
+  const Result result = far.plan(params, {.own_rules = own});
   EXPECT_EQ(result.status, Status::interrupted);
-  EXPECT_EQ(result.iterations, 3);
+  EXPECT_EQ(result.curves.iterations, 3);
   EXPECT_NEAR(after, before + 10000, 50);  // sums of floats
 }
 
@@ -256,10 +258,10 @@ TEST(OwnRules, WhatAFunctionThrowsIsThrownOn) {
     const OwnRules updating{.update = [](Pheromone&, const IterationTours& tours) {
       if (tours.iteration == 2) throw Mine{};
     }};
-    EXPECT_THROW(far.plan(params, updating, &workspace), Mine);
+    EXPECT_THROW(far.plan(params, {.workspace = &workspace, .own_rules = updating}), Mine);
     const OwnRules scheduling{.schedule = [](int) -> StepWeights { throw Mine{}; }};
-    EXPECT_THROW(far.plan(params, scheduling, &workspace), Mine);
-    expect_same(far.plan(params, &workspace), far.plan(params));
+    EXPECT_THROW(far.plan(params, {.workspace = &workspace, .own_rules = scheduling}), Mine);
+    expect_same(far.plan(params, {.workspace = &workspace}), far.plan(params));
   }
 }
 
@@ -271,10 +273,11 @@ TEST(OwnRules, AnObserverSeesTheTrail) {
     trail.set(place, std::vector{4.5});
   }};
   int seen = 0;
-  (void)far.plan(quick("ras"), own, nullptr, [&](const GridProgress& progress) {
+  const auto look = [&](const GridProgress& progress) {
     EXPECT_FLOAT_EQ(static_cast<float>(progress.pheromone(c)), 4.5F);
     ++seen;
-  });
+  };
+  (void)far.plan(quick("ras"), {.observer = look, .own_rules = own});
   EXPECT_GT(seen, 0);
 }
 
@@ -289,7 +292,7 @@ TEST(OwnRules, ABatchAnswersAsSinglePlansDo) {
   ASSERT_EQ(answers.size(), 12U);
   for (const BatchAnswer& answer : answers) {
     params.seed = answer.seed;
-    expect_same(answer.result, planner.plan(requests[0], params, own));
+    expect_same(answer.result, planner.plan(requests[0], params, {.own_rules = own}));
     EXPECT_TRUE(answer.result.own_rules);
   }
 }
@@ -297,10 +300,10 @@ TEST(OwnRules, ABatchAnswersAsSinglePlansDo) {
 TEST(OwnRules, AResultTellsOfThemOnlyWhereThereWereSome) {
   const FarApart far;
   EXPECT_FALSE(far.plan(quick("ras")).own_rules);
-  EXPECT_FALSE(far.plan(quick("ras"), OwnRules{}).own_rules);
-  EXPECT_FALSE(far.plan(Params("exact"), OwnRules{}).own_rules);
+  EXPECT_FALSE(far.plan(quick("ras"), {.own_rules = {}}).own_rules);
+  EXPECT_FALSE(far.plan(Params("exact"), {.own_rules = {}}).own_rules);
   const OwnRules own{.schedule = [](int) { return StepWeights{}; }};
-  EXPECT_TRUE(far.plan(quick("ras"), own).own_rules);
+  EXPECT_TRUE(far.plan(quick("ras"), {.own_rules = own}).own_rules);
 }
 
 TEST(OwnRules, ToursAreNumberedByCellAndByMove) {

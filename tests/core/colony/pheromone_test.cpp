@@ -29,7 +29,7 @@ void act(Trail trail, const std::function<void(Pheromone&)>& action, const char*
     ++acted;
     action(pheromone);
   }};
-  (void)Planner(Grid(40, 3)).plan({.start = {0, 1}, .goal = {30, 1}}, params, own);
+  (void)Planner(Grid(40, 3)).plan({.start = {0, 1}, .goal = {30, 1}}, params, {.own_rules = own});
   EXPECT_EQ(acted, 1);
 }
 

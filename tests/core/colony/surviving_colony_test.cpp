@@ -26,9 +26,9 @@ Params few_ants(std::string_view algorithm) {
 
 void expect_same_run(const Result& a, const Result& b) {
   EXPECT_EQ(a.path, b.path);
-  EXPECT_EQ(a.best, b.best);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.arrived, b.arrived);
+  EXPECT_EQ(a.curves.best, b.curves.best);
+  EXPECT_EQ(a.curves.steps, b.curves.steps);
+  EXPECT_EQ(a.curves.arrived, b.curves.arrived);
 }
 
 TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWholeOrInTwo) {
@@ -45,9 +45,12 @@ TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWholeOrInTwo) {
   Result first = colony.run(far.request.start, 7);
   const Result second = colony.run(far.request.start, params.iterations - 7);
   first.path = second.path;
-  first.best.insert(first.best.end(), second.best.begin(), second.best.end());
-  first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
-  first.arrived.insert(first.arrived.end(), second.arrived.begin(), second.arrived.end());
+  const auto append = [](auto& to, const auto& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  append(first.curves.best, second.curves.best);
+  append(first.curves.steps, second.curves.steps);
+  append(first.curves.arrived, second.curves.arrived);
   expect_same_run(first, once);
 }
 
@@ -240,9 +243,9 @@ TEST(SurvivingColony, AgreesAnewAfterAChange) {
   params.agreement = 3;
   const Grid corridor(20, 1);
   SurvivingColony colony(corridor, {19, 0}, params);
-  EXPECT_EQ(colony.run({0, 0}, 10).best.size(), 3U);
+  EXPECT_EQ(colony.run({0, 0}, 10).curves.best.size(), 3U);
   colony.changed({5, 0, 1, 1});
-  EXPECT_EQ(colony.run({0, 0}, 10).best.size(), 3U);
+  EXPECT_EQ(colony.run({0, 0}, 10).curves.best.size(), 3U);
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ TEST(TerminalIndex, AntsThatAreStuckDie) {
   Params params("terminal-index");
   params.iterations = 1;
   const Request through{.start = {0, 0}, .goal = {4, 0}};
-  const int arrived = pocket.plan(through, params).arrived.at(0);
+  const int arrived = pocket.plan(through, params).curves.arrived.at(0);
   EXPECT_GT(arrived, 0);
   EXPECT_LT(arrived, 30);
   params.dead_end = DeadEnd::backtrack;
-  EXPECT_EQ(pocket.plan(through, params).arrived.at(0), 30);
+  EXPECT_EQ(pocket.plan(through, params).curves.arrived.at(0), 30);
 }
 
 TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {

@@ -151,17 +151,17 @@ TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
     params.walk_cut = WalkCut::own_cells;
     const Result one = planner.plan({.start = start, .goal = goal}, params);
     ASSERT_FALSE(one.path.empty()) << name;
-    EXPECT_EQ(one.mean.front(), raw.mean.front()) << name;  // nothing is learned yet
-    EXPECT_LT(one.best.front(), raw.best.front()) << name;
-    EXPECT_EQ(one.raw_best.front(), raw.cut_best.front()) << name;
-    EXPECT_EQ(raw.cut_mean, raw.mean) << name;
-    EXPECT_EQ(one.steps.front(), raw.steps.front()) << name;
-    EXPECT_LE(one.best.front(), one.cut_best.front() * (1 + 1e-12)) << name;
-    EXPECT_GE(one.cut_mean.front(), one.cut_best.front()) << name;
+    EXPECT_EQ(one.curves.mean.front(), raw.curves.mean.front()) << name;  // nothing is learned yet
+    EXPECT_LT(one.curves.best.front(), raw.curves.best.front()) << name;
+    EXPECT_EQ(one.curves.raw_best.front(), raw.curves.cut_best.front()) << name;
+    EXPECT_EQ(raw.curves.cut_mean, raw.curves.mean) << name;
+    EXPECT_EQ(one.curves.steps.front(), raw.curves.steps.front()) << name;
+    EXPECT_LE(one.curves.best.front(), one.curves.cut_best.front() * (1 + 1e-12)) << name;
+    EXPECT_GE(one.curves.cut_mean.front(), one.curves.cut_best.front()) << name;
     params.walk_cut = WalkCut::entered_cells;
     const Result entered = planner.plan({.start = start, .goal = goal}, params);
     if (params.neighbours == Neighbours::eight) {  // with 4 the first ants stepped back in vain
-      EXPECT_LT(entered.cut_mean.front(), one.cut_mean.front()) << name;
+      EXPECT_LT(entered.curves.cut_mean.front(), one.curves.cut_mean.front()) << name;
     }
     params.walk_cut = WalkCut::own_cells;
     for (const int threads : {2, 5}) {

@@ -108,16 +108,15 @@ TEST(DiscDrives, KeepTheRadius) {
       NavigatorOptions options{.params = Params(i % 10 == 9 ? "acs" : "exact"), .radius = radius};
       options.params.threads = 1;
       if (i % 10 == 9) options.params.iterations = 3;
-      const auto result =
-          drive(known, truth, ends->start, goal, {}, {.max_ticks = 4000}, options, {},
-                [&](const DriveTick& tick) {
-                  if (!tick.replanned || tick.way == nullptr || ++replans % 4 != 0) return;
-                  if (tick.way->way_out) return;
-                  ++judged;
-                  paths = std::min(
-                      paths, least_clearance(tick.robot_knows->map(), tick.way->path, radius + 1) -
-                                 radius);
-                });
+      const auto judge = [&](const DriveTick& tick) {
+        if (!tick.replanned || tick.way == nullptr || ++replans % 4 != 0) return;
+        if (tick.way->way_out) return;
+        ++judged;
+        const Grid& seen = tick.robot_knows->map();
+        paths = std::min(paths, least_clearance(seen, tick.way->path, radius + 1) - radius);
+      };
+      const auto result = drive(known, truth, ends->start, goal, {},
+                                {.max_ticks = 4000, .observer = judge}, options);
       ++driven;
       arrived += result.status == Status::solved;
       EXPECT_TRUE(result.status == Status::solved || result.status == Status::limit)

@@ -89,10 +89,11 @@ TEST(Drive, KnowsWhatItCoversThoughItSeesLess) {
   Grid map(9, 9);
   map.set_blocked({3, 3}, true);  // of which the truth knows nothing
   std::vector<Cell> learned;
-  const DriveResult r = drive(map, Grid(9, 9), {4, 4}, {7, 4}, {}, {.sense = 1}, {.radius = 1}, {},
-                              [&](const DriveTick& tick) {
-                                if (tick.tick == 0) learned = tick.news;
-                              });
+  const auto look = [&](const DriveTick& tick) {
+    if (tick.tick == 0) learned = tick.news;
+  };
+  const DriveResult r =
+      drive(map, Grid(9, 9), {4, 4}, {7, 4}, {}, {.sense = 1, .observer = look}, {.radius = 1});
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_EQ(learned, std::vector<Cell>({{3, 3}}));
 }
@@ -245,9 +246,9 @@ TEST(Drive, EndsByTicksTokenAndDeadline) {
   EXPECT_EQ(short_one.status, Status::limit);
   EXPECT_EQ(short_one.limit, Limit::ticks);
   EXPECT_EQ(short_one.track.size(), 4u);
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, fired()).status, Status::interrupted);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.stop = fired()}).status, Status::interrupted);
   const DriveResult late =
-      drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, {.deadline = Clock::time_point::min()});
+      drive(map, map, {1, 1}, {7, 1}, {}, {.stop = {.deadline = Clock::time_point::min()}});
   EXPECT_EQ(late.status, Status::limit);
   EXPECT_EQ(late.limit, Limit::time);
 }
@@ -255,10 +256,9 @@ TEST(Drive, EndsByTicksTokenAndDeadline) {
 TEST(Drive, EndsWhereItsObserverStopsIt) {
   const Grid map(9, 3);
   const auto stop_at = [&](std::int64_t last) {
-    return drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, {}, [=](const DriveTick& tick) {
-      EXPECT_FALSE(tick.stopped());
-      if (tick.tick == last) tick.stop();
-    });
+    return drive(map, map, {1, 1}, {7, 1}, {}, {.observer = [=](const DriveTick& tick) {
+                   return tick.tick == last ? Go::stop : Go::on;
+                 }});
   };
   const DriveResult r = stop_at(2);
   EXPECT_EQ(r.status, Status::interrupted);

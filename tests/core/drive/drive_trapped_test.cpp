@@ -116,9 +116,8 @@ TEST(Drive, IsNotTrappedWhileItPlans) {
 
 TEST(Drive, MeasuresPlanningByTheClockOfItsDeadline) {
   SlowPilot pilot(Grid(9, 1), {5, 0}, 0);
-  const DriveResult r =
-      drive(pilot, drawn({".......@."}), {1, 0}, {}, {.max_ticks = 0, .seconds_per_tick = 10},
-            {.deadline = Clock::time_point::max(), .time = &pilot});
+  const DriveResult r = drive(pilot, drawn({".......@."}), {1, 0}, {},
+                              {.max_ticks = 0, .seconds_per_tick = 10, .stop = {.time = &pilot}});
   EXPECT_EQ(pilot.left, std::chrono::seconds(7));
   ASSERT_EQ(r.replans.size(), 1u);
   EXPECT_EQ(r.replans[0].ms, 3000);

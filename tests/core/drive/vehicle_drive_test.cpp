@@ -83,8 +83,8 @@ TEST(VehicleDrive, LearnsACityOnItsWay) {
   for (const Vehicle& vehicle : {car(kTruck, 3), forward, differential(kTruck), omni(kTruck)}) {
     Watched watched;
     const auto go = [&](const DriveObserver& observer) {
-      return drive(map, truth, vehicle, start, {goal}, {}, {.sense = 12, .max_ticks = 1500}, {}, {},
-                   observer);
+      return drive(map, truth, vehicle, start, {goal}, {},
+                   {.sense = 12, .max_ticks = 1500, .observer = observer});
     };
     const DriveResult run = go(watched.observer());
     judge_drive(vehicle, run, watched);
@@ -110,7 +110,7 @@ TEST(VehicleDrive, WhatWouldBlockItsSweepWaits) {
       {.width = 3, .height = 3, .speed = 0.5, .track = {{60, 2}, {60, 35}}});
   Watched watched;
   const DriveResult run = drive(empty, empty, vehicle, {5, 19, 0}, {{70, 19, 0}}, changes,
-                                {.sense = 10, .max_ticks = 600}, {}, {}, watched.observer());
+                                {.sense = 10, .max_ticks = 600, .observer = watched.observer()});
   judge_drive(vehicle, run, watched);
   EXPECT_GT(run.deferred_changes, 0);
   EXPECT_EQ(run.status, Status::solved) << run.error;
@@ -123,7 +123,7 @@ TEST(VehicleDrive, DoubtsWhatTheMapHasAndTruthHasNot) {
   const Vehicle vehicle = car(kTruck, 4);
   Watched watched;
   const DriveResult run = drive(map, truth, vehicle, {5, 20, 0}, {{70, 20, 0}}, {},
-                                {.sense = 8, .max_ticks = 500}, {}, {}, watched.observer());
+                                {.sense = 8, .max_ticks = 500, .observer = watched.observer()});
   EXPECT_EQ(run.status, Status::solved) << run.error;
   judge_drive(vehicle, run, watched);
 }
@@ -165,7 +165,7 @@ TEST(VehicleDrive, ADeadEndThatItCannotLeaveForwards) {
   for (const Vehicle& vehicle : {forward, car(kTruck, 4)}) {
     Watched watched;
     const DriveResult run = drive(map, truth, vehicle, {32, 11, 0}, {{20, 39, kPi}}, {},
-                                  {.sense = 5, .max_ticks = 1000}, {}, {}, watched.observer());
+                                  {.sense = 5, .max_ticks = 1000, .observer = watched.observer()});
     judge_drive(vehicle, run, watched);
     if (HasFatalFailure()) return;
     if (vehicle.reverse) {
@@ -195,7 +195,7 @@ TEST(VehicleDrive, GoesAsideAroundWhatItLearnsOnTheWay) {
     Watched watched;
     const DriveResult run =
         drive(map, truth, vehicle, {12, 20, 0}, {{70, 20, 0}}, changes,
-              {.sense = 8, .max_ticks = 500, .seed = seed}, {}, {}, watched.observer());
+              {.sense = 8, .max_ticks = 500, .seed = seed, .observer = watched.observer()});
     judge_drive(vehicle, run, watched);
     if (HasFatalFailure()) return;
     EXPECT_GT(run.moves.size(), 60U);
@@ -213,8 +213,8 @@ struct NoWayBack {
     forward.reverse = false;
   }
   DriveResult drive(const Grid& world, const StopCondition& stop = {}) const {
-    return vehicle::drive(map, world, forward, {10, 11, 0}, {{53, 26, -kPi / 2}}, {}, {.sense = 4},
-                          {}, stop);
+    return vehicle::drive(map, world, forward, {10, 11, 0}, {{53, 26, -kPi / 2}}, {},
+                          {.sense = 4, .stop = stop});
   }
 };
 
@@ -236,9 +236,9 @@ TEST(VehicleDrive, AsksWhatIsThereWithItsTolerances) {
   map.fill({40, 0, 2, 40}, true);  // a wall that is not there
   const Vehicle vehicle = car(kTruck, 4);
   Watched watched;
-  const DriveResult run =
-      drive(map, truth, vehicle, {5, 20, 0}, {{70, 20, 0}}, {}, {.sense = 8, .max_ticks = 500},
-            {.goal_tolerance = 12, .heading_tolerance = kPi}, {}, watched.observer());
+  const DriveResult run = drive(map, truth, vehicle, {5, 20, 0}, {{70, 20, 0}}, {},
+                                {.sense = 8, .max_ticks = 500, .observer = watched.observer()},
+                                {.goal_tolerance = 12, .heading_tolerance = kPi});
   EXPECT_EQ(run.status, Status::solved) << run.error;
   judge_drive(vehicle, run, watched);
 }

@@ -37,7 +37,8 @@ struct Across {
     }
   }
   Result plan(const StopCondition& stop, const Observer& observer = {}) const {
-    return planner.plan({.start = start, .goal = goal, .stop = stop}, exact(), nullptr, observer);
+    return planner.plan({.start = start, .goal = goal, .stop = stop}, exact(),
+                        {.observer = observer});
   }
   int polls() const {
     const CountingTime counted(1 << 30);

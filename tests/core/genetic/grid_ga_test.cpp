@@ -148,14 +148,14 @@ TEST(GridGa, ImprovesTowardsTheOptimumAndNeverBelow) {
     p.seed = seed;
     const Result result = world.planner.plan({world.start, world.goal}, p);
     ASSERT_EQ(result.status, Status::solved);
-    ASSERT_EQ(result.best.size(), 100u);
+    ASSERT_EQ(result.curves.best.size(), 100u);
     EXPECT_GE(result.length, optimum - 1e-9);
     EXPECT_LE(result.length, 1.25 * optimum);
-    EXPECT_TRUE(std::is_sorted(result.best.rbegin(), result.best.rend()));
+    EXPECT_TRUE(std::is_sorted(result.curves.best.rbegin(), result.curves.best.rend()));
     EXPECT_EQ(path_fault(world.grid, result.path), std::nullopt);
-    for (std::size_t i = 0; i < result.best.size(); ++i)
-      EXPECT_GE(result.mean[i], result.best[i] - 1e-9);
-    improved += result.best.back() < result.best.front();
+    for (std::size_t i = 0; i < result.curves.best.size(); ++i)
+      EXPECT_GE(result.curves.mean[i], result.curves.best[i] - 1e-9);
+    improved += result.curves.best.back() < result.curves.best.front();
   }
   EXPECT_GE(improved, 8);
 }
@@ -212,7 +212,7 @@ TEST(GridGa, AChildIsTheFirstPartOfOneParentAndTheLastOfTheOther) {
       }
       longer += seen.iteration > 0 && longest > before ? 1 : 0;
     };
-    (void)planner.plan(request, p, nullptr, look);
+    (void)planner.plan(request, p, {.observer = look});
   }
   EXPECT_GT(longer, 0);
 }
@@ -222,10 +222,10 @@ TEST(GridGa, KeepsItsPathsWithoutCrossoverAndMutation) {
   Params p = genetic(Polish::none);
   p.crossover = p.mutation = 0;
   const Result result = planner.plan({kStart, kGoal}, p);
-  EXPECT_EQ(result.best.front(), result.best.back());
+  EXPECT_EQ(result.curves.best.front(), result.curves.best.back());
   // Tournaments alone: in the end all are the best one.
-  EXPECT_NEAR(result.mean.back(), result.best.back(), 1e-9);
-  EXPECT_GT(result.mean.front(), result.best.front());
+  EXPECT_NEAR(result.curves.mean.back(), result.curves.best.back(), 1e-9);
+  EXPECT_GT(result.curves.mean.front(), result.curves.best.front());
 }
 
 TEST(GridGa, EqualForAnyNumberOfThreads) {
@@ -261,7 +261,7 @@ TEST(GridGa, StopsByTokenAndDeadline) {
   const Planner planner(pocket());
   const Result token = planner.plan({kStart, kGoal, fired()}, genetic(Polish::straight));
   EXPECT_EQ(token.status, Status::interrupted);
-  EXPECT_TRUE(token.best.empty());
+  EXPECT_TRUE(token.curves.best.empty());
   const Result late =
       planner.plan({kStart, kGoal, {.deadline = Clock::now()}}, genetic(Polish::straight));
   EXPECT_EQ(late.status, Status::limit);
@@ -273,16 +273,16 @@ TEST(GridGa, AnInterruptedRunKeepsItsBestPath) {
   int seen = 0;
   const Result result =
       planner.plan({kStart, kGoal, {.token = source.get_token()}}, genetic(Polish::straight),
-                   nullptr, [&](const GridProgress& p) {
+                   {.observer = [&](const GridProgress& p) {
                      EXPECT_EQ(p.iteration, seen);
                      EXPECT_EQ(p.ants(), 50);
                      EXPECT_EQ(p.tour(0).front(), kStart);
                      EXPECT_EQ(p.tour(49).back(), kGoal);
                      if (++seen == 5) source.request_stop();
-                   });
+                   }});
   EXPECT_EQ(result.status, Status::interrupted);
-  EXPECT_EQ(result.iterations, 5);
-  EXPECT_EQ(result.length, result.best.back());
+  EXPECT_EQ(result.curves.iterations, 5);
+  EXPECT_EQ(result.length, result.curves.best.back());
 }
 
 }  // namespace

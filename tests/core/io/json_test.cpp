@@ -71,10 +71,10 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.limit = Limit::time;
   result.length = 0.1 + 0.2;
   result.path = {{-0.0, 5e-324}, {1e308, 1.0 / 3}};
-  result.iterations = 2;
-  result.best = {NAN, 2.2250738585072014e-308};
-  result.mean = {1e17 + 2, NAN};
-  result.arrived = {0, 7};
+  result.curves.iterations = 2;
+  result.curves.best = {NAN, 2.2250738585072014e-308};
+  result.curves.mean = {1e17 + 2, NAN};
+  result.curves.arrived = {0, 7};
   result.lower_bound = 0.3;
   result.own_rules = true;
   result.way_out = Point{1.0 / 3, 4};

@@ -38,10 +38,10 @@ inline void expect_same(const SearchResult& a, const SearchResult& b) {
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.fault, b.fault);
   EXPECT_EQ(a.error, b.error);
-  EXPECT_EQ(a.iterations, b.iterations);
-  EXPECT_EQ(a.arrived, b.arrived);
+  EXPECT_EQ(a.curves.iterations, b.curves.iterations);
+  EXPECT_EQ(a.curves.arrived, b.curves.arrived);
   EXPECT_EQ(a.optimal, b.optimal);
-  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.curves.steps, b.curves.steps);
   expect_same(a.length, b.length);
   expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
   expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));
@@ -49,7 +49,7 @@ inline void expect_same(const SearchResult& a, const SearchResult& b) {
        {&Convergence::best, &Convergence::mean, &Convergence::raw_best, &Convergence::cut_mean,
         &Convergence::cut_best, &Convergence::iteration_best, &Convergence::band,
         &Convergence::trail_entropy})
-    expect_same(a.*curve, b.*curve);
+    expect_same(a.curves.*curve, b.curves.*curve);
 }
 
 /// All of two answers, but for whose rules took part.

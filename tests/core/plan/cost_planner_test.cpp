@@ -103,11 +103,12 @@ TEST(CostPlanner, ADiscKeepsItsRadius) {
     const Request request{.start = *planner.planner().nearest_free({2, 3}),
                           .goal = *planner.planner().nearest_free({45, 36})};
     double seen = kInfinity;
-    const CostResult result = planner.plan(request, {}, [&](const GridProgress& progress) {
-      EXPECT_LT(progress.best_length, seen);
-      EXPECT_FALSE(disc_path_fault(grid, radius, progress.path(), {}));
-      seen = progress.best_length;
-    });
+    const CostResult result =
+        planner.plan(request, {.observer = [&](const GridProgress& progress) {
+                       EXPECT_LT(progress.best_length, seen);
+                       EXPECT_FALSE(disc_path_fault(grid, radius, progress.path(), {}));
+                       seen = progress.best_length;
+                     }});
     if (result.status == Status::unreachable) continue;
     ASSERT_EQ(result.status, Status::solved);
     EXPECT_EQ(fault_of(planner, costs, result), "") << i;
@@ -157,20 +158,20 @@ TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
   const CostPlanner planner(Planner(Grid(grid)), costs);
   double last = 1e300;
   int calls = 0;
-  const CostResult whole =
-      planner.plan({.start = {2, 3}, .goal = {55, 50}}, {}, [&](const GridProgress& progress) {
+  const CostResult whole = planner.plan(
+      {.start = {2, 3}, .goal = {55, 50}}, {.observer = [&](const GridProgress& progress) {
         EXPECT_LT(progress.best_length, last);
         EXPECT_NEAR(progress.best_length, *path_cost(grid, costs, progress.path()), 1e-9);
         EXPECT_EQ(progress.iteration, calls++);
         last = progress.best_length;
-      });
+      }});
   EXPECT_GE(calls, 2);
   EXPECT_EQ(whole.cost, last);
   const CostResult again = planner.plan({.start = {2, 3}, .goal = {55, 50}});
   EXPECT_EQ(again.path, whole.path);
   EXPECT_EQ(again.lower_bound, whole.lower_bound);
-  const CostResult cut = planner.plan({.start = {2, 3}, .goal = {55, 50}}, {},
-                                      [](const GridProgress& progress) { progress.stop(); });
+  const CostResult cut = planner.plan({.start = {2, 3}, .goal = {55, 50}},
+                                      {.observer = [](const GridProgress&) { return Go::stop; }});
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_GT(cut.cost, whole.cost);
 }

@@ -83,8 +83,8 @@ void judge_colonies(const Planner& planner, const oracle::DiscPaths& judge, cons
     const Result whole = planner.plan(request, small(algorithm.name));
     const Result colony = from_way_out(planner, judge, request, whole, radius);
     EXPECT_TRUE(colony.curve.empty());
-    if (!whole.best.empty() && !whole.path.empty()) {
-      EXPECT_EQ(whole.best.back(), whole.length);
+    if (!whole.curves.best.empty() && !whole.path.empty()) {
+      EXPECT_EQ(whole.curves.best.back(), whole.length);
     }
     walks.closed_to_cells += exact.status == Status::solved && colony.path.empty();
     if (colony.path.size() < 2) continue;
@@ -104,7 +104,7 @@ TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
     const double radius = disc::random_radius(round % 5 == 0 ? 6 : 2.5, random);
     const Grid grid = disc::random_map(radius, random);
     const Planner planner(grid, Disc{radius});
-    const Planner prepared(grid, Disc{radius}, PrepareOptions{.threads = 1 + round % 5});
+    const Planner prepared(grid, PrepareOptions{.threads = 1 + round % 5}, Disc{radius});
     EXPECT_EQ(planner.grid(), grid);
     const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
     for (const Cell c : cells_of(grid))
@@ -218,7 +218,7 @@ TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {  // for all algorithms
   const Result led = planner.plan({{0, 4}, {16, 4}}, small("as"));
   EXPECT_EQ(led.status, Status::solved);
   EXPECT_EQ(led.way_out, (Point{1.5, 4.5}));
-  EXPECT_EQ(led.best.back(), led.length);
+  EXPECT_EQ(led.curves.best.back(), led.length);
   const Result refused = planner.plan({{16, 4}, {0, 4}}, small("as"));
   EXPECT_EQ(
       refused.error,
@@ -239,16 +239,16 @@ TEST(DiscPlanner, AnEditedMapIsPlannedAnew) {
   std::vector<Planner::Edit> edits;
   for (int y = 2; y < 13; ++y) edits.push_back({{15, y}, true});
   for (const auto& edit : edits) grid.set_blocked(edit.cell);
-  const Planner after = before.edited(edits), anew(grid, Disc{1.2});
+  const Planner after = *before.edited(edits), anew(grid, Disc{1.2});
   EXPECT_EQ(after.grid(), grid);
   EXPECT_EQ(after.robot().radius, 1.2);
   const Request request{{3, 7}, {26, 7}};
   EXPECT_TRUE(same(after.plan(request), anew.plan(request)));
   EXPECT_EQ(after.plan(request).status, Status::unreachable) << "2 cells are left on each side";
   const Planner::Direction ahead{{14, 1}, 1, 0};
-  const Planner shut = before.exclude(std::span(&ahead, 1));
+  const Planner shut = *before.exclude(std::span(&ahead, 1));
   EXPECT_TRUE(shut.grid().blocked({15, 1}));
-  EXPECT_EQ(shut.allow(std::span(&ahead, 1)).grid(), before.grid());
+  EXPECT_EQ(shut.allow(std::span(&ahead, 1))->grid(), before.grid());
 }
 
 TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
@@ -266,7 +266,7 @@ TEST(DiscPlanner, EditedPlannersPlanAsFreshOnesBitForBit) {
       }
       edits.push_back({random_cell(grid, random), edit % 2 == 0});
       for (const auto& one : edits) grid.set_blocked(one.cell, one.blocked);
-      planner = planner.edited(edits);
+      planner = *planner.edited(edits);
       const Planner fresh(grid, Disc{radius});
       ASSERT_EQ(planner.grid(), grid);
       ASSERT_EQ(planner.passable(), fresh.passable());
@@ -298,9 +298,10 @@ TEST(DiscPlanner, IsStopped) {
   for (int i = 0; i < 100 && lengths.size() < 2; ++i) {
     const Request request{random_cell(grid, random), random_cell(grid, random)};
     lengths.clear();
-    whole = planner.plan(request, {}, nullptr,
-                         [&](const GridProgress& seen) { lengths.push_back(seen.best_length); });
-    cut = planner.plan(request, {}, nullptr, [&](const GridProgress& seen) { seen.stop(); });
+    whole = planner.plan(request, {}, {.observer = [&](const GridProgress& seen) {
+                           lengths.push_back(seen.best_length);
+                         }});
+    cut = planner.plan(request, {}, {.observer = [](const GridProgress&) { return Go::stop; }});
   }
   ASSERT_GE(lengths.size(), 2U) << "no question with several paths";
   EXPECT_EQ(lengths.back(), whole.length) << "of the curve";
@@ -319,7 +320,7 @@ TEST(DiscPlanner, LongWaysPastFewObstaclesAreTheSameByTheGraph) {
     for (int i = 0; i < 40 - 3 * (round % 4) * (round % 4); ++i)
       grid.fill({random_in(0, 395, random), random_in(0, 87, random), 1 + i % 5, 1 + i % 3}, true);
     const Planner planner(grid, Disc{radius});
-    const Planner prepared(grid, Disc{radius}, PrepareOptions{});
+    const Planner prepared(grid, PrepareOptions{}, Disc{radius});
     for (int i = 0; i < 8; ++i) {
       const Request request{random_cell(grid, random), random_cell(grid, random)};
       const Result one = planner.plan(request), other = prepared.plan(request);

@@ -44,10 +44,10 @@ TEST_F(LargeMap, IsPlannedOnEditedAndProvenUnreachable) {
 
   std::vector<Planner::Edit> wall;
   for (int x = 0; x < kLargeSide; ++x) wall.push_back({{x, kLargeSide / 2}, true});
-  const Planner parted = planner.edited(wall);
+  const Planner parted = *planner.edited(wall);
   EXPECT_EQ(parted.plan(request).status, Status::unreachable);
   const Planner opened =
-      parted.edited(std::vector<Planner::Edit>{{{kLargeSide / 2, kLargeSide / 2}, false}});
+      *parted.edited(std::vector<Planner::Edit>{{{kLargeSide / 2, kLargeSide / 2}, false}});
   EXPECT_TRUE(opened.connected(request.start, request.goal));
   EXPECT_EQ(opened.plan(request).status, Status::solved);
   EXPECT_EQ(planner.plan(request).length, best.length);
@@ -72,7 +72,7 @@ TEST_F(LargeMap, AntsPlanInACornerOfIt) {
     const Result far =
         planner.plan({.start = there(request.start), .goal = there(request.goal)}, params);
     ASSERT_EQ(far.status, Status::solved);
-    EXPECT_EQ(far.mean, near.mean);
+    EXPECT_EQ(far.curves.mean, near.curves.mean);
     EXPECT_EQ(far.path.size(), near.path.size());
     EXPECT_NEAR(far.length, near.length, 1e-9);
   }

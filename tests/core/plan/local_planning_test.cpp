@@ -55,8 +55,8 @@ std::vector<Cell> drive(const World& world, Cell from, Cell goal, int ticks) {
   for (int tick = 0; tick < ticks && went.back() != goal; ++tick) {
     // Only what is reported now stays excluded.
     const auto before = planner.excluded();
-    planner = planner.allow(std::vector<Direction>(before.begin(), before.end()))
-                  .exclude(sensed(world, went.back(), tick));
+    planner = *planner.allow(std::vector<Direction>(before.begin(), before.end()))
+                   ->exclude(sensed(world, went.back(), tick));
     const Result way = planner.plan({.start = went.back(), .goal = goal}, ants());
     if (way.path.size() < 2) continue;  // waits
     const Cell next{static_cast<int>(way.path[1].x), static_cast<int>(way.path[1].y)};
@@ -78,47 +78,47 @@ TEST(LocalPlanning, ADirectionIsExcludedOnlyWhileItIsReported) {
   const Planner planner(world.map);
   const Request through{.start = {9, 5}, .goal = {11, 5}};
   const Direction east{{9, 5}, 1, 0};
-  const Planner shut = planner.exclude(std::vector{east});
+  const Planner shut = *planner.exclude(std::vector{east});
   EXPECT_EQ(planner.plan(through).length, 2);
   EXPECT_GT(shut.plan(through).length, 26);  // by the other gap
-  EXPECT_EQ(shut.allow(std::vector{east}).plan(through).length, 2);
-  EXPECT_TRUE(shut.allow(std::vector{east}).excluded().empty());
+  EXPECT_EQ(shut.allow(std::vector{east})->plan(through).length, 2);
+  EXPECT_TRUE(shut.allow(std::vector{east})->excluded().empty());
 }
 
 TEST(LocalPlanning, ANeighbourReportedTwiceStaysShutUntilBothAreGone) {
   const World world;
   const Direction east{{9, 5}, 1, 0}, west{{11, 5}, -1, 0};
-  const Planner both = Planner(world.map).exclude(std::vector{east, west, east});
+  const Planner both = *Planner(world.map).exclude(std::vector{east, west, east});
   EXPECT_EQ(both.excluded().size(), 2u);
-  const Planner one = both.allow(std::vector{east});
+  const Planner one = *both.allow(std::vector{east});
   EXPECT_TRUE(one.grid().blocked(World::kDoor));
-  EXPECT_TRUE(one.allow(std::vector{west}).grid().free(World::kDoor));
+  EXPECT_TRUE(one.allow(std::vector{west})->grid().free(World::kDoor));
 }
 
 TEST(LocalPlanning, WhatTheMapBlocksStaysBlocked) {
   const World world;
   const Direction wall{{9, 6}, 1, 0}, outside{{0, 0}, -1, -1};
-  const Planner shut = Planner(world.map).exclude(std::vector{wall, outside});
-  EXPECT_TRUE(shut.allow(std::vector{wall, outside}).grid().blocked({10, 6}));
+  const Planner shut = *Planner(world.map).exclude(std::vector{wall, outside});
+  EXPECT_TRUE(shut.allow(std::vector{wall, outside})->grid().blocked({10, 6}));
 }
 
 TEST(LocalPlanning, EditsAndExclusionsDoNotMixUp) {
   const World world;
   const Direction east{{9, 5}, 1, 0};
-  const Planner shut = Planner(world.map).exclude(std::vector{east});
+  const Planner shut = *Planner(world.map).exclude(std::vector{east});
   // Freed in the map, but still reported; blocked in the map, and no longer reported.
   EXPECT_TRUE(
-      shut.edited(std::vector<Planner::Edit>{{World::kDoor, false}}).grid().blocked(World::kDoor));
+      shut.edited(std::vector<Planner::Edit>{{World::kDoor, false}})->grid().blocked(World::kDoor));
   EXPECT_TRUE(shut.edited(std::vector<Planner::Edit>{{World::kDoor, true}})
-                  .allow(std::vector{east})
-                  .grid()
+                  ->allow(std::vector{east})
+                  ->grid()
                   .blocked(World::kDoor));
 }
 
 TEST(LocalPlanning, BothWaysShutIsUnreachable) {
   const World world;
   const Planner shut =
-      Planner(world.map).exclude(std::vector<Direction>{{{9, 5}, 1, 0}, {{9, 18}, 1, 0}});
+      *Planner(world.map).exclude(std::vector<Direction>{{{9, 5}, 1, 0}, {{9, 18}, 1, 0}});
   EXPECT_EQ(shut.plan({.start = {5, 5}, .goal = {16, 5}}).status, Status::unreachable);
 }
 

@@ -21,23 +21,24 @@ TEST(Observer, SeesEveryAlgorithm) {
       const Result whole = p->plan(request, params);
       int calls = 0;
       double last = std::numeric_limits<double>::infinity();
-      const Result watched = p->plan(request, params, nullptr, [&](const GridProgress& seen) {
-        EXPECT_EQ(seen.iteration, calls++);
-        if (seen.path().empty()) return;
-        EXPECT_LE(seen.best_length, last);
-        last = seen.best_length;
-        EXPECT_NEAR(path_length(seen.path()), seen.best_length, 1e-9);
-        if (exact) {
-          EXPECT_LE(seen.lower_bound.value(), whole.length * (1 + 1e-9));
-        }
-      });
+      const Result watched =
+          p->plan(request, params, {.observer = [&](const GridProgress& seen) {
+                    EXPECT_EQ(seen.iteration, calls++);
+                    if (seen.path().empty()) return;
+                    EXPECT_LE(seen.best_length, last);
+                    last = seen.best_length;
+                    EXPECT_NEAR(path_length(seen.path()), seen.best_length, 1e-9);
+                    if (exact) {
+                      EXPECT_LE(seen.lower_bound.value(), whole.length * (1 + 1e-9));
+                    }
+                  }});
       EXPECT_EQ(watched.path, whole.path) << algorithm.name;
       EXPECT_EQ(watched.status, whole.status) << algorithm.name;
       EXPECT_GT(calls, 0) << algorithm.name;
       if (exact) {
         EXPECT_EQ(last, whole.length);
       } else {
-        EXPECT_EQ(calls, whole.iterations);
+        EXPECT_EQ(calls, whole.curves.iterations);
       }
     }
   }
@@ -50,11 +51,11 @@ TEST(Observer, StopsEveryAlgorithm) {
     if (algorithm.kind == Algorithm::Kind::exact) continue;
     const Params params = quick(algorithm.name);
     int calls = 0;
-    const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& seen) {
-      if (++calls == 3) seen.stop();
-    });
+    const Result result = planner.plan(request, params, {.observer = [&](const GridProgress&) {
+                                         return ++calls == 3 ? Go::stop : Go::on;
+                                       }});
     EXPECT_EQ(calls, 3) << algorithm.name;
-    EXPECT_EQ(result.iterations, 3) << algorithm.name;
+    EXPECT_EQ(result.curves.iterations, 3) << algorithm.name;
     EXPECT_EQ(result.status, Status::interrupted) << algorithm.name;
   }
 }
@@ -68,10 +69,10 @@ TEST(Observer, StopsExact) {
     const Request request = far_apart(planner);
     const Result whole = planner.plan(request);
     int calls = 0;
-    const Result result = planner.plan(request, {}, nullptr, [&](const GridProgress& seen) {
-      ++calls;
-      seen.stop();
-    });
+    const Result result = planner.plan(request, {}, {.observer = [&](const GridProgress&) {
+                                         ++calls;
+                                         return Go::stop;
+                                       }});
     EXPECT_EQ(calls, 1);
     ASSERT_FALSE(result.path.empty());
     EXPECT_GE(result.length, whole.length * (1 - 1e-12));
@@ -89,18 +90,18 @@ TEST(Observer, SeesToursAndPheromone) {
   int calls = 0;
   Params params = quick("fan2004");
   params.walk_cut = WalkCut::none;  // deposits on all of a tour
-  (void)far.plan(params, nullptr, [&](const GridProgress& p) {
-    EXPECT_EQ(p.iteration, calls++);
-    EXPECT_EQ(p.ants(), 10);
-    EXPECT_EQ(p.arrived, 10);
-    for (int a = 0; a < p.ants(); ++a) {
-      const auto tour = p.tour(a);
-      ASSERT_GE(tour.size(), 2u);
-      EXPECT_EQ(tour.front(), far.request.start);
-      EXPECT_EQ(tour.back(), far.request.goal);
-      EXPECT_GT(p.pheromone(tour[tour.size() / 2]), p.pheromone({0, 79}));
-    }
-  });
+  (void)far.plan(params, {.observer = [&](const GridProgress& p) {
+                   EXPECT_EQ(p.iteration, calls++);
+                   EXPECT_EQ(p.ants(), 10);
+                   EXPECT_EQ(p.arrived, 10);
+                   for (int a = 0; a < p.ants(); ++a) {
+                     const auto tour = p.tour(a);
+                     ASSERT_GE(tour.size(), 2u);
+                     EXPECT_EQ(tour.front(), far.request.start);
+                     EXPECT_EQ(tour.back(), far.request.goal);
+                     EXPECT_GT(p.pheromone(tour[tour.size() / 2]), p.pheromone({0, 79}));
+                   }
+                 }});
   EXPECT_EQ(calls, 15);
 }
 

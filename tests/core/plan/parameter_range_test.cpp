@@ -19,7 +19,7 @@ TEST_P(ParameterRange, BothEndsOfEveryNumberEnd) {
   Workspace workspace;
   int plans = 0, paths = 0, unread = 0;
   const auto expect_plan = [&](const Params& params, const std::string& what) {
-    const Result result = planner.plan(request, params, &workspace);
+    const Result result = planner.plan(request, params, {.workspace = &workspace});
     if (!result.path.empty()) {
       EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt) << what;
       ++paths;

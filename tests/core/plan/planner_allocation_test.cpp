@@ -26,10 +26,11 @@ struct Bounds {
 /// How often a plan allocates: the result's ten curves, an entry an iteration, as they double;
 /// its path once, and perhaps again with each better one.
 Bounds allocations_for(const Result& result) {
-  const auto entries = static_cast<unsigned>(result.iterations);
+  const auto entries = static_cast<unsigned>(result.curves.iterations);
   const int once = 10 * (1 + std::bit_width(entries - 1)) + 1;
   int better = 0;
-  for (std::size_t q = 1; q < entries; ++q) better += result.best[q] < result.best[q - 1];
+  for (std::size_t q = 1; q < entries; ++q)
+    better += result.curves.best[q] < result.curves.best[q - 1];
   return {once, once + better};
 }
 
@@ -43,11 +44,11 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
         params.threads = threads;
         params.iterations = iterations;
         Workspace workspace;
-        const Bounds expected = allocations_for(far.plan(params, &workspace));
+        const Bounds expected = allocations_for(far.plan(params, {.workspace = &workspace}));
         // Two threads take ants as they come, so each may meet the longest walk in a later call.
         std::int64_t count = 0;
         for (int call = 0; call < (threads == 1 ? 1 : 100); ++call) {
-          count = allocations_of([&] { (void)far.plan(params, &workspace); });
+          count = allocations_of([&] { (void)far.plan(params, {.workspace = &workspace}); });
           if (count <= expected.most) break;
         }
         const auto what = testing::Message() << iterations << " iterations, " << threads
@@ -66,17 +67,18 @@ TEST(PlannerAllocation, OwnRulesAllocateNothingMore) {
     Params params("ras", preset);
     params.iterations = 6;
     params.threads = 1;
-    OwnRules own{.heuristic = table,
-                 .update =
-                     [](Pheromone& trail, const IterationTours& tours) {
-                       trail.persist(0.9);
-                       for (const int ant : tours.ranked) trail.add(tours.places_of(ant), 1);
-                       trail.add(tours.best_places(), 2);
-                     },
-                 .schedule = [](int) { return StepWeights{}; }};
+    const OwnRules own{.heuristic = table,
+                       .update =
+                           [](Pheromone& trail, const IterationTours& tours) {
+                             trail.persist(0.9);
+                             for (const int ant : tours.ranked) trail.add(tours.places_of(ant), 1);
+                             trail.add(tours.best_places(), 2);
+                           },
+                       .schedule = [](int) { return StepWeights{}; }};
     Workspace workspace;
-    const Bounds expected = allocations_for(far.plan(params, own, &workspace));
-    const auto count = allocations_of([&] { (void)far.plan(params, own, &workspace); });
+    const PlanOptions options{.workspace = &workspace, .own_rules = own};
+    const Bounds expected = allocations_for(far.plan(params, options));
+    const auto count = allocations_of([&] { (void)far.plan(params, options); });
     EXPECT_GE(count, expected.least);
     EXPECT_LE(count, expected.most);
   }
@@ -86,7 +88,7 @@ TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
   const FarApart far;
   const Params params = quick("grid-ga");
   Workspace workspace;
-  const auto plan = [&] { (void)far.plan(params, &workspace); };
+  const auto plan = [&] { (void)far.plan(params, {.workspace = &workspace}); };
   const auto first = allocations_of(plan);
   EXPECT_GT(first, 1000);
   EXPECT_LT(allocations_of(plan), first / 10);
@@ -122,17 +124,17 @@ TEST(PlannerAllocation, AWorkspaceOutlivesACallThatRanOutOfMemory) {
       std::int64_t n = 0;
       for (; failed; n += 1 + n / 4) {
         Workspace workspace;
-        if (n % 2 == 1) (void)planner.plan(request, before, &workspace);
+        if (n % 2 == 1) (void)planner.plan(request, before, {.workspace = &workspace});
         failing_allocation = allocations + n;
         try {
-          (void)planner.plan(request, params, &workspace);
+          (void)planner.plan(request, params, {.workspace = &workspace});
           failed = false;
         } catch (const std::bad_alloc&) {
         }
         failing_allocation = -1;
-        const Result again = planner.plan(request, params, &workspace);
+        const Result again = planner.plan(request, params, {.workspace = &workspace});
         EXPECT_EQ(again.path, expected.path) << algorithm << " " << n;
-        EXPECT_EQ(again.mean, expected.mean) << algorithm << " " << n;
+        EXPECT_EQ(again.curves.mean, expected.curves.mean) << algorithm << " " << n;
       }
       EXPECT_GT(n, 10) << algorithm;  // sanitizers count no realloc
     }

@@ -34,14 +34,14 @@ TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
   EXPECT_EQ(result.path.back(), centre(far_.request.goal));
   EXPECT_EQ(path_fault(far_.planner.grid(), result.path), std::nullopt);
   EXPECT_EQ(result.length, path_length(result.path));
-  EXPECT_EQ(result.iterations, 15);
-  ASSERT_EQ(result.best.size(), 15u);
-  ASSERT_EQ(result.mean.size(), 15u);
-  EXPECT_EQ(result.best.back(), result.length);
-  for (std::size_t i = 1; i < 15; ++i) EXPECT_LE(result.best[i], result.best[i - 1]);
+  EXPECT_EQ(result.curves.iterations, 15);
+  ASSERT_EQ(result.curves.best.size(), 15u);
+  ASSERT_EQ(result.curves.mean.size(), 15u);
+  EXPECT_EQ(result.curves.best.back(), result.length);
+  for (std::size_t i = 1; i < 15; ++i) EXPECT_LE(result.curves.best[i], result.curves.best[i - 1]);
   for (std::size_t i = 0; i < 15; ++i) {
-    EXPECT_EQ(result.arrived[i], params_.ants);  // who backtracks arrives
-    EXPECT_GE(result.mean[i], result.length);
+    EXPECT_EQ(result.curves.arrived[i], params_.ants);  // who backtracks arrives
+    EXPECT_GE(result.curves.mean[i], result.length);
   }
   EXPECT_FALSE(result.gap().has_value());
   EXPECT_FALSE(result.optimal);
@@ -95,12 +95,12 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
 TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
   const Result first = far_.plan(params_);
   Workspace workspace;
-  expect_same(far_.plan(params_, &workspace), first);
+  expect_same(far_.plan(params_, {.workspace = &workspace}), first);
   const Planner other(blobs(90, 300, 8));
-  (void)other.plan(far_apart(other), params_, &workspace);  // leaves its traces
-  expect_same(far_.plan(params_, &workspace), first);
+  (void)other.plan(far_apart(other), params_, {.workspace = &workspace});  // leaves its traces
+  expect_same(far_.plan(params_, {.workspace = &workspace}), first);
   params_.seed = 2;
-  EXPECT_NE(far_.plan(params_).mean, first.mean);
+  EXPECT_NE(far_.plan(params_).curves.mean, first.curves.mean);
 }
 
 TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
@@ -120,7 +120,7 @@ TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
         params.corners = corners;
         params.polish = polish;
         params.dead_end = polish == Polish::straight ? DeadEnd::kill : params.dead_end;
-        const Result result = planner.plan(request, params, &workspace);
+        const Result result = planner.plan(request, params, {.workspace = &workspace});
         if (result.path.empty()) {
           ASSERT_EQ(params.dead_end, DeadEnd::kill);
           continue;
@@ -233,9 +233,9 @@ TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
     ASSERT_EQ(result.status, Status::limit) << readings;
     EXPECT_EQ(result.limit, Limit::time);
     EXPECT_LE(time.polls() - readings, params_.ants + 40);
-    EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
+    EXPECT_EQ(result.curves.best.size(), static_cast<std::size_t>(result.curves.iterations));
     (result.path.empty() ? without : with) = true;
-    in_the_first_iteration |= result.iterations == 0 && !result.path.empty();
+    in_the_first_iteration |= result.curves.iterations == 0 && !result.path.empty();
     if (!result.path.empty()) {
       EXPECT_EQ(path_fault(far_.planner.grid(), result.path), std::nullopt);
     }
@@ -265,11 +265,11 @@ TEST(Planner, ATokenInterrupts) {
   far.request.stop.token = source.get_token();
   Params params = quick("fan2004");
   params.iterations = 1000000;
-  const Result result = far.plan(params, nullptr, [&](const GridProgress& p) {
-    if (p.iteration == 4) source.request_stop();
-  });
+  const Result result = far.plan(params, {.observer = [&](const GridProgress& p) {
+                                   if (p.iteration == 4) source.request_stop();
+                                 }});
   EXPECT_EQ(result.status, Status::interrupted);
-  EXPECT_EQ(result.iterations, 5);
+  EXPECT_EQ(result.curves.iterations, 5);
   EXPECT_FALSE(result.path.empty());
 }
 
@@ -279,7 +279,7 @@ TEST(Planner, ZeroIterationsEndWithoutAPath) {
   params.iterations = 0;
   const Result result = planner.plan(far_apart(planner), params);
   EXPECT_EQ(result.status, Status::no_path);
-  EXPECT_TRUE(result.best.empty());
+  EXPECT_TRUE(result.curves.best.empty());
 }
 
 TEST(Planner, GapsThatAColonyCannotCertifyAreRefused) {
@@ -326,13 +326,13 @@ TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {
   const Grid grid = walled(600, 300, {{300, 0, 1, 300}});
   const Planner closed(grid);
   const Planner::Edit door{{300, 150}, false};
-  const Planner open = closed.edited({&door, 1});
+  const Planner open = *closed.edited({&door, 1});
   const Cell a{10, 10}, b{590, 290};
   EXPECT_FALSE(closed.connected(a, b));
   EXPECT_TRUE(open.connected(a, b));
   const Planner::Edit shut{{300, 150}, true};
-  EXPECT_FALSE(open.edited({&shut, 1}).connected(a, b));
-  EXPECT_EQ(open.edited({&shut, 1}).grid(), closed.grid());
+  EXPECT_FALSE(open.edited({&shut, 1})->connected(a, b));
+  EXPECT_EQ(open.edited({&shut, 1})->grid(), closed.grid());
   const Planner::Edit outside{{600, 0}, true};
   EXPECT_THROW((void)open.edited({&outside, 1}), Error);
 }

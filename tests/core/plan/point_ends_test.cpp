@@ -35,7 +35,7 @@ TEST_P(PlanBetweenPoints, BeginsAndEndsThere) {
     const Result cells = far.planner.plan(far.request, params);
     int told = 0;
     const Result result =
-        far.planner.plan(request, params, nullptr, [&](const GridProgress&) { ++told; });
+        far.planner.plan(request, params, {.observer = [&](const GridProgress&) { ++told; }});
     SCOPED_TRACE(std::string(to_string(polish)));
     if (cells.path.empty()) continue;
     ASSERT_EQ(result.status, Status::solved) << result.error;
@@ -44,13 +44,13 @@ TEST_P(PlanBetweenPoints, BeginsAndEndsThere) {
     EXPECT_EQ(path_fault(far.planner.grid(), result.path, params.corners), std::nullopt);
     EXPECT_NEAR(result.length, path_length(result.path), 1e-9);
     EXPECT_LT(std::abs(result.length - cells.length), 2 * std::sqrt(0.5) + 1e-9);
-    EXPECT_EQ(told, result.iterations);
-    ASSERT_EQ(result.best.size(), cells.best.size());
-    for (std::size_t i = 1; i < result.best.size(); ++i)
-      EXPECT_FALSE(result.best[i] > result.best[i - 1]);
-    ASSERT_FALSE(result.best.empty());
-    EXPECT_EQ(result.best.back(), result.length);
-    EXPECT_EQ(result.raw_best, cells.raw_best);  // what ants do is as between centres
+    EXPECT_EQ(told, result.curves.iterations);
+    ASSERT_EQ(result.curves.best.size(), cells.curves.best.size());
+    for (std::size_t i = 1; i < result.curves.best.size(); ++i)
+      EXPECT_FALSE(result.curves.best[i] > result.curves.best[i - 1]);
+    ASSERT_FALSE(result.curves.best.empty());
+    EXPECT_EQ(result.curves.best.back(), result.length);
+    EXPECT_EQ(result.curves.raw_best, cells.curves.raw_best);  // what ants do is as between centres
     Request exact = request;
     EXPECT_GE(result.length, far.planner.plan(exact).length - 1e-9);
     // A centre is its cell.
@@ -58,7 +58,7 @@ TEST_P(PlanBetweenPoints, BeginsAndEndsThere) {
     request.goal_point = centre(request.goal);
     const Result same = far.planner.plan(request, params);
     EXPECT_EQ(same.path, cells.path);
-    EXPECT_EQ(same.best, cells.best);
+    EXPECT_EQ(same.curves.best, cells.curves.best);
   }
 }
 INSTANTIATE_TEST_SUITE_P(All, PlanBetweenPoints,
@@ -208,7 +208,7 @@ TEST(Via, JoinsTheLegs) {
       const Result one = far.planner.plan(leg, params);
       length += one.length;
       bound += one.lower_bound.value_or(0);
-      iterations += one.iterations;
+      iterations += one.curves.iterations;
       path.insert(path.end(), one.path.begin() + (i > 0), one.path.end());
     }
     EXPECT_EQ(whole.path, path);
@@ -216,11 +216,11 @@ TEST(Via, JoinsTheLegs) {
     EXPECT_NEAR(path_length(path), length, 1e-9);
     EXPECT_EQ(whole.optimal, params.algorithm() == "exact");
     EXPECT_EQ(whole.lower_bound.value_or(0), bound);
-    EXPECT_EQ(whole.iterations, iterations);
-    ASSERT_EQ(whole.mean.size(), static_cast<std::size_t>(iterations));
+    EXPECT_EQ(whole.curves.iterations, iterations);
+    ASSERT_EQ(whole.curves.mean.size(), static_cast<std::size_t>(iterations));
     if (iterations == 0) continue;
-    EXPECT_TRUE(std::isnan(whole.best.front()));
-    EXPECT_EQ(whole.best.back(), length);
+    EXPECT_TRUE(std::isnan(whole.curves.best.front()));
+    EXPECT_EQ(whole.curves.best.back(), length);
   }
 }
 

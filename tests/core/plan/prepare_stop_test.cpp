@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Preparation, StoppedWork,
 
 TEST(StoppedPlanner, LeavesTheGridAsItWas) {
   Grid grid = noise();
-  EXPECT_FALSE(Planner::make(std::move(grid), fired()));
+  EXPECT_FALSE(Planner::make(std::move(grid), {}, fired()));
   EXPECT_EQ(grid, noise());
   EXPECT_FALSE(Planner::make_prepared(std::move(grid), {.stop = fired()}));
   EXPECT_EQ(grid, noise());
@@ -145,7 +145,7 @@ TEST(StoppedPlanner, LeavesTheGridAsItWas) {
 
 TEST(StoppedPlanner, WithoutTheHeavierPreparationItPlansOn) {
   const CountingTime counted(1 << 30);
-  ASSERT_TRUE(Planner::make(Grid(noise()), counted.is_up()));
+  ASSERT_TRUE(Planner::make(Grid(noise()), {}, counted.is_up()));
   const CountingTime time(counted.polls());
   const auto planner = Planner::make_prepared(Grid(noise()), {.stop = time.is_up()});
   ASSERT_TRUE(planner);
@@ -185,10 +185,12 @@ TEST(StoppedPlanner, APlanPaysForTheRuleThatItIsFirstToAskFor) {
 
 TEST(StoppedPlanner, AnEditIsMadeOrNot) {
   const Planner planner(noise());
+  Grid now = noise();
   std::vector<Planner::Edit> edits;
   std::vector<Planner::Direction> directions;
   for (const Cell c : edited_cells()) {
     edits.push_back({c, noise().free(c)});
+    now.set_blocked(c, noise().free(c));
     directions.push_back({c, c.x > 0 ? -1 : 1, 0});
   }
   EXPECT_FALSE(planner.edited(edits, fired()));
@@ -196,15 +198,14 @@ TEST(StoppedPlanner, AnEditIsMadeOrNot) {
   EXPECT_EQ(planner.grid(), noise());
   EXPECT_TRUE(planner.excluded().empty());
 
-  const auto edited = planner.edited(edits, StopCondition{});
-  const auto excluded = planner.exclude(directions, StopCondition{});
+  const auto edited = planner.edited(edits);
+  const auto excluded = planner.exclude(directions);
   ASSERT_TRUE(edited && excluded);
-  EXPECT_EQ(edited->grid(), planner.edited(edits).grid());
-  EXPECT_EQ(excluded->grid(), planner.exclude(directions).grid());
+  EXPECT_EQ(edited->grid(), now);
   EXPECT_NE(excluded->grid(), noise());
   EXPECT_FALSE(excluded->allow(directions, fired()));
   EXPECT_EQ(excluded->excluded().size(), directions.size());
-  const auto allowed = excluded->allow(directions, StopCondition{});
+  const auto allowed = excluded->allow(directions);
   ASSERT_TRUE(allowed);
   EXPECT_EQ(allowed->grid(), noise());
 }

@@ -40,7 +40,7 @@ void expect_as_good(const Result& prepared, const Result& plain) {
 }
 
 TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
-  const Planner plain = Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
+  const Planner plain = *Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
   const Planner at_once(plain.grid(), PrepareOptions{.threads = 1});
   const Planner later = plain.prepared({.threads = 2});
   EXPECT_EQ(plain.preparation().state, Preparation::State::none);
@@ -67,7 +67,7 @@ TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
   Workspace workspace;
   int solved = 0, invalid = 0;
   for (const Request& request : some_queries(200)) {
-    const Result result = prepared.plan(request, {}, &workspace);
+    const Result result = prepared.plan(request, {}, {.workspace = &workspace});
     expect_as_good(result, plain.plan(request));
     solved += result.status == Status::solved;
     invalid += result.status == Status::invalid;
@@ -113,16 +113,16 @@ TEST(PreparedPlanner, EditsLeaveThePreparationBehind) {
 
   std::vector<Planner::Edit> wall;
   for (int y = 0; y < 20; ++y) wall.push_back({{20, y}, true});
-  const Planner walled = prepared.edited(wall);
+  const Planner walled = *prepared.edited(wall);
   EXPECT_EQ(walled.preparation().state, Preparation::State::none);
   for (const Planner::Edit& edit : wall) grid.set_blocked(edit.cell);
   EXPECT_EQ(walled.plan(request).path, Planner(grid).plan(request).path);
   EXPECT_GT(walled.plan(request).length, before + 1);
 
-  const Planner excluded = prepared.exclude(std::vector<Planner::Direction>{{{2, 10}, 1, 0}});
+  const Planner excluded = *prepared.exclude(std::vector<Planner::Direction>{{{2, 10}, 1, 0}});
   EXPECT_EQ(excluded.preparation().state, Preparation::State::none);
   EXPECT_GT(excluded.plan(request).length, before);
-  const Planner allowed = excluded.allow(excluded.excluded());
+  const Planner allowed = *excluded.allow(excluded.excluded());
   EXPECT_EQ(allowed.preparation().state, Preparation::State::none);
   EXPECT_NEAR(allowed.plan(request).length, before, 1e-9 * before);
   EXPECT_EQ(prepared.plan(request).length, before);
@@ -136,7 +136,7 @@ TEST(PreparedPlanner, LabelsAnswerAndMeasureAsTheUnpreparedOne) {
   Workspace workspace;
   std::vector<Cell> places;
   for (const Request& request : some_queries(200)) {
-    expect_as_good(labelled.plan(request, {}, &workspace), plain.plan(request));
+    expect_as_good(labelled.plan(request, {}, {.workspace = &workspace}), plain.plan(request));
     if (map().free(request.start)) places.push_back(request.start);
   }
   const auto expected = plain.distances(places, places), found = labelled.distances(places, places);
@@ -179,7 +179,7 @@ TEST(PreparedPlanner, TheGraphOfABatchChangesNothing) {
   Workspace workspace;
   for (const int threads : {1, 2}) {
     plan_batch(planner, queries, {}, {.threads = threads}, [&](const BatchAnswer& answer) {
-      const Result alone = planner.plan(queries[answer.index], {}, &workspace);
+      const Result alone = planner.plan(queries[answer.index], {}, {.workspace = &workspace});
       EXPECT_EQ(answer.result.status, alone.status);
       EXPECT_EQ(answer.result.path, alone.path);
       if (!alone.path.empty()) {
@@ -201,8 +201,8 @@ TEST(PreparedPlanner, TheGraphOfAPlannerChangesNothing) {
   Workspace workspace, other;
   for (int i = 0; i < 400; ++i) {
     const Request request{random_cell(grid, random), random_cell(grid, random)};
-    const Result with = planner.plan(request, {}, &workspace);
-    const Result alone = without.plan(request, {}, &other);
+    const Result with = planner.plan(request, {}, {.workspace = &workspace});
+    const Result alone = without.plan(request, {}, {.workspace = &other});
     EXPECT_EQ(with.path, alone.path);
     EXPECT_EQ(with.lower_bound, alone.lower_bound);
     EXPECT_EQ(with.optimal, alone.optimal);
@@ -233,10 +233,10 @@ TEST(PreparedPlanner, AWorkspaceServesSeveralMaps) {
   Workspace workspace;
   std::mt19937 random(9);
   for (const Request& q : some_queries(30)) {
-    large.plan(q, {}, &workspace);
+    large.plan(q, {}, {.workspace = &workspace});
     const Request request{.start = {random_in(0, 59, random), random_in(0, 59, random)},
                           .goal = {random_in(0, 59, random), random_in(0, 59, random)}};
-    expect_as_good(small.plan(request, {}, &workspace), plain.plan(request));
+    expect_as_good(small.plan(request, {}, {.workspace = &workspace}), plain.plan(request));
   }
 }
 

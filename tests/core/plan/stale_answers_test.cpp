@@ -57,7 +57,7 @@ TEST(StaleAnswers, AreThoseOfTheOrdinarySearchAfterEdits) {
       std::vector<Planner::Edit> more;
       for (; done < edits; ++done)
         for (const Planner::Edit& edit : some_edit(grid, random)) more.push_back(edit);
-      edited = edited.edited(more);
+      edited = *edited.edited(more);
       EXPECT_EQ(edited.preparation().state, Preparation::State::none);
       const Planner plain(edited.grid());
       const Planner again = edits == 10 && number % 2 == 0  // in the kept order
@@ -66,9 +66,9 @@ TEST(StaleAnswers, AreThoseOfTheOrdinarySearchAfterEdits) {
       Workspace workspace;
       for (int i = 0; i < 25; ++i) {
         const Request request{random_cell(grid, random), random_cell(grid, random)};
-        const Result right = plain.plan(request, {}, &workspace);
-        expect_equal(edited.plan(request, {}, &workspace), right);
-        expect_equal(again.plan(request, {}, &workspace), right);
+        const Result right = plain.plan(request, {}, {.workspace = &workspace});
+        expect_equal(edited.plan(request, {}, {.workspace = &workspace}), right);
+        expect_equal(again.plan(request, {}, {.workspace = &workspace}), right);
       }
     }
   }
@@ -122,15 +122,15 @@ TEST(StaleAnswers, AWallThatGoesIsNotMissed) {
   const Planner prepared(grid, PrepareOptions{.threads = 1, .labels = true});
   const Request request{{10, 10}, {30, 10}};
   EXPECT_GT(prepared.plan(request).length, 25);
-  const Planner open = prepared.edited(std::vector<Planner::Edit>{{{20, 10}, false}});
+  const Planner open = *prepared.edited(std::vector<Planner::Edit>{{{20, 10}, false}});
   EXPECT_DOUBLE_EQ(open.plan(request).length, 20);
-  const Planner shut = open.edited(std::vector<Planner::Edit>{{{20, 10}, true}});
+  const Planner shut = *open.edited(std::vector<Planner::Edit>{{{20, 10}, true}});
   EXPECT_EQ(shut.plan(request).path, prepared.plan(request).path);
   // Two cells that are doors together only: each is a dead end for itself.
   const Grid thick = grid_of(41, 21, [](int x, int y) { return (x == 20 || x == 21) && y > 0; });
   const Planner both =
-      Planner(thick, PrepareOptions{.threads = 1, .labels = true})
-          .edited(std::vector<Planner::Edit>{{{20, 10}, false}, {{21, 10}, false}});
+      *Planner(thick, PrepareOptions{.threads = 1, .labels = true})
+           .edited(std::vector<Planner::Edit>{{{20, 10}, false}, {{21, 10}, false}});
   EXPECT_DOUBLE_EQ(both.plan(request).length, 20);
 }
 
@@ -138,7 +138,7 @@ TEST(StaleAnswers, EndWhereTooManyCellsAreFree) {
   const Grid grid = grid_of(80, 80, [](int x, int y) { return x >= 20 && x < 60 && y >= 20; });
   std::vector<Planner::Edit> edits;
   for (const Cell c : cells_of({20, 20, 40, 40})) edits.push_back({c, false});
-  const Planner open = Planner(grid, PrepareOptions{.threads = 1, .labels = true}).edited(edits);
+  const Planner open = *Planner(grid, PrepareOptions{.threads = 1, .labels = true}).edited(edits);
   const Request request{{5, 70}, {75, 70}};
   EXPECT_EQ(open.plan(request).path, Planner(open.grid()).plan(request).path);
   EXPECT_EQ(open.footprint().visibility_graph, 0);
@@ -148,7 +148,7 @@ TEST(StaleAnswers, TheKeptOrderIsTheSameForAnyNumberOfThreads) {
   const Grid grid = generate(MapKind::rooms, {120, 90, -1, 6});
   std::mt19937 random(23);
   const Planner edited =
-      Planner(grid, PrepareOptions{.threads = 1, .labels = true}).edited(some_edit(grid, random));
+      *Planner(grid, PrepareOptions{.threads = 1, .labels = true}).edited(some_edit(grid, random));
   const Planner one = edited.prepared({.threads = 1, .labels = true});
   ASSERT_EQ(one.preparation().labels.state, Preparation::State::ready);
   for (const int threads : {2, 5}) {

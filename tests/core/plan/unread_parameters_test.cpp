@@ -43,9 +43,9 @@ std::vector<std::string> other_values(const Parameter& parameter, const std::str
 bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 bool same_run(const Result& a, const Result& b) {
-  return a.status == b.status && a.arrived == b.arrived && a.path == b.path &&
-         std::ranges::equal(a.best, b.best, same_number) &&
-         std::ranges::equal(a.mean, b.mean, same_number);
+  return a.status == b.status && a.curves.arrived == b.curves.arrived && a.path == b.path &&
+         std::ranges::equal(a.curves.best, b.curves.best, same_number) &&
+         std::ranges::equal(a.curves.mean, b.curves.mean, same_number);
 }
 
 bool is_refused(const Params& params) {

@@ -48,7 +48,7 @@ Result cut_short(const Params& params, int looks, Workspace& workspace) {
   static const Request far = far_apart(large());
   const CountingTime time(looks);
   return large().plan({.start = far.start, .goal = far.goal, .stop = time.is_up()}, params,
-                      &workspace);
+                      {.workspace = &workspace});
 }
 
 class KeptWorkspace : public testing::TestWithParam<std::string_view> {};
@@ -63,7 +63,7 @@ TEST_P(KeptWorkspace, AfterCutsAnswersAndHoldsAsAFreshOneDoes) {
   const Params params = small(GetParam());
   const Request request = in_the_yard();
   Workspace fresh;
-  const Result expected = large().plan(request, params, &fresh);
+  const Result expected = large().plan(request, params, {.workspace = &fresh});
   ASSERT_FALSE(expected.path.empty());
   std::int64_t most = fresh.bytes();
   Workspace kept;
@@ -74,9 +74,9 @@ TEST_P(KeptWorkspace, AfterCutsAnswersAndHoldsAsAFreshOneDoes) {
     (void)cut_short(params, looks, kept);
     EXPECT_LE(kept.bytes(), most + most / 2) << looks;
     if (looks % 2 == 0) continue;  // or cut short twice in a row
-    const Result again = large().plan(request, params, &kept);
+    const Result again = large().plan(request, params, {.workspace = &kept});
     EXPECT_EQ(again.path, expected.path) << looks;
-    EXPECT_EQ(again.mean, expected.mean) << looks;
+    EXPECT_EQ(again.curves.mean, expected.curves.mean) << looks;
   }
 }
 
@@ -90,9 +90,9 @@ TEST(Workspace, ServesAllAlgorithmsAndMapsInTurn) {
       for (const Planner* map : {&tiny(), &large()}) {
         const Request asked = map == &tiny() ? request : in_the_yard();
         const Result expected = map->plan(asked, params);
-        const Result again = map->plan(asked, params, &kept);
+        const Result again = map->plan(asked, params, {.workspace = &kept});
         EXPECT_EQ(again.path, expected.path) << algorithm.name;
-        EXPECT_EQ(again.mean, expected.mean) << algorithm.name;
+        EXPECT_EQ(again.curves.mean, expected.curves.mean) << algorithm.name;
       }
     }
   }
@@ -116,7 +116,7 @@ TEST(Workspace, TellsWhatItHoldsAndGivesItBack) {
       const auto before = heap_in_use();
       Workspace workspace;
       const auto empty = workspace.bytes();
-      (void)planner->plan(request, small(algorithm.name), &workspace);
+      (void)planner->plan(request, small(algorithm.name), {.workspace = &workspace});
       const auto held = static_cast<double>(heap_in_use() - before);
       EXPECT_NEAR(static_cast<double>(workspace.bytes()), held, 0.05 * held) << algorithm.name;
       workspace.release();
@@ -124,7 +124,7 @@ TEST(Workspace, TellsWhatItHoldsAndGivesItBack) {
       // The allocator keeps some small blocks at hand.
       EXPECT_LT(static_cast<double>(heap_in_use() - before - empty), 10000 + held / 20)
           << algorithm.name;
-      EXPECT_EQ(planner->plan(request, small(algorithm.name), &workspace).path,
+      EXPECT_EQ(planner->plan(request, small(algorithm.name), {.workspace = &workspace}).path,
                 planner->plan(request, small(algorithm.name)).path);
     }
   }

@@ -25,10 +25,10 @@ TEST(Determinism, SeedAloneDecides) {
     parameters.threads = 3;
     const Result two = Planner(random_world(7, 60)).plan(request, parameters);
     EXPECT_EQ(one.path, two.path);
-    EXPECT_EQ(one.best, two.best);
-    EXPECT_EQ(one.mean, two.mean);
+    EXPECT_EQ(one.curves.best, two.curves.best);
+    EXPECT_EQ(one.curves.mean, two.curves.mean);
     parameters.seed = 2;
-    EXPECT_NE(planner.plan(request, parameters).mean, one.mean);
+    EXPECT_NE(planner.plan(request, parameters).curves.mean, one.curves.mean);
   }
 }
 
@@ -40,7 +40,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
                                     if (view.iteration == 4) source.request_stop();
                                   });
   EXPECT_EQ(cut.status, Status::interrupted);
-  EXPECT_EQ(cut.iterations, 5);
+  EXPECT_EQ(cut.curves.iterations, 5);
   EXPECT_FALSE(cut.path.empty());
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
     const Result late =
@@ -66,10 +66,10 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
     const Result cut = planner.plan({}, Params(algorithm), [&](const PlanProgress& view) {
       EXPECT_LE(view.lower_bound.value(), view.best_length);
       EXPECT_NEAR(path_length(view.path()), view.best_length, 1e-9 * view.best_length);
-      if (view.iteration == 2) view.stop();
+      return view.iteration == 2 ? Go::stop : Go::on;
     });
     EXPECT_EQ(cut.status, Status::interrupted);
-    EXPECT_EQ(cut.iterations, 3);
+    EXPECT_EQ(cut.curves.iterations, 3);
     EXPECT_FALSE(cut.path.empty());
   }
 }
@@ -81,13 +81,13 @@ TEST(Stops, AnObserverComesTooLateInTheLastIterationOfTheLastRoute) {
     Params parameters(algorithm);
     parameters.iterations = 3;
     const Result whole = planner.plan({}, parameters);
-    routes += whole.iterations / parameters.iterations;
-    for (int at = 0; at < whole.iterations; ++at) {
+    routes += whole.curves.iterations / parameters.iterations;
+    for (int at = 0; at < whole.curves.iterations; ++at) {
       const Result result = planner.plan({}, parameters, [&](const PlanProgress& view) {
-        if (view.iteration == at) view.stop();
+        return view.iteration == at ? Go::stop : Go::on;
       });
-      const bool last = at + 1 == whole.iterations;
-      EXPECT_EQ(result.iterations, at + 1);
+      const bool last = at + 1 == whole.curves.iterations;
+      EXPECT_EQ(result.curves.iterations, at + 1);
       EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;
       if (last) {
         EXPECT_EQ(result.path, whole.path);
@@ -110,7 +110,7 @@ TEST(Stops, ThePathThatAnObserverSeesIsTheBestOfAllRoutes) {
       ASSERT_NEAR(path_length(last), view.best_length, 1e-9 * view.best_length);
       length = view.best_length;
     });
-    runs += result.iterations / parameters.iterations;
+    runs += result.curves.iterations / parameters.iterations;
     EXPECT_EQ(last, result.path);
     EXPECT_NEAR(length, result.length, 1e-9 * length);
   }
@@ -152,7 +152,7 @@ TEST(Stops, AnIterationIsCutShort) {
   const CountingTime time(4);
   const Result cut = planner.plan({.start = {}, .goal = {}, .stop = time.is_up()}, parameters);
   EXPECT_EQ(cut.status, Status::limit);
-  EXPECT_EQ(cut.iterations, 0);
+  EXPECT_EQ(cut.curves.iterations, 0);
   EXPECT_EQ(cut.path, cut.dijkstra->path);
 }
 
@@ -178,7 +178,7 @@ TEST(Scale, APowerOfTwoChangesNoBitOfAnyAnswer) {
         for (std::size_t k = 0; k < one.path.size(); ++k)
           EXPECT_EQ(far(one.path[k]), other.path[k]) << algorithm.name << " " << by;
         EXPECT_EQ(one.crossing.values, other.crossing.values);
-        EXPECT_EQ(one.iterations, other.iterations);
+        EXPECT_EQ(one.curves.iterations, other.curves.iterations);
       }
     }
   }
@@ -192,7 +192,7 @@ TEST(Scale, ThePublishedPheromoneTiesTheColonyToTheUnit) {
   far.start = scaled(*far.start, 1024);
   far.goal = scaled(*far.goal, 1024);
   const Result metres = Planner(known_world()).plan({}, parameters);
-  EXPECT_NE(metres.mean, Planner(far).plan({}, parameters).mean);
+  EXPECT_NE(metres.curves.mean, Planner(far).plan({}, parameters).curves.mean);
 }
 
 TEST(Iterations, GrowWithTheValuesUnlessTheyWereSet) {
@@ -206,7 +206,7 @@ TEST(Iterations, GrowWithTheValuesUnlessTheyWereSet) {
   parameters.agreement = 0;
   parameters.routes = 1;
   EXPECT_EQ(iterations_of(parameters), 30);
-  EXPECT_EQ(Planner(known_world()).plan({}, parameters).iterations, 30);
+  EXPECT_EQ(Planner(known_world()).plan({}, parameters).curves.iterations, 30);
   EXPECT_EQ(iterations_of(Params("real-ga")), 1000);
   parameters.iterations = -2;
   EXPECT_THROW(validate(parameters), Error);
@@ -216,7 +216,7 @@ TEST(TargetGap, EndsTheRun) {
   const Planner planner(known_world());
   const Result result =
       planner.plan({.start = {}, .goal = {}, .target_gap = 0.02}, Params("maklink-acs"));
-  EXPECT_LT(result.iterations, 50);
+  EXPECT_LT(result.curves.iterations, 50);
   EXPECT_LE(*result.gap(), 0.02);
 }
 
@@ -233,8 +233,8 @@ TEST(Routes, MoreLineSequencesAreNeverWorse) {
     parameters.routes = 5;
     const Result many = planner.plan(request, parameters);
     EXPECT_LE(many.length, one.length);
-    EXPECT_GE(many.iterations, one.iterations);
-    EXPECT_TRUE(std::is_sorted(many.best.rbegin(), many.best.rend()));
+    EXPECT_GE(many.curves.iterations, one.curves.iterations);
+    EXPECT_TRUE(std::is_sorted(many.curves.best.rbegin(), many.curves.best.rend()));
   }
   EXPECT_GT(searched, 4);
 }

@@ -74,9 +74,9 @@ TEST(Ants, DrawAndUpdateByTheFormulas) {
       }
       const auto means = means_by_the_formulas(lengths, parameters);
       // The run ends at the shortest path of all, over the wedge's tip.
-      improved += result.iterations > 5 ? 1 : 0;
-      for (int q = 0; q < result.iterations; ++q) {
-        ASSERT_NEAR(result.mean[q], means[q], 1e-12) << "iteration " << q;
+      improved += result.curves.iterations > 5 ? 1 : 0;
+      for (int q = 0; q < result.curves.iterations; ++q) {
+        ASSERT_NEAR(result.curves.mean[q], means[q], 1e-12) << "iteration " << q;
       }
     }
   }
@@ -91,8 +91,8 @@ TEST(Ants, MeasureAlikeWithAndWithoutATable) {
     parameters.values = values;
     const Result result = planner.plan({}, parameters);
     ASSERT_LT(result.length, result.dijkstra->length);
-    EXPECT_NEAR(result.best.back(), result.length, 1e-9) << values;
-    for (const double mean : result.mean) {
+    EXPECT_NEAR(result.curves.best.back(), result.length, 1e-9) << values;
+    for (const double mean : result.curves.mean) {
       EXPECT_GE(mean, result.discrete_optimum->length - 1e-9) << values;
     }
   }

@@ -144,7 +144,7 @@ TEST(Margin, StartsAndGoalsBesideAnArcAreFree) {
     EXPECT_EQ(result.path.back(), goal);
     EXPECT_EQ(result.optimum, optimum);
     EXPECT_LE(result.length, 1.1 * optimum);
-    EXPECT_NEAR(result.best.back(), result.length, 1e-9);
+    EXPECT_NEAR(result.curves.best.back(), result.length, 1e-9);
     const auto keeps = [&](Point p) {
       EXPECT_GE(distance_to_edges(world, p, false), 4 - 1e-9) << algorithm;
     };

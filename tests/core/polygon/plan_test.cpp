@@ -249,7 +249,7 @@ TEST(Degenerate, NoObstaclesAndNoWay) {
   Result result = Planner(world).plan({}, Params("maklink-acs"));
   EXPECT_EQ(result.length, 5);
   EXPECT_EQ(*result.gap(), 0);
-  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(result.curves.iterations, 0);
   result = Planner(world).plan({.start = Point{1, 1}, .goal = Point{1, 1}});
   EXPECT_EQ(result.length, 0);
   EXPECT_EQ(result.path.size(), 1u);

@@ -125,7 +125,6 @@ TEST(RoutedTours, OfManyStopsAreTheSameOnAnyThreads) {
       const TourResult again = plan_tour(planner, request, [&](auto order, double length) {
         EXPECT_EQ(order.size(), tour.order.size());
         told = length;
-        return true;
       });
       EXPECT_EQ(again.order, tour.order);
       EXPECT_EQ(again.lower_bound, tour.lower_bound);

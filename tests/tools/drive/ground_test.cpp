@@ -26,8 +26,9 @@ TEST(Ground, ATickIsWhatItIsFromScratch) {
       changed += codes != before;
       before = codes;
     };
+    world.options.observer = observe;
     drive(world.map, world.truth, world.start, world.goal, world.changes, world.options,
-          world.navigator, {}, observe);
+          world.navigator);
   }
   EXPECT_GT(ticks, 300);
   EXPECT_GT(changed, 100);

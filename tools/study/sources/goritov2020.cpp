@@ -94,10 +94,10 @@ PreparedRun ArmScenes::prepare(const Question& question, const Contender& conten
     arm::Result result = arm::plan(robot_, scene.sensor, request, seeded);
     Run run{.status = result.status,
             .length = result.length / scene.ground.optimum,
-            .iterations = result.iterations,
+            .iterations = result.curves.iterations,
             .seconds = thread_seconds() - begin,
-            .best = std::move(result.best),
-            .mean = std::move(result.mean),
+            .best = std::move(result.curves.best),
+            .mean = std::move(result.curves.mean),
             .limit = 1,
             .steps = result.steps,
             .checks = result.questions.positions + result.questions.motions};

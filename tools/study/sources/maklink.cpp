@@ -35,9 +35,9 @@ PreparedRun MaklinkWorld::prepare(const Question& question, const Contender& con
         params.algorithm() == kGenes ? result.sequence_optimum : result.discrete_optimum;
     return Run{.status = result.status,
                .length = result.length,
-               .iterations = result.iterations,
+               .iterations = result.curves.iterations,
                .seconds = std::max(0.0, seconds - rest),
-               .best = result.best,
+               .best = result.curves.best,
                .limit = limit ? limit->length : kUnknown,
                .reference = result.dijkstra ? result.dijkstra->length : kUnknown};
   };

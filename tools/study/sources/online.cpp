@@ -57,8 +57,9 @@ std::unique_ptr<Pilot> pilot_of(const OnlineWorld& world, const Policy& policy) 
 
 Run drive_once(const OnlineWorld& world, const Policy& policy, const std::stop_token& stop) {
   const auto pilot = pilot_of(world, policy);
-  const DriveResult driven =
-      drive(*pilot, world.truth, world.start, world.changes, policy.options, {.token = stop});
+  DriveOptions options = policy.options;
+  options.stop.token = stop;
+  const DriveResult driven = drive(*pilot, world.truth, world.start, world.changes, options);
   Run run{.status = driven.status,
           .iterations = static_cast<int>(driven.replans.size()),
           .seconds = driven.planning_ms / 1000,

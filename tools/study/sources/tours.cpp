@@ -71,10 +71,10 @@ PreparedRun StopTours::prepare(const Question& question, const Contender& conten
     const double begin = thread_seconds();
     const TourResult tour = plan_tour(instance, request);
     Run run{.status = tour.status,
-            .iterations = tour.run.iterations,
+            .iterations = tour.curves.iterations,
             .seconds = thread_seconds() - begin,
-            .best = tour.run.best,
-            .mean = tour.run.mean};
+            .best = tour.curves.best,
+            .mean = tour.curves.mean};
     if (!tour.order.empty()) run.length = tour.length;
     return run;
   };

@@ -338,10 +338,8 @@ TEST(Cover, EndsWithTheBestSoFar) {
   EXPECT_GT(laid.covered, 0.9);
   request = ask(3);
   std::vector<double> told;
-  const CoverResult cover = plan_cover(planner, request, [&](std::span<const int>, double length) {
-    told.push_back(length);
-    return true;
-  });
+  const CoverResult cover = plan_cover(
+      planner, request, [&](std::span<const int>, double length) { told.push_back(length); });
   ASSERT_FALSE(told.empty());
   EXPECT_NEAR(told.back(), cover.tour.length, 1e-3 * static_cast<double>(cover.stops.size()));
 }
