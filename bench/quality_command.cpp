@@ -131,7 +131,6 @@ Params without_pheromone(Params params) {
   params.pheromone_rule_first = params.pheromone_rule = 0;
   params.combined_rule_first = params.combined_rule = 0;
   params.distance_rule_first = params.distance_rule = 1;
-  reset_unread(params);  // shares of iteration 0, where they do not change
   return params;
 }
 

@@ -167,7 +167,7 @@ class LASIUS_EXPORT Planner {
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
   /// The same with a colony some of whose rules are the caller's own, see OwnRules.
-  /// @throws Error(invalid_parameter) for parameters that validate(params, own) refuses, rules that
+  /// @throws Error(invalid_parameter) for parameters that validate() refuses, rules that
   /// do not go with map or algorithm, and as above; what they throw.
   Result plan(const Request& request, const Params& params, const OwnRules& own,
               Workspace* workspace = nullptr, const Observer& observer = {}) const;

@@ -16,8 +16,34 @@ void exact(Params&) {}
 /// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. What
 /// the source leaves open was settled on generated maps, see docs/theory.md: the shares of its
 /// three rules, Q / tau0 = 100, deposits on tours cut to the ant's own cells, the window of the
-/// straightening, and ants that step back at dead ends. Its values are the defaults of Params.
-void fan2004(Params&) {}
+/// straightening, and ants that step back at dead ends.
+void fan2004(Params& p) {
+  p.ants = 10;
+  p.iterations = 120;
+  p.walk_cut = WalkCut::own_cells;
+  p.polish = Polish::local;
+  p.straight_window = 10;
+  p.straight_deposit = StraightDeposit::all;
+  p.heuristic = Heuristic::rescaled_distance;
+  p.omega = 10;
+  p.mu = p.lambda = 2;
+  p.visibility = Visibility::inverse_step;
+  p.critical_time = 10;
+  p.alpha_first = 0;
+  p.alpha = 4;
+  p.beta_first = 3;
+  p.beta = 1.5;
+  p.pheromone_rule_first = p.combined_rule_first = 0;
+  p.pheromone_rule = 0.01;
+  p.combined_rule = 0.7;
+  p.distance_rule_first = 1;
+  p.distance_rule = 0.3;
+  p.settling_time = 70;
+  p.distance_rule_last = 0.002;
+  p.persistence = 0.7;
+  p.initial_pheromone = 1;
+  p.deposit = 100;
+}
 
 /// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
 /// visibility 1 / distance to the goal, nothing done with the walks; the other families begin with
@@ -27,22 +53,12 @@ void ant_system_book(Params& p) {
   p.neighbours = Neighbours::eight;
   p.trail = Trail::arcs;
   p.heuristic = Heuristic::inverse_distance;
-  p.visibility = Visibility::none;
-  p.critical_time = 0;
-  p.pheromone_rule_first = p.pheromone_rule = 0;
-  p.distance_rule_first = p.distance_rule = p.distance_rule_last = 0;
-  p.settling_time = 0;
-  p.combined_rule_first = p.combined_rule = 1;
-  p.initial_pheromone = 0;
-  p.deposit = 1;
-  p.straight_deposit = StraightDeposit::none;
-  p.polish = Polish::none;
-  p.walk_cut = WalkCut::none;
   p.ants = 30;
   p.iterations = 100;
   p.alpha = p.alpha_first = 1;
   p.beta = p.beta_first = 5;
   p.persistence = 0.7;
+  p.deposit = 1;
 }
 
 /// Elitist ant system: evaporation 0.5, e = the number of ants (Dorigo & Stuetzle 2004, box 3.1).
@@ -90,6 +106,7 @@ void on_maps(Params& p) {
   p.walk_cut = WalkCut::entered_cells;
   p.heuristic = Heuristic::rescaled_distance;
   p.omega = 1;
+  p.mu = p.lambda = 2;
   p.ants = 10;
   p.iterations = 1000;
   p.persistence = 0.9;
@@ -172,6 +189,7 @@ void cong2009(Params& p) {
   p.persistence = 0.8;
   p.initial_pheromone = 3;
   p.reward = 1.2;
+  p.reward_reading = Reward::factor;
   p.penalty = 0.5;
 }
 
@@ -200,6 +218,9 @@ void grid_ga(Params& p) {
   p.polish = Polish::straight;
   p.neighbours = Neighbours::eight;
   p.iterations = 100;
+  p.population = 50;
+  p.crossover = 1;
+  p.mutation = 0.05;
 }
 
 struct Listed {
