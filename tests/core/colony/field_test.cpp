@@ -44,7 +44,7 @@ struct Reference {
   }
 
   const Grid& grid;
-  Params params("fan2004");
+  Params params;
   kernels::Moves moves;
   std::vector<double> tau;
 };
