@@ -16,12 +16,11 @@
 namespace lasius::bench {
 namespace {
 
-struct ArmOptions {
+struct ArmOptions : Reported {
   int rounds = 5;
   int scenes = 60;
   int seeds = 60;
   int goals = 60;
-  std::string markdown;
 };
 
 arm::Robot shipped(const std::string& name) {
@@ -233,7 +232,6 @@ void add_arm_command(CLI::App& app) {
   add_number(command, "--goals", options.goals, "Goals in empty scenes, of each of three arms", 1,
              100000);
   add_number(command, "--seeds", options.seeds, "Runs compared with the optimum", 1, 100000);
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -26,14 +26,13 @@
 namespace lasius::bench {
 namespace {
 
-struct QualityOptions {
+struct QualityOptions : Reported {
   std::string algorithm = "fan2004";
   int seeds = 30;
   int blobs = 20;
   std::uint64_t first_blobs = 1001;
   bool fan = true;
   std::vector<std::string> courses;  // FILE,X,Y,X,Y
-  std::string markdown;
 };
 
 /// One plan.
@@ -223,7 +222,6 @@ void add_quality_command(CLI::App& app) {
   add_number(command, "--first-blobs", options.first_blobs, "Seed of the first of them");
   command.add_flag("!--no-fan", options.fan, "Leave out maps/fan400x200.map");
   command.add_option("--course", options.courses, "More courses: FILE,X,Y,X,Y");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

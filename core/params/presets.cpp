@@ -99,8 +99,8 @@ void max_min_book(Params& p) {
 /// Gambardella 1997). Its local update follows every step; here it follows every ant (batch = 1).
 void colony_system_book(Params& p) {
   ant_system_book(p);
+  set_ants(p, 10, 100);
   p.update = Update::colony_system;
-  p.ants = 10;
   p.greedy = 0.9;
   p.persistence = 0.9;
   p.local_evaporation = 0.1;
