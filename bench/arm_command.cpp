@@ -17,10 +17,7 @@ namespace lasius::bench {
 namespace {
 
 struct ArmOptions : Reported {
-  int rounds = 5;
-  int scenes = 60;
-  int seeds = 60;
-  int goals = 60;
+  int rounds = 5, scenes = 60, seeds = 60, goals = 60;
 };
 
 arm::Robot shipped(const std::string& name) {

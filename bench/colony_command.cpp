@@ -8,9 +8,7 @@ namespace lasius::bench {
 namespace {
 
 struct ColonyOptions : Reported {
-  int rounds = 9;
-  int side = 16384;
-  int plans = 200;
+  int rounds = 9, side = 16384, plans = 200;
 };
 
 void run_colony(const ColonyOptions& options) {
