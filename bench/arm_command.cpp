@@ -16,12 +16,8 @@
 namespace lasius::bench {
 namespace {
 
-struct ArmOptions {
-  int rounds = 5;
-  int scenes = 60;
-  int seeds = 60;
-  int goals = 60;
-  std::string markdown;
+struct ArmOptions : Reported {
+  int rounds = 5, scenes = 60, seeds = 60, goals = 60;
 };
 
 arm::Robot shipped(const std::string& name) {
@@ -233,7 +229,6 @@ void add_arm_command(CLI::App& app) {
   add_number(command, "--goals", options.goals, "Goals in empty scenes, of each of three arms", 1,
              100000);
   add_number(command, "--seeds", options.seeds, "Runs compared with the optimum", 1, 100000);
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

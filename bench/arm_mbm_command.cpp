@@ -19,8 +19,8 @@
 namespace lasius::bench {
 namespace {
 
-struct MbmOptions {
-  std::string folder, problems, base, name = "ur5", tip = "ee_link", markdown;
+struct MbmOptions : Reported {
+  std::string folder, problems, base, name = "ur5", tip = "ee_link";
   double clearance = arm::Sensor::kLeastClearance;
   std::uint64_t seed = 1;
   int each = 1, checked = 0, instants = 2000, cuts = 0;
@@ -283,7 +283,6 @@ void add_arm_mbm_command(CLI::App& app) {
   add_number(command, "--peers", options.peers, "Seconds for OMPL's RRT-Connect; 0: without it", 0,
              1e6);
 #endif
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

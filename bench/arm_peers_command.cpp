@@ -18,13 +18,12 @@
 namespace lasius::bench {
 namespace {
 
-struct ArmPeersOptions {
+struct ArmPeersOptions : Reported {
   std::vector<std::string> robots;
   std::vector<int> obstacles{0, 5, 15};
   int queries = 20;
   double cap = 2;
   std::uint64_t seed = 1;
-  std::string markdown;
 };
 
 /// A robot's name and itself; FILE, or FILE:BASE:TIP.
@@ -211,7 +210,6 @@ void add_arm_peers_command(CLI::App& app) {
   add_number(command, "--queries", options.queries, "Questions a robot and number", 1, 100000);
   add_number(command, "--cap", options.cap, "Seconds a question");
   add_number(command, "--seed", options.seed, "Of the first question");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

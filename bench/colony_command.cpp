@@ -7,11 +7,8 @@
 namespace lasius::bench {
 namespace {
 
-struct ColonyOptions {
-  int rounds = 9;
-  int side = 16384;
-  int plans = 200;
-  std::string markdown;
+struct ColonyOptions : Reported {
+  int rounds = 9, side = 16384, plans = 200;
 };
 
 void run_colony(const ColonyOptions& options) {
@@ -34,7 +31,6 @@ void add_colony_command(CLI::App& app) {
   add_number(command, "--rounds", options.rounds, "Rounds of each measurement", 1, 1000);
   add_number(command, "--side", options.side, "Side of the large map", 1024, Grid::kMaxSide);
   add_number(command, "--plans", options.plans, "Plans for latencies", 1, 100000);
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

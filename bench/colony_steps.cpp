@@ -106,7 +106,6 @@ double variant_rate(const Planner& planner, std::string_view algorithm, int batc
   params.polish = Polish::none;
   params.straight_deposit = StraightDeposit::none;
   if (batch > 0) params.batch = batch;
-  reset_unread(params);  // most colonies have no batches
   return plan_rate(planner, params, seed);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,6 +42,11 @@ void add_arm_mbm_command(CLI::App& app);    ///< likewise
 void add_arm_peers_command(CLI::App& app);  ///< only with lasius::arm and OMPL
 void add_smoke_command(CLI::App& app);
 
+/// Options of a command whose table goes to a file beside standard output.
+struct Reported {
+  std::string markdown;
+};
+
 /// A subcommand that runs `run` with options of its own.
 template <class Options>
 std::pair<CLI::App&, Options&> add_command(CLI::App& app, const std::string& name,
@@ -48,6 +54,8 @@ std::pair<CLI::App&, Options&> add_command(CLI::App& app, const std::string& nam
                                            void (*run)(const Options&)) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(name, summary);
+  if constexpr (std::derived_from<Options, Reported>)
+    command.add_option("-o,--output", options->markdown, "Write the Markdown here, too");
   command.callback([options, run] { run(*options); });
   return {command, *options};
 }
@@ -58,9 +66,6 @@ void add_number(CLI::App& command, const std::string& name, Number& value, const
                 double least = 0, double most = 1e9) {
   command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(least, most));
 }
-
-/// The file that a table goes to beside standard output.
-void add_output(CLI::App& command, std::string& file);
 
 /// Which maps a command runs on.
 struct MapOptions {

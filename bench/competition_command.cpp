@@ -18,10 +18,9 @@
 namespace lasius::bench {
 namespace {
 
-struct CompetitionOptions : QueryOptions {
+struct CompetitionOptions : QueryOptions, Reported {
   CompetitionOptions() : QueryOptions{.count = 1000, .rounds = 1} {}
   bool unprepared = false;
-  std::string markdown;
 };
 
 /// The corner at which the competition begins and ends: the upper left one of a cell.
@@ -107,7 +106,6 @@ void add_competition_command(CLI::App& app) {
                   run_competition);
   add_query_options(command, options);
   command.add_flag("--unprepared", options.unprepared, "Prepare nothing");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

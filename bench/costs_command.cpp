@@ -22,13 +22,12 @@ namespace {
 constexpr double kProvenGaps[] = {0.01, 0.001, 0.0007};
 constexpr double kRounding = 1e-9;
 
-struct CostsOptions {
+struct CostsOptions : Reported {
   MapOptions maps;
   std::vector<std::string> weights = kWeightKinds;
   std::size_t count = 6;
   int rounds = 3;
   bool no_peers = false;
-  std::string markdown;
 };
 
 /// Measurements of many queries; a query that never comes to a gap has an infinite time there.
@@ -227,7 +226,6 @@ void add_costs_command(CLI::App& app) {
   add_number(command, "--queries", options.count, "Queries a map and kind of weight", 1);
   add_number(command, "--rounds", options.rounds, "Rounds of each query by 8 moves", 1, 1000);
   command.add_flag("--no-peers", options.no_peers, "Without the peers' paths");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -22,11 +22,10 @@
 namespace lasius::bench {
 namespace {
 
-struct DiscOptions : QueryOptions {
+struct DiscOptions : QueryOptions, Reported {
   DiscOptions() : QueryOptions{.count = 30, .rounds = 3} {}
   std::vector<double> radii{0.5, 1.7, 4.4, 8, 12.3};
   bool prepare = false;
-  std::string markdown;
 };
 
 // Microseconds of processor time that a call takes.
@@ -214,7 +213,6 @@ void add_disc_command(CLI::App& app) {
       ->delimiter(',')
       ->check(CLI::Range(disc::kLeastRadius, disc::kLargestRadius));
   command.add_flag("--prepare", options.prepare, "Make the graph, too, and ask it");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -20,10 +20,9 @@
 namespace lasius::bench {
 namespace {
 
-struct LabelOptions : QueryOptions {
+struct LabelOptions : QueryOptions, Reported {
   LabelOptions() : QueryOptions{.count = 2000, .rounds = 5} {}
   int threads = 1;
-  std::string markdown;
 };
 
 // Microseconds a query of each, the least of some rounds in turn; lengths that differ.
@@ -173,7 +172,6 @@ void add_labels_command(CLI::App& app) {
       add_command(app, "labels", "Answers by hub labels, against the searches", run_labels);
   add_query_options(command, options);
   command.add_option("--threads", options.threads, "To prepare with")->check(CLI::Range(1, 1024));
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -19,14 +19,13 @@
 namespace lasius::bench {
 namespace {
 
-struct Nav2Options {
+struct Nav2Options : Reported {
   std::string folder;
   double target_gap = 1;            // %
   double radius = 0;                // m
   double reach = 0.7, scaling = 3;  // of inflation: m, 1/m
   double speed = 3;                 // factor of the speed mask
   std::size_t slowest = 3;
-  std::string markdown;
 };
 
 /// A map with its weights, and places on it in cells.
@@ -149,7 +148,6 @@ void add_nav2_command(CLI::App& app) {
   add_number(command, "--scaling", options.scaling, "Scaling of the inflation");
   add_number(command, "--speed", options.speed, "Factor of the speed mask");
   add_number(command, "--slowest", options.slowest, "Slowest pairs to name");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -16,12 +16,11 @@
 namespace lasius::bench {
 namespace {
 
-struct OvershootOptions {
+struct OvershootOptions : Reported {
   MapOptions maps;
   std::vector<std::string> algorithms;
   int cuts = 1000;
   double limit = 10;  // ms
-  std::string markdown;
 };
 
 double milliseconds(Clock::duration time) {
@@ -183,7 +182,6 @@ void add_overshoot_command(CLI::App& app) {
       ->check(CLI::IsMember(options.algorithms));
   add_number(command, "--cuts", options.cuts, "Plans of each algorithm and map", 1, 1000000);
   add_number(command, "--limit", options.limit, "Longest time limit, ms", 0.1, 1e6);
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -26,14 +26,13 @@
 namespace lasius::bench {
 namespace {
 
-struct QualityOptions {
+struct QualityOptions : Reported {
   std::string algorithm = "fan2004";
   int seeds = 30;
   int blobs = 20;
   std::uint64_t first_blobs = 1001;
   bool fan = true;
   std::vector<std::string> courses;  // FILE,X,Y,X,Y
-  std::string markdown;
 };
 
 /// One plan.
@@ -133,7 +132,6 @@ Params without_pheromone(Params params) {
   params.pheromone_rule_first = params.pheromone_rule = 0;
   params.combined_rule_first = params.combined_rule = 0;
   params.distance_rule_first = params.distance_rule = 1;
-  reset_unread(params);  // shares of iteration 0, where they do not change
   return params;
 }
 
@@ -226,7 +224,6 @@ void add_quality_command(CLI::App& app) {
   add_number(command, "--first-blobs", options.first_blobs, "Seed of the first of them");
   command.add_flag("!--no-fan", options.fan, "Leave out maps/fan400x200.map");
   command.add_option("--course", options.courses, "More courses: FILE,X,Y,X,Y");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

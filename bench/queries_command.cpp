@@ -13,11 +13,10 @@ namespace {
 
 constexpr const char* kQueriesHelp = "Queries a map; 0: all of its table, 30 where it has none";
 
-struct QueriesOptions {
+struct QueriesOptions : Reported {
   MapOptions maps;
   std::vector<std::string> planners;
   std::string subject;
-  std::string markdown;
   std::size_t count = 30;
   ComparisonOptions comparison;
 };
@@ -55,10 +54,6 @@ void run_queries(const QueriesOptions& options) {
 }
 
 }  // namespace
-
-void add_output(CLI::App& command, std::string& file) {
-  command.add_option("-o,--output", file, "Write the Markdown here, too");
-}
 
 void add_map_options(CLI::App& command, MapOptions& options) {
   command.add_option("--maps", options.maps,
@@ -130,7 +125,6 @@ void add_queries_command(CLI::App& app) {
              1000);
   add_number(command, "--seconds", options.comparison.seconds,
              "A planner that spent this on a map starts no further round there");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

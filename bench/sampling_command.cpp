@@ -17,9 +17,8 @@ namespace {
 using peers::kGaps;
 using peers::SamplingTrial;
 
-struct SamplingOptions {
+struct SamplingOptions : Reported {
   MapOptions maps;
-  std::string markdown;
   std::size_t count = 3;
   int seeds = 3;
   double cap = 2;
@@ -118,7 +117,6 @@ void add_sampling_command(CLI::App& app) {
   add_number(command, "--queries", options.count, "Queries a map");
   add_number(command, "--seeds", options.seeds, "Runs of each query");
   add_number(command, "--cap", options.cap, "Seconds a run");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -25,7 +25,7 @@ namespace {
 
 using vehicle::Pose;
 
-struct VehicleOptions {
+struct VehicleOptions : Reported {
   std::string folder, maps, graph;
   std::vector<double> world = {0.05, 0, 0, 0.25};
   std::vector<double> size = {12, 8};
@@ -38,7 +38,6 @@ struct VehicleOptions {
   double curvature_rate = 0;
   bool smooth = true, optimum = false;
   int generated = 0;
-  std::string markdown;
 };
 
 vehicle::Vehicle vehicle_of(const VehicleOptions& options) {
@@ -242,7 +241,6 @@ void add_vehicles_command(CLI::App& app) {
              "How much dearer a cell is beside what is blocked; 0: no costs", 0, 1000);
   add_number(command, "--generated", options.generated, "Side of the generated map", 64, 4096);
   command.add_flag("!--no-smooth", options.smooth, "Leave paths as the search has them");
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -21,14 +21,13 @@
 namespace lasius::bench {
 namespace {
 
-struct SurviveOptions {
+struct SurviveOptions : Reported {
   int worlds = 30;
   std::uint64_t seed = 1;
   std::string algorithm = "ras";  // constant exponents: blank and surviving differ in the trail
   int train = 200;
   double budget = 4e6;
   double within = 0.02;
-  std::string markdown;
 };
 
 using Random = std::mt19937_64;
@@ -225,7 +224,6 @@ void add_survive_command(CLI::App& app) {
   add_number(command, "--train", options.train, "Iterations before the change", 1, 1e6);
   add_number(command, "--budget", options.budget, "Steps after the change", 1, 1e12);
   add_number(command, "--within", options.within, "Of the optimum, as a fraction", 0, 10);
-  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

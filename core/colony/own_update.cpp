@@ -80,12 +80,6 @@ std::span<const TrailPlace> IterationTours::best_places() const noexcept {
   return trail == Trail::cells ? best_cells() : best_arcs();
 }
 
-void validate(const Params& params, const OwnRules& own) {
-  validate(params, OwnParts{.heuristic = !own.heuristic.empty(),
-                            .update = static_cast<bool>(own.update),
-                            .schedule = static_cast<bool>(own.schedule)});
-}
-
 void check_own_rules(const OwnRules& own, const Grid& grid, const Params& params) {
   if (own.none()) return;
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)

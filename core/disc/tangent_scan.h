@@ -25,6 +25,7 @@ namespace lasius::disc {
 
 using kernels::Fixed;
 using kernels::kOne;
+using kernels::kWordsAtOnce;
 
 /// The rays through one gap.
 struct Gap {
@@ -355,11 +356,7 @@ class TangentScan {
     return slope_to(static_cast<double>(u) / static_cast<double>(kOne), line);
   }
 
-  static constexpr std::int64_t kWordsAtOnce = 4096;
-  static constexpr int kNearLines = 12;
-  static constexpr int kNearColumns = 40;
-  static constexpr int kQuietRows = 2;
-  static constexpr int kLeastStride = 4;
+  static constexpr int kNearLines = 12, kNearColumns = 40, kQuietRows = 2, kLeastStride = 4;
 
   const Sweep& sweep_;
   const char* row0_;

@@ -80,7 +80,7 @@ class Navigator::Impl {
       refuse("islands is " + std::to_string(params.islands) +
                  ", but one colony follows a map that changes",
              "set islands to 1");
-    params.corners = corners_of(params.corners, {options.radius});
+    params.corners = corners_of_paths(params, {options.radius});
     if (robot_disc && space() == nullptr)  // a step was stopped
       robot_disc->space = disc::DiscSpace::make(map.map(), options.radius);
     colony.emplace(map.passable(), to, params, space());

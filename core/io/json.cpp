@@ -124,7 +124,6 @@ Params params_from_json(std::string_view text) {
   if (!values.is_object()) throw broken("holds \"parameters\": " + json::dumped(values));
   for (const auto& [name, value] : values.items())
     if (!is_setting(name)) set_parameter(params, name, json::parameter_text(value));
-  reset_unread(params);  // results hold what was asked for
   validate(params);
   return params;
 }

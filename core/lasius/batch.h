@@ -26,7 +26,7 @@ using BatchReceiver = BatchReceiverOf<Result>;  ///< called with each
 ///
 /// `own` are rules of the caller's own, see OwnRules: its functions are called from several threads
 /// at a time, for a plan each.
-/// @throws Error(invalid_parameter) for parameters that validate(params, own) refuses, options or a
+/// @throws Error(invalid_parameter) for parameters that validate() refuses, options or a
 ///         target gap out of range, for own rules that do not go with the parameters or the map,
 ///         and for an empty receiver, before anything is planned.
 LASIUS_EXPORT std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,

@@ -16,11 +16,9 @@ namespace lasius {
 /// Numbers read back as the same, bit for bit.
 LASIUS_IO_EXPORT std::string params_to_json(const Params& params);
 
-/// The parameters in such a text, validated after reset_unread(): what the program prints holds
-/// values that are not read, too. Those that only own rules read have to be set again. What it
-/// leaves out stays as the constructor of Params sets it, other members are skipped: so what
-/// `lasius plan --json` printed will do, whose "parameters" hold the settings of its request beside
-/// them.
+/// The parameters in such a text, validated. What it leaves out stays as the constructor of Params
+/// sets it, other members are skipped: so what `lasius plan --json` printed will do, whose
+/// "parameters" hold the settings of its request beside them.
 /// @throws Error(file_broken) where the text is no JSON object with an algorithm's name, or a
 ///         member is of another type; Error(invalid_parameter) for an unknown algorithm or
 ///         parameter (with the nearest), or a value that is out of range.

@@ -200,10 +200,4 @@ struct OwnRules {
   bool none() const noexcept { return heuristic.empty() && !update && !schedule; }
 };
 
-/// As validate(params), but what own rules may read may have any value: beta and beta_first with a
-/// heuristic, every number of an update with an update, and beta and the values at iteration 0 with
-/// a schedule. What only the replaced heuristic reads must stay as it was. @throws
-/// Error(invalid_parameter)
-LASIUS_EXPORT void validate(const Params& params, const OwnRules& own);
-
 }  // namespace lasius

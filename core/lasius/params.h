@@ -130,8 +130,8 @@ constexpr std::string_view to_string(Preset v) noexcept { return name_of(v, kPre
 /// The numbers of the families' updates, in any world; a row of kUpdates says which of them its
 /// update reads.
 struct TrailParams {
-  double persistence = 0.7;   ///< share of pheromone that remains, 0 .. 1; below 2^-60 as 2^-60
-  double deposit = 100;       ///< Q, 0 .. 10^9
+  double persistence = 0.5;   ///< share of pheromone that remains, 0 .. 1; below 2^-60 as 2^-60
+  double deposit = 1;         ///< Q, 0 .. 10^9
   double elite_weight = 0;    ///< e of Update::elitist, 0 .. 10^6
   int ranks = 6;              ///< w of Update::rank, at least 2
   int elite_ants = 1;         ///< ants that Update::best_share lets deposit
@@ -143,10 +143,10 @@ struct TrailParams {
 };
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
-/// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What
-/// is not read must stay as the constructor left it: see validate(). Each field begins
-/// with the number of `fan2004` shown here, and the constructor changes those that differ and are
-/// read: so Params(), which is `exact`, has `ants` = 10, which nothing reads.
+/// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What the
+/// algorithm does not read must stay as the constructor left it: see validate(). Each field begins
+/// as the plainest there is: one, a factor or exponent of 1, what may be left out left out; the
+/// number of a single rule (`ranks`, `omega`, `penalty`) as that rule's source has it.
 struct LASIUS_EXPORT Params : TrailParams {
   Params() : Params("exact") {}
   /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one, and for a
@@ -160,28 +160,28 @@ struct LASIUS_EXPORT Params : TrailParams {
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer,
                            ///< but with Exchange::asynchronous
 
-  int ants = 10;                             ///< m, 1 .. 10^6, of all islands together
-  int iterations = 120;                      ///< T, 0 .. 10^9
+  int ants = 1;                              ///< m, 1 .. 10^6, of all islands together
+  int iterations = 1;                        ///< T, 0 .. 10^9
   Neighbours neighbours = Neighbours::four;  ///< moves from a cell
   Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
-  Polish polish = Polish::local;             ///< what is done with each tour
+  Polish polish = Polish::none;              ///< what is done with each tour
   double straight_window = 10;               ///< D of Polish::local, cells, 0 .. 10^6
   DeadEnd dead_end = DeadEnd::backtrack;     ///< where every way on is closed
-  WalkCut walk_cut = WalkCut::own_cells;     ///< of every tour, before deposits
+  WalkCut walk_cut = WalkCut::none;          ///< of every tour, before deposits
 
   // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
-  Selection selection = Selection::roulette;           ///< how a move is drawn
-  Trail trail = Trail::cells;                          ///< what carries pheromone
-  Heuristic heuristic = Heuristic::rescaled_distance;  ///< by where a move leads
-  Visibility visibility = Visibility::inverse_step;    ///< by the move and the one before
-  double alpha = 4;   ///< exponent of pheromone (of the terminal index), 0 .. 20
-  double beta = 1.5;  ///< exponent of visibility and heuristic, 0 .. 20
+  Selection selection = Selection::roulette;  ///< how a move is drawn
+  Trail trail = Trail::cells;                 ///< what carries pheromone
+  Heuristic heuristic = Heuristic::uniform;   ///< by where a move leads
+  Visibility visibility = Visibility::none;   ///< by the move and the one before
+  double alpha = 1;   ///< exponent of pheromone (of the terminal index), 0 .. 20
+  double beta = 1;    ///< exponent of visibility and heuristic, 0 .. 20
   double greedy = 0;  ///< share of steps that take the largest weight, q0 (ACS), 0 .. 1
   // Time-varying exponents (Fan et al. 2004, eq. 5, 6): linear from the value at iteration 0 to
   // alpha and beta at iteration `critical_time`, constant after it.
-  int critical_time = 10;  ///< mc; 0: constant from the start
-  double alpha_first = 0;  ///< alpha at iteration 0
-  double beta_first = 3;   ///< beta at iteration 0
+  int critical_time = 0;   ///< mc; 0: constant from the start
+  double alpha_first = 1;  ///< alpha at iteration 0
+  double beta_first = 1;   ///< beta at iteration 0
 
   // Rescaled distance (Fan et al. 2004, eq. 4).
   double omega = 10;  ///< scale, per cell, 0 .. 10^6
@@ -191,22 +191,22 @@ struct LASIUS_EXPORT Params : TrailParams {
   // Roulette between the rules (Fan et al. 2004, note 4): shares at iteration 0 and from
   // `critical_time` on, linear between; that of the heuristic alone goes on to its last value at
   // `settling_time`. Each 0 .. 10^6; only their ratios count.
-  double pheromone_rule_first = 0;    ///< by pheromone and visibility, at iteration 0
-  double pheromone_rule = 0.01;       ///< the same from `critical_time` on
-  double distance_rule_first = 1;     ///< by the heuristic alone, at iteration 0
-  double distance_rule = 0.3;         ///< the same at `critical_time`
-  double distance_rule_last = 0.002;  ///< the same from `settling_time` on
-  int settling_time = 70;             ///< 0: the share at `critical_time` stays
-  double combined_rule_first = 0;     ///< by the product of all, at iteration 0
-  double combined_rule = 0.7;         ///< the same from `critical_time` on
+  double pheromone_rule_first = 0;  ///< by pheromone and visibility, at iteration 0
+  double pheromone_rule = 0;        ///< the same from `critical_time` on
+  double distance_rule_first = 0;   ///< by the heuristic alone, at iteration 0
+  double distance_rule = 0;         ///< the same at `critical_time`
+  double distance_rule_last = 0;    ///< the same from `settling_time` on
+  int settling_time = 0;            ///< 0: the share at `critical_time` stays
+  double combined_rule_first = 1;   ///< by the product of all, at iteration 0
+  double combined_rule = 1;         ///< the same from `critical_time` on
 
   // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
   Update update = Update::ant_system;  ///< how the trail changes
   /// tau0, up to 10^9. 0 stands for the formula of the update's source, see docs/theory.md: so no
   /// trail begins with 0.
-  double initial_pheromone = 1;
+  double initial_pheromone = 0;
   /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
-  StraightDeposit straight_deposit = StraightDeposit::all;
+  StraightDeposit straight_deposit = StraightDeposit::none;
   int batch = 0;      ///< ants that walk before a local update; 0: all of them
   int agreement = 0;  ///< iterations in a row in which all ants took one way that end the run; 0:
                       ///< never. An ant alone agrees with nobody
@@ -296,15 +296,13 @@ LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view n
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
 /// Sets every parameter that the algorithm has but its other settings leave unread to the usual
-/// preset's value: the run is the same, and validate() does not refuse it for them. For sweeps,
-/// whose settings do not all go together; not for parameters that own rules read. Values that
-/// validate() lets stand stay.
+/// preset's value: the run is the same. For those who compare or list runs; not for parameters that
+/// own rules read.
 LASIUS_EXPORT void reset_unread(Params& params);
 
 /// Checks every field. @throws Error(invalid_parameter) for the first one that is out of range,
-/// does not go with another, or was changed although it is not read: by the algorithm, or with its
-/// other settings (`ranks` without Update::rank). Values of either preset are no change, and with
-/// Polish::none straight_deposit may have any.
+/// does not go with another, or was changed although the algorithm does not read it. One that waits
+/// for another setting (`ranks`, for Update::rank) may have any value: see why_unread().
 LASIUS_EXPORT void validate(const Params& params);
 
 }  // namespace lasius

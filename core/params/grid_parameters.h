@@ -12,18 +12,11 @@ std::span<const Parameter> colony_parameters() noexcept;
 /// The parameters that the genetic comparator reads.
 std::span<const Parameter> genetic_parameters() noexcept;
 
-/// What of a colony is the caller's own, and may read parameters that wait for another setting.
-struct OwnParts {
-  bool heuristic = false, update = false, schedule = false;
-};
-/// The public validate(), but values that `own` may read are not refused.
-/// @throws Error(invalid_parameter)
-void validate(const Params& params, const OwnParts& own);
-
 /// True when ants choose between rules at some iteration, rather than always combine them.
 inline bool mixes_rules(const Params& p) noexcept {
-  return p.pheromone_rule_first > 0 || p.pheromone_rule > 0 || p.distance_rule_first > 0 ||
-         p.distance_rule > 0 || (p.settling_time > p.critical_time && p.distance_rule_last > 0);
+  return (p.critical_time > 0 && p.pheromone_rule_first + p.distance_rule_first > 0) ||
+         p.pheromone_rule > 0 || p.distance_rule > 0 ||
+         (p.settling_time > p.critical_time && p.distance_rule_last > 0);
 }
 
 }  // namespace lasius

@@ -15,54 +15,35 @@ namespace {
 using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 
-// With what a parameter is read, as told; made by the compiler.
-class Words {
- public:
-  constexpr Words& add(std::string_view more) {
-    for (const char c : more) text_.at(size_++) = c;
-    return *this;
-  }
-  constexpr std::string_view view() const { return {text_.data(), size_}; }
-
- private:
-  std::array<char, 300> text_{};
-  std::size_t size_ = 0;
-};
-
-// Adds the rules that read a parameter where only some do: "update=rank|max-min", or "any update
-// except learning" where most do.
+// The rules that read a parameter where only some do: "update=rank|max-min", or "any update except
+// learning" where most do.
 template <class Rules>
-constexpr void add_readers(Words& words, std::string_view kind, std::string_view parameter,
-                           const Rules& rules) {
+std::string readers(const std::string& kind, std::string_view parameter, const Rules& rules) {
   const auto reads = [&](const auto& rule) { return rule.reads(parameter); };
-  const auto readers = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
-  if (readers == 0 || readers == rules.size()) return;
-  const bool most = 2 * readers > rules.size();
-  words.add(most ? "any " : "").add(kind);
-  std::string_view before = most ? " except " : "=";
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
+  if (count == 0 || count == rules.size()) return {};
+  const bool most = 2 * count > rules.size();
+  std::string words = most ? "any " + kind : kind;
+  const char* before = most ? " except " : "=";
   for (const auto& rule : rules)
-    if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
+    if (reads(rule) != most) words.append(std::exchange(before, "|")).append(rule.name);
+  return words;
 }
-// The rules that read a parameter; empty: it does not depend on them.
-constexpr Words readers_of(std::string_view parameter) {
-  Words heuristics, visibilities, updates, several;
-  add_readers(heuristics, "heuristic", parameter, kHeuristics);
-  add_readers(visibilities, "visibility", parameter, kVisibilities);
-  add_readers(updates, "update", parameter, kUpdates);
-  if (heuristics.view().empty() && visibilities.view().empty()) return updates;
-  if (visibilities.view().empty() && updates.view().empty()) return heuristics;
-  return several.add("a heuristic, visibility or update with it in its formula");
-}
-bool is_read_by_rules(const Params& p, std::string_view parameter, bool own_heuristic = false) {
-  return (!own_heuristic && rule_of(p.heuristic, kHeuristics).reads(parameter)) ||
+bool is_read_by_rules(const Params& p, std::string_view parameter) {
+  return rule_of(p.heuristic, kHeuristics).reads(parameter) ||
          rule_of(p.visibility, kVisibilities).reads(parameter) ||
          rule_of(p.update, kUpdates).reads(parameter);
 }
-constexpr Words only_with(const Parameter& info) {
-  Words words = readers_of(info.name);
-  const bool both = !words.view().empty() && !info.only_with.empty();
-  const bool several = words.view().find(' ') != std::string_view::npos;
-  return words.add(both && several ? "," : "").add(both ? " and " : "").add(info.only_with);
+// With what a parameter is read, as told: rules, then what else it waits for.
+std::string only_with(const Parameter& info) {
+  const std::string heuristics = readers("heuristic", info.name, kHeuristics),
+                    visibilities = readers("visibility", info.name, kVisibilities),
+                    updates = readers("update", info.name, kUpdates);
+  std::string words = !visibilities.empty()
+                          ? "a heuristic, visibility or update with it in its formula"
+                          : heuristics + updates;
+  if (words.empty() || info.only_with.empty()) return words.append(info.only_with);
+  return words.append(words.find(' ') != words.npos ? ", and " : " and ").append(info.only_with);
 }
 
 constexpr Table::Condition kIslands{"islands above 1",
@@ -223,61 +204,17 @@ constexpr auto kGeneticParameters = [] {
   return list;
 }();
 
-constexpr auto kWords = [] {
-  std::array<Words, kColony.size()> words;
-  std::ranges::transform(kColony, words.begin(), only_with, &Entry::info);
-  return words;
-}();
-constexpr auto kColonyParameters = [] {
-  auto list = Table::infos(kColony);
-  for (std::size_t i = 0; i < list.size(); ++i) list[i].only_with = kWords[i].view();
-  return list;
-}();
-
 constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
 
 constexpr Table kTable(kEntries);
 
 // Is it read only with other values of other parameters?
-bool waits(const Params& p, const Entry& e, bool own_heuristic = false) {
-  const bool by_rules =
-      readers_of(e.info.name).view().empty() || is_read_by_rules(p, e.info.name, own_heuristic);
-  return !by_rules || (e.is_read != nullptr && !e.is_read(p));
-}
-
-// Does a rule of the caller's own take its place beside it, and may read it?
-bool may_own_rules_read(std::string_view name, const OwnParts& own) {
-  const auto until_critical_time = [name](const Entry& e) {
-    return e.info.name == name && e.is_read == kUntilCriticalTime.holds;
+bool waits(const Params& p, const Entry& e) {
+  const auto named = [&](const auto& rules) {
+    return std::ranges::any_of(rules, [&](const auto& rule) { return rule.reads(e.info.name); });
   };
-  const auto updates_with_it = [name](const Rule<Update>& update) {
-    return update.value != Update::terminal_index && update.reads(name);  // no own one replaces it
-  };
-  const bool beta = name == "beta" || name == "beta_first";
-  return (own.heuristic && beta) ||
-         (own.update && std::ranges::any_of(kUpdates, updates_with_it)) ||
-         (own.schedule && (beta || std::ranges::any_of(kColony, until_critical_time)));
-}
-
-// Calls take(entry) for each parameter of the algorithm whose value is of no preset, but that the
-// others leave unread.
-template <class Take>
-void find_waiting(const Params& params, const Params& published, const OwnParts& own,
-                  const Take& take) {
-  const Algorithm& algorithm = find_algorithm(params.algorithm());
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      const auto same = [&](const Params& others) {
-        return std::visit([&](const auto& value) { return value.same(params, others); }, e.value);
-      };
-      if (same(published) || !algorithm.has(e.info.name) || !waits(params, e, own.heuristic))
-        continue;
-      if (has_preset(algorithm.name, Preset::book) && same(Params(algorithm.name, Preset::book)))
-        continue;
-      if (e.info.name == "straight_deposit") continue;  // Polish::none implies that there is none
-      if (!may_own_rules_read(e.info.name, own)) take(e);
-    }
-  }
+  const bool by_rules = named(kHeuristics) || named(kVisibilities) || named(kUpdates);
+  return (by_rules && !is_read_by_rules(p, e.info.name)) || (e.is_read != nullptr && !e.is_read(p));
 }
 
 /// Numbers that go together. @throws Error(invalid_parameter).
@@ -292,7 +229,7 @@ void check_numbers(const Params& params) {
            "give one of them a share above 0");
   for (const auto& [name, value] : {std::pair{"initial_pheromone", params.initial_pheromone},
                                     std::pair{"deposit", params.deposit}})
-    if (value != 0 && value < kLeastPheromone)
+    if (value != 0 && value < kLeastPheromone && why_unread(params, name).empty())
       refuse(std::string(name) + " is positive, but below 1e-12",
              "give both pheromones larger values: only their ratio counts");
   if (params.islands > params.ants)
@@ -334,7 +271,19 @@ void check_rules(const Params& params) {
 
 }  // namespace
 
-std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
+std::span<const Parameter> colony_parameters() noexcept {
+  static const auto words = [] {  // made on first use, see algorithms()
+    std::array<std::string, kColony.size()> all;
+    std::ranges::transform(kColony, all.begin(), only_with, &Entry::info);
+    return all;
+  }();
+  static const auto list = [] {
+    auto all = Table::infos(kColony);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].only_with = words[i];
+    return all;
+  }();
+  return list;
+}
 std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -351,21 +300,19 @@ std::string why_unread(const Params& params, std::string_view name) {
   if (!find_algorithm(params.algorithm()).has(name))
     return params.algorithm() + " does not read it";
   if (!waits(params, e)) return {};
-  return "it is read only with " + std::string(only_with(e.info).view());
+  return "it is read only with " + only_with(e.info);
 }
 
 void reset_unread(Params& params) {
   const Params published(params.algorithm());
   Params reset = params;
-  find_waiting(params, published, {}, [&](const Entry& e) {
-    kTable.set(reset, e.info.name, kTable.get(published, e.info.name));
-  });
+  for (const Parameter& p : find_algorithm(params.algorithm()).parameters)
+    if (waits(params, kTable.entry(p.name)))
+      kTable.set(reset, p.name, kTable.get(published, p.name));
   params = reset;
 }
 
-void validate(const Params& params) { validate(params, OwnParts{}); }
-
-void validate(const Params& params, const OwnParts& own) {
+void validate(const Params& params) {
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   Params published(algorithm.name);
   published.seed = params.seed;
@@ -375,13 +322,6 @@ void validate(const Params& params, const OwnParts& own) {
   if (params == published) return;  // valid; saves time on short queries
   kTable.check(params);
   kTable.check_unread(params, published, algorithm);
-  find_waiting(params, published, own, [&](const Entry& e) {
-    const std::string name =
-        e.info.name == kPersistence ? "persistence (1 - evaporation)" : std::string(e.info.name);
-    refuse(name + " is " + kTable.get(params, e.info.name) + ", but " +
-               why_unread(params, e.info.name),
-           "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
-  });
   check_numbers(params);
   check_rules(params);
   if (algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight)

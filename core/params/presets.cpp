@@ -10,14 +10,51 @@
 namespace lasius {
 namespace {
 
+void set_ants(Params& p, int ants, int iterations) {
+  p.ants = ants;
+  p.iterations = iterations;
+}
+/// Exponents that stay as they are.
+void set_exponents(Params& p, double alpha, double beta) {
+  p.alpha = p.alpha_first = alpha;
+  p.beta = p.beta_first = beta;
+}
+void set_trail(Params& p, double persistence, double initial_pheromone, double deposit) {
+  p.persistence = persistence;
+  p.initial_pheromone = initial_pheromone;
+  p.deposit = deposit;
+}
+
 /// Nothing to set: where it ends is in the request.
 void exact(Params&) {}
 
 /// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. What
 /// the source leaves open was settled on generated maps, see docs/theory.md: the shares of its
 /// three rules, Q / tau0 = 100, deposits on tours cut to the ant's own cells, the window of the
-/// straightening, and ants that step back at dead ends. Its values are the defaults of Params.
-void fan2004(Params&) {}
+/// straightening, and ants that step back at dead ends.
+void fan2004(Params& p) {
+  set_ants(p, 10, 120);
+  p.walk_cut = WalkCut::own_cells;
+  p.polish = Polish::local;
+  p.straight_window = 10;
+  p.straight_deposit = StraightDeposit::all;
+  p.heuristic = Heuristic::rescaled_distance;
+  p.omega = 10;
+  p.mu = p.lambda = 2;
+  p.visibility = Visibility::inverse_step;
+  set_exponents(p, 4, 1.5);
+  p.alpha_first = 0;
+  p.beta_first = 3;
+  p.critical_time = 10;
+  p.settling_time = 70;
+  p.pheromone_rule_first = p.combined_rule_first = 0;
+  p.distance_rule_first = 1;
+  p.pheromone_rule = 0.01;
+  p.combined_rule = 0.7;
+  p.distance_rule = 0.3;
+  p.distance_rule_last = 0.002;
+  set_trail(p, 0.7, 1, 100);
+}
 
 /// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
 /// visibility 1 / distance to the goal, nothing done with the walks; the other families begin with
@@ -27,22 +64,9 @@ void ant_system_book(Params& p) {
   p.neighbours = Neighbours::eight;
   p.trail = Trail::arcs;
   p.heuristic = Heuristic::inverse_distance;
-  p.visibility = Visibility::none;
-  p.critical_time = 0;
-  p.pheromone_rule_first = p.pheromone_rule = 0;
-  p.distance_rule_first = p.distance_rule = p.distance_rule_last = 0;
-  p.settling_time = 0;
-  p.combined_rule_first = p.combined_rule = 1;
-  p.initial_pheromone = 0;
-  p.deposit = 1;
-  p.straight_deposit = StraightDeposit::none;
-  p.polish = Polish::none;
-  p.walk_cut = WalkCut::none;
-  p.ants = 30;
-  p.iterations = 100;
-  p.alpha = p.alpha_first = 1;
-  p.beta = p.beta_first = 5;
-  p.persistence = 0.7;
+  set_ants(p, 30, 100);
+  set_exponents(p, 1, 5);
+  set_trail(p, 0.7, 0, 1);
 }
 
 /// Elitist ant system: evaporation 0.5, e = the number of ants (Dorigo & Stuetzle 2004, box 3.1).
@@ -75,8 +99,8 @@ void max_min_book(Params& p) {
 /// Gambardella 1997). Its local update follows every step; here it follows every ant (batch = 1).
 void colony_system_book(Params& p) {
   ant_system_book(p);
+  set_ants(p, 10, 100);
   p.update = Update::colony_system;
-  p.ants = 10;
   p.greedy = 0.9;
   p.persistence = 0.9;
   p.local_evaporation = 0.1;
@@ -90,8 +114,8 @@ void on_maps(Params& p) {
   p.walk_cut = WalkCut::entered_cells;
   p.heuristic = Heuristic::rescaled_distance;
   p.omega = 1;
-  p.ants = 10;
-  p.iterations = 1000;
+  p.mu = p.lambda = 2;
+  set_ants(p, 10, 1000);
   p.persistence = 0.9;
 }
 
@@ -148,8 +172,7 @@ void terminal_index(Params& p) {
   p.selection = Selection::inverse_roulette;
   p.trail = Trail::cells;
   p.heuristic = Heuristic::distance;
-  p.alpha = p.alpha_first = 0.9;
-  p.beta = p.beta_first = 1.5;
+  set_exponents(p, 0.9, 1.5);
   p.dead_end = DeadEnd::kill;
   p.index_spread = 0.8;
   p.unknown_index = 99;
@@ -159,40 +182,28 @@ void terminal_index(Params& p) {
 /// `ants` is how many walk before the map is updated (our extension). tau0 = 3, eta0 = 1; the
 /// number of ants is "a large number".
 void cong2009(Params& p) {
-  ant_system_book(p);
-  p.neighbours = Neighbours::four;
-  p.update = Update::learning;
-  p.trail = Trail::cells;
+  set_ants(p, 1, 1000);
   p.heuristic = Heuristic::learned;
-  p.dead_end = DeadEnd::kill;
-  p.ants = 1;
-  p.iterations = 1000;
-  p.alpha = p.alpha_first = 1.8;
-  p.beta = p.beta_first = 1.5;
-  p.persistence = 0.8;
-  p.initial_pheromone = 3;
+  set_exponents(p, 1.8, 1.5);
+  p.update = Update::learning;
+  set_trail(p, 0.8, 3, 1);
   p.reward = 1.2;
   p.penalty = 0.5;
+  p.dead_end = DeadEnd::kill;
 }
 
 /// The lecture's colony: eta = 1 / h with h the change of heading, regularised as 1 / (1 + turn /
 /// 45 degrees); never straight back. The best ant of an iteration deposits, as in its text; its
 /// table has 5 "candidate" ants. It ends when all ants take one way.
 void lecture_grid(Params& p) {
-  ant_system_book(p);
-  p.update = Update::best_share;
-  p.trail = Trail::cells;
-  p.heuristic = Heuristic::uniform;
-  p.visibility = Visibility::heading_change;
-  p.ants = 30;
-  p.iterations = 50;
-  p.alpha = p.alpha_first = 1;
-  p.beta = p.beta_first = 0.5;
-  p.elite_ants = 1;
+  set_ants(p, 30, 50);
   p.agreement = 1;
-  p.persistence = 0.9;
-  p.initial_pheromone = 0.5;
-  p.deposit = 0.5;
+  p.neighbours = Neighbours::eight;
+  p.visibility = Visibility::heading_change;
+  set_exponents(p, 1, 0.5);
+  p.update = Update::best_share;
+  p.elite_ants = 1;
+  set_trail(p, 0.9, 0.5, 0.5);
 }
 
 /// Ahn & Ramakrishna 2002; 8 neighbours as the colonies that it is compared with.
@@ -200,6 +211,9 @@ void grid_ga(Params& p) {
   p.polish = Polish::straight;
   p.neighbours = Neighbours::eight;
   p.iterations = 100;
+  p.population = 50;
+  p.crossover = 1;
+  p.mutation = 0.05;
 }
 
 struct Listed {

@@ -171,7 +171,8 @@ Corners corners_of(Corners asked, Disc robot) noexcept {
 
 Corners corners_of_paths(const Params& params, Disc robot) {
   const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;
-  return corners_of(exact ? Corners::forbid : params.corners, robot);
+  const bool diagonal = !exact && params.neighbours != Neighbours::four;
+  return corners_of(diagonal ? params.corners : Corners::forbid, robot);
 }
 
 namespace {
@@ -272,17 +273,16 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   const Algorithm& algorithm = find_algorithm(given.algorithm());
   check_alternatives(asked, algorithm, robot);
   if (!asked.via.empty()) return answer_through(map, asked, given, options);
-  validate(given, own);
+  validate(given);
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
   check_serves(algorithm, robot);
   check_own_rules(own, map.grid, given);
   Params params = given;
-  params.corners = corners_of(params.corners, robot);
+  params.corners = corners_of_paths(params, robot);
   const disc::DiscSpace* const space = space_of(map.disc);
   const bool curved = space != nullptr && algorithm.kind == Algorithm::Kind::exact && !map.search;
-  const Corners corners = corners_of_paths(params, robot);
-  const Ends ends(map, curved ? space : nullptr, corners);
+  const Ends ends(map, curved ? space : nullptr, params.corners);
   const Asked start(ends.map_alone(), asked.start, asked.start_point);
   const Asked goal(ends.map_alone(), asked.goal, asked.goal_point);
   Places places;
@@ -291,7 +291,7 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& given,
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
-  Question q{map, params, algorithm, options.observer, own, memory, corners, places, asked};
+  Question q{map, params, algorithm, options.observer, own, memory, params.corners, places, asked};
   std::tie(q.request.start, q.request.goal) =
       curved ? std::pair(cell_at(places.from), cell_at(places.to))
              : ends.walk(places.from, places.to);

@@ -15,7 +15,7 @@ namespace lasius {
 std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
                        const Params& params, const BatchOptions& options,
                        const BatchReceiver& receive, const OwnRules& own) {
-  validate(params, own);
+  validate(params);
   check_own_rules(own, planner.grid(), params);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   check_serves(algorithm, planner.robot());

@@ -134,7 +134,7 @@ CostResult CostPlanner::Impl::colony(const Planner::Impl& map, const Request& re
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
     refuse(std::string(params.algorithm()) + " plans by length alone",
            "take exact or a colony over costs");
-  if (corners_of(params.corners, planner.robot()) == Corners::allow)
+  if (corners_of_paths(params, planner.robot()) == Corners::allow)
     refuse("corners is allow, and paths over costs squeeze nowhere", "use forbid or one-side");
   if (options.proof || options.eight_moves)
     refuse("a proof or eight moves are asked for of a colony", "take exact");

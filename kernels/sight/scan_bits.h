@@ -19,6 +19,7 @@ static_assert(std::endian::native == std::endian::little, "windows are read byte
 using Fixed = std::int64_t;
 constexpr int kFraction = 44;
 constexpr Fixed kOne = Fixed{1} << kFraction;
+constexpr std::int64_t kWordsAtOnce = 4096;  ///< that a scan reads between looks at the clock
 
 constexpr Fixed fixed(int column) noexcept { return static_cast<Fixed>(column) << kFraction; }
 constexpr int floor_column(Fixed u) noexcept { return static_cast<int>(u >> kFraction); }

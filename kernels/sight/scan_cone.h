@@ -361,7 +361,6 @@ class ConeScan {
            (v.right_rival != 0 && visitor_.beaten(rival_[v.right_rival], v.left, v.line + 1));
   }
 
-  static constexpr std::int64_t kWordsAtOnce = 4096;
   static constexpr int kRivals = 64;
   static constexpr int kNearLines = 12;
   static constexpr int kMoreColumns = 28;

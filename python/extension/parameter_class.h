@@ -31,11 +31,9 @@ inline py::list described(std::span<const Algorithm> algorithms) {
 template <class P>
 py::class_<P> bind_parameter_class(py::module_& module) {
   auto bound = py::class_<P>(module, "Params");
-  if constexpr (requires(P & p) { reset_unread(p); }) {
-    bound.def("reset_unread", [](P& p) { reset_unread(p); });
+  if constexpr (requires(P & p) { why_unread(p, ""); })
     bound.def("why_unread",
               [](const P& p, const std::string& name) { return why_unread(p, name); });
-  }
   return bound.def_property_readonly("algorithm", &P::algorithm)
       .def_readwrite("seed", &P::seed)
       .def_readwrite("threads", &P::threads)

@@ -112,6 +112,9 @@ class ParameterSet:
             else:
                 self._raw.set(name, text_of(value))
 
+    def _refuse_unread(self, settings: Dict[str, Any], before: Any) -> None:
+        """Raises InvalidParameter for one of `settings` that the others leave unread, though it was another before."""
+
     @property
     def algorithm(self) -> str:
         """Its name."""
@@ -155,9 +158,10 @@ class ParameterSet:
         """The same with other values, `seed` and `threads` among them.
 
         Raises:
-            InvalidParameter: for an unknown name (with the nearest known one) or a value out of range.
+            InvalidParameter: for an unknown name (with the nearest known one), a value out of range, or one that the
+                others leave unread.
         """
-        return self._with(settings)
+        return chosen(type(self), self, settings)
 
     def _with(self: Self, settings: Dict[str, Any]) -> Self:
         other = object.__new__(type(self))
@@ -165,7 +169,7 @@ class ParameterSet:
         return other
 
     def validate(self) -> None:
-        """Raises InvalidParameter where they do not compose or one was changed that is not read. Planning does that, too, but accepts what own rules may read."""
+        """Raises InvalidParameter where they do not compose or one was changed that the algorithm does not read. Planning does that, too."""
         self._raw.validate()
 
     def formulas(self) -> List[str]:
@@ -197,15 +201,20 @@ def restored(kind: Type[Self], algorithm: str, seed: int, threads: int, values: 
     return kind(algorithm)._with({"seed": seed, "threads": threads, **values})
 
 
-def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any]) -> Self:
-    """The parameters that a call names: none, an algorithm, or some; and what it sets beside."""
+def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any], own: bool = False) -> Self:
+    """The parameters that a call names: none, an algorithm, or some; and what it sets beside, which own rules may read."""
     if params is None:
         params = kind(next(iter(kind._known())))
     elif isinstance(params, str):
         params = kind(params)
     elif not isinstance(params, kind):
         raise TypeError(f"params is {params!r}: give an algorithm's name or a {kind.__module__}.Params")
-    return params._with(settings) if settings else params
+    if not settings:
+        return params
+    other = params._with(settings)
+    if not own:
+        other._refuse_unread(settings, params._raw)
+    return other
 
 
 def algorithms() -> Dict[str, Algorithm]:
@@ -254,20 +263,21 @@ class Params(ParameterSet):
     _known = staticmethod(_known)
 
     def __init__(self, algorithm: str = "exact", *, preset: str = "usual", **settings: Any) -> None:
-        self._set(_lasius.Params(algorithm, preset), settings)
+        raw = _lasius.Params(algorithm, preset)
+        self._set(raw.copy(), settings)
+        self._refuse_unread(settings, raw)
 
     def why_unread(self, name: str) -> str:
         """Why a run does not read a parameter, as "it is read only with update=rank"; "" where it does."""
         return str(self._raw.why_unread(name))
 
-    def without_unread(self) -> Params:
-        """Parameters of the same run with published values in place of those that are not read.
-
-        `plan` refuses such values (`ranks` without update="rank"), which a sweep may come to.
-        """
-        other = self._with({})
-        other._raw.reset_unread()
-        return other
+    def _refuse_unread(self, settings: Dict[str, Any], before: Any) -> None:
+        names = {name.replace("evaporation", "persistence") for name in settings} - {"straight_deposit"}
+        for name in [p.name for p in self._described().parameters if p.name in names]:
+            value, usual, why = self._raw.get(name), before.get(name), self.why_unread(name)
+            if why and value != usual:
+                told = f"{name} (1 - evaporation)" if name == "persistence" else name
+                raise invalid(f"{told} is {value}, but {why}", f"set it to {usual}, or change that setting, too")
 
 
 OptionalParams = Optional[Union[str, Params]]

@@ -395,7 +395,8 @@ class Planner:
         if "radius" in settings:
             raise invalid("radius is the planner's, not a plan's", "make a Planner(grid, radius=...)")
         own = own_rules(heuristic, update, schedule, self._grid)
-        return chosen(Params, params, named(settings, update, heuristic)), own
+        told = named(settings, update, heuristic)
+        return chosen(Params, params, told, own=any(rule is not None for rule in own)), own
 
     def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30, labels: bool = False) -> Planner:
         """A planner for the same map with its visibility graph, in which `exact` answers faster.

@@ -1,6 +1,7 @@
 """Plans on bitmaps: answers, parameters, observers, what is refused."""
 
 import copy
+import functools
 import pickle
 
 import numpy as np
@@ -196,11 +197,16 @@ def test_parameters_never_change():
 
 
 def test_what_other_settings_leave_unread_is_refused(planner):
-    idle = lasius.Params("as", ranks=9)
-    with pytest.raises(lasius.InvalidParameter, match="ranks is 9, but it is read only with update=rank"):
-        planner.plan(START, GOAL, idle)
-    assert idle.without_unread() == lasius.Params("as") and idle.ranks == 9
+    plan = functools.partial(planner.plan, START, GOAL, "as")
+    for typed in (functools.partial(lasius.Params, "as"), lasius.Params("as").replace, plan):
+        with pytest.raises(lasius.InvalidParameter, match="ranks is 9, but it is read only with update=rank; set it to 6"):
+            typed(ranks=9)
+    idle = lasius.Params("ras", ranks=9).replace(update="ant-system")  # as a sweep over updates does
+    assert idle.ranks == 9 and pickle.loads(pickle.dumps(idle)) == idle
+    assert planner.plan(START, GOAL, idle, iterations=2).length == plan(iterations=2).length
     assert idle.why_unread("ranks") == "it is read only with update=rank" and idle.why_unread("ants") == ""
+    with pytest.raises(lasius.InvalidParameter, match=r"persistence \(1 - evaporation\) is 0, but"):
+        lasius.Params("terminal-index", evaporation=1)
     with pytest.raises(lasius.InvalidParameter, match="beta is 1, but"):
         planner.plan(START, GOAL, "as", beta=1)
     table = np.linspace(1, 2, planner.grid.shape[0] * planner.grid.shape[1]).reshape(planner.grid.shape)

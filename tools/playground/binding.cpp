@@ -69,7 +69,6 @@ Params params_of(const val& question) {
        emscripten::vecFromJSArray<std::string>(val::global("Object").call<val>("keys", values))) {
     set_parameter(params, name, values[name].as<std::string>());
   }
-  reset_unread(params);
   validate(params);
   return params;
 }

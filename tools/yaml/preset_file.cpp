@@ -51,7 +51,6 @@ PresetFile read_preset_file(const std::string& file) {
       try_setting(params, name, value.text(), value);
     }
   }
-  reset_unread(params);
   try {
     validate(params);
   } catch (const Error& fault) {

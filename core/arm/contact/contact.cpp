@@ -56,26 +56,22 @@ bool Contact::posture_free(std::span<const double> q) const {
   Kinematics::Poses poses;
   Bodies bodies;
   place_bodies(robot_->kinematics(), q, poses, bodies);
-  std::vector<Pair> left;
-  for (const Pair& root : pairs_) {
-    left.assign(1, root);
-    while (!left.empty()) {
-      const Pair pair = left.back();
-      left.pop_back();
-      const auto& [a, b, relation] = pair;
-      const auto& [body, from] = relations_[relation];
-      const PlacedShape other(*b, bodies[from]);
-      const BallGap ball = ball_gap(*a, bodies[body], *b, other);
-      if (ball.gap >= least) continue;
-      const PlacedShape at(*a, bodies[body]);
-      if (a->hull_or_exact() && b->hull_or_exact()) {
-        if (shapes_apart<GjkAsked::decision>(*a, at, ball.guess, *b, other, least) >= least)
-          continue;
-        if (a->exact && b->exact) return false;
-      }
-      const auto parts = opened(pair);
-      left.insert(left.end(), parts.begin(), parts.end());
+  std::vector<Pair> left(pairs_.rbegin(), pairs_.rend());
+  while (!left.empty()) {
+    const Pair pair = left.back();
+    left.pop_back();
+    const auto& [a, b, relation] = pair;
+    const auto& [body, from] = relations_[relation];
+    const PlacedShape other(*b, bodies[from]);
+    const BallGap ball = ball_gap(*a, bodies[body], *b, other);
+    if (ball.gap >= least) continue;
+    const PlacedShape at(*a, bodies[body]);
+    if (a->hull_or_exact() && b->hull_or_exact()) {
+      if (shapes_apart<GjkAsked::decision>(*a, at, ball.guess, *b, other, least) >= least) continue;
+      if (a->exact && b->exact) return false;
     }
+    const auto parts = opened(pair);
+    left.insert(left.end(), parts.begin(), parts.end());
   }
   return true;
 }
@@ -85,33 +81,30 @@ NearPair Contact::nearest(std::span<const double> q) const {
   Bodies bodies;
   place_bodies(robot_->kinematics(), q, poses, bodies);
   NearPair found{.distance = kInfinity};
-  std::vector<Pair> left;
+  std::vector<Pair> left(pairs_.rbegin(), pairs_.rend());
   const auto gap = [&](const Pair& pair) {
     const auto& [body, from] = relations_[pair.relation];
     return ball_gap(*pair.a, bodies[body], *pair.b, PlacedShape(*pair.b, bodies[from])).gap;
   };
-  for (const Pair& root : pairs_) {
-    left.assign(1, root);
-    while (!left.empty()) {
-      const Pair pair = left.back();
-      left.pop_back();
-      const auto& [a, b, relation] = pair;
-      const auto& [body, from] = relations_[relation];
-      if (gap(pair) >= found.distance) continue;
-      if (a->hull_or_exact() && b->hull_or_exact()) {
-        const PlacedShape at(*a, bodies[body]), other(*b, bodies[from]);
-        const double apart = shapes_apart<GjkAsked::distance>(*a, at, at.centre() - other.centre(),
-                                                              *b, other, found.distance);
-        if (apart >= found.distance) continue;
-        if (a->exact && b->exact) {
-          found = told(pair, apart);
-          continue;
-        }
+  while (!left.empty()) {
+    const Pair pair = left.back();
+    left.pop_back();
+    if (gap(pair) >= found.distance) continue;
+    const auto& [a, b, relation] = pair;
+    const auto& [body, from] = relations_[relation];
+    if (a->hull_or_exact() && b->hull_or_exact()) {
+      const PlacedShape at(*a, bodies[body]), other(*b, bodies[from]);
+      const double apart = shapes_apart<GjkAsked::distance>(*a, at, at.centre() - other.centre(),
+                                                            *b, other, found.distance);
+      if (apart >= found.distance) continue;
+      if (a->exact && b->exact) {
+        found = told(pair, apart);
+        continue;
       }
-      auto parts = opened(pair);
-      if (gap(parts[0]) < gap(parts[1])) std::swap(parts[0], parts[1]);
-      left.insert(left.end(), parts.begin(), parts.end());  // the nearer one is looked at first
     }
+    auto parts = opened(pair);
+    if (gap(parts[0]) < gap(parts[1])) std::swap(parts[0], parts[1]);
+    left.insert(left.end(), parts.begin(), parts.end());  // the nearer one is looked at first
   }
   return found;
 }

@@ -125,9 +125,6 @@ const Algorithm& find_algorithm(std::string_view name) {
 }
 
 AntParams::AntParams(std::string_view algorithm) : algorithm_(find_algorithm(algorithm).name) {
-  deposit = 1;
-  elite_weight = 0;
-  best_so_far_every = 0;
   persistence = 0.5;
   if (algorithm_ == "as" || algorithm_ == "eas" || algorithm_ == "ras") beta = 5;
   if (algorithm_ == "ras") persistence = 0.9;

@@ -113,8 +113,7 @@ class Builder {
   const PartialOrder& given_;
   bool tries_;
   std::vector<char> done_;
-  std::vector<int> waits_;
-  std::vector<int> order_;
+  std::vector<int> waits_, order_;
   std::int64_t carried_ = 0;
   bool given_up_ = false;
 };

@@ -54,7 +54,7 @@ class FieldAgainstReference : public testing::TestWithParam<std::tuple<int, Trai
 TEST_P(FieldAgainstReference, RowsKeepTheRatiosOfTauToTheAlpha) {
   const auto [neighbours, trail, persistence] = GetParam();
   const Grid grid = noisy(90, 70, 0.2, 4);
-  Params params;
+  Params params("fan2004");
   params.neighbours = neighbours == 4 ? Neighbours::four : Neighbours::eight;
   params.trail = trail;
   params.straight_deposit = StraightDeposit::none;
@@ -173,7 +173,7 @@ TEST(Field, EditedRowsAreThoseOfANewField) {
 
 TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
   const Grid grid = noisy(64, 64, 0.2, 4);
-  Params mixture, single;
+  Params mixture("fan2004"), single = mixture;
   single.pheromone_rule_first = single.pheromone_rule = 0;
   single.distance_rule_first = single.distance_rule = single.distance_rule_last = 0;
   single.combined_rule_first = 1;
@@ -198,7 +198,7 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
   Grid grid(3, 3);
   grid.set_blocked({1, 0});  // beside the move from (1, 1) to (0, 0) and to (2, 0)
   grid.set_blocked({0, 1});  // the other side of the one to (0, 0)
-  Params params;
+  Params params("fan2004");
   params.neighbours = Neighbours::eight;
   const auto open = [&](Corners corners) {
     params.corners = corners;
@@ -218,12 +218,12 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
 TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
   const Grid grid(4096, 4096);
   Field field;
-  field.reset(grid, moves_of(Neighbours::four), {4000, 4000}, Params{}, 1, {});
+  field.reset(grid, moves_of(Neighbours::four), {4000, 4000}, Params("fan2004"), 1, {});
   EXPECT_EQ(field.tiles(), 0);
   field.deposit({5, 5}, 0, 1);
   field.deposit({3000, 2000}, 0, 1);
   field.evaporate(0.5);
-  field.refresh(schedule(Params{}, 3), 1);
+  field.refresh(schedule(Params("fan2004"), 3), 1);
   EXPECT_EQ(field.tiles(), 2);
   EXPECT_LT(field.bytes(), 500000);
 }
@@ -233,11 +233,11 @@ TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
   const auto moves = moves_of(Neighbours::four);
   const auto weight_of_pheromone = [&](const CountingTime& time) {
     Field field;
-    field.reset(grid, moves, {500, 500}, Params{}, 1, time.is_up());
+    field.reset(grid, moves, {500, 500}, Params("fan2004"), 1, time.is_up());
     for (int y = 8; y < 512; y += 32) {
       for (int x = 8; x < 512; x += 32) field.deposit({x, y}, 0, 1);
     }
-    field.refresh(schedule(Params{}, 20), 1);
+    field.refresh(schedule(Params("fan2004"), 20), 1);
     return row(field, {7, 8}, 8)[0];  // north of (7, 8); (8, 8) in the east has twice as much
   };
   const CountingTime enough(1000), none(0);
@@ -252,7 +252,7 @@ TEST(Field, MakesNoTileOnceTimeIsUp) {
   const CountingTime time(1);
   Field field;
   kernels::WalkWorld world;
-  field.reset(grid, moves, {100, 100}, Params{}, 1, time.is_up());
+  field.reset(grid, moves, {100, 100}, Params("fan2004"), 1, time.is_up());
   field.fill(world);
   const float* made = world.make_tile(world.context, 0);
   EXPECT_TRUE(std::any_of(made, made + kernels::kTileCells * 8, [](float w) { return w > 0; }));
@@ -264,7 +264,7 @@ TEST(Field, MakesNoTileOnceTimeIsUp) {
   }
   EXPECT_EQ(field.tiles(), 1);
   EXPECT_EQ(time.polls(), 3);
-  field.reset(grid, moves, {100, 100}, Params{}, 1, {});
+  field.reset(grid, moves, {100, 100}, Params("fan2004"), 1, {});
   field.fill(world);
   EXPECT_EQ(world.tiles[1], nullptr);
   EXPECT_EQ(row(field, {40, 3}, 8)[0], 1);
@@ -275,16 +275,16 @@ TEST(Field, AResetThatIsCutShortIsMadeUpFor) {
   const auto moves = moves_of(Neighbours::four);
   Field field;
   for (const int looks : {0, 1}) {
-    field.reset(grid, moves, {2000, 2000}, Params{}, 1, {});
+    field.reset(grid, moves, {2000, 2000}, Params("fan2004"), 1, {});
     for (int y = 8; y < 2048; y += 32) {
       for (int x = 8; x < 2048; x += 32) field.deposit({x, y}, 0, 1);
     }
     const auto bytes = field.bytes();
     const CountingTime time(looks);
-    field.reset(grid, moves, {2000, 2000}, Params{}, 1, time.is_up());
+    field.reset(grid, moves, {2000, 2000}, Params("fan2004"), 1, time.is_up());
     EXPECT_EQ(time.polls(), looks + 1);
     EXPECT_EQ(field.tiles(), 4096 - 1023 - 1024 * looks);  // a look each 1024 of them
-    field.reset(grid, moves, {2000, 2000}, Params{}, 1, {});
+    field.reset(grid, moves, {2000, 2000}, Params("fan2004"), 1, {});
     EXPECT_EQ(field.tiles(), 0);
     EXPECT_EQ(field.bytes(), bytes);
     EXPECT_EQ(field.tau({8, 8}, 0), 1);
@@ -313,7 +313,7 @@ TEST(Field, TilesServePlansOfEveryKind) {
 
 TEST(Field, ManyIterationsNeitherOverflowNorForget) {
   const Grid grid(40, 40);
-  Params params;
+  Params params("fan2004");
   Field field;
   field.reset(grid, moves_of(Neighbours::four), {39, 39}, params, 1, {});
   for (int q = 0; q < 5000; ++q) {
@@ -336,7 +336,7 @@ TEST(Field, ManyRewardsNeitherOverflowNorForget) {
   const Grid grid(100, 100);
   const Cell here{20, 20}, there{70, 70};
   Field field;
-  field.reset(grid, moves_of(Neighbours::four), {99, 99}, Params{}, 3, {});
+  field.reset(grid, moves_of(Neighbours::four), {99, 99}, Params("fan2004"), 3, {});
   // As cong2009 rewards a tour of four moves: 41 times as much, 5.4 bits, where a float has 127.
   const auto reward = [&](Cell c) { field.set_tau(c, 0, field.tau(c, 0) * 41); };
   for (int success = 0; success < 2000; ++success) {

@@ -54,7 +54,7 @@ void expect_row(const Grid& grid, Cell c, Cell goal, const Params& params,
 double apart(Cell a, Cell b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 Params with(Heuristic heuristic, Neighbours neighbours = Neighbours::eight) {
-  Params params;
+  Params params("fan2004");
   params.heuristic = heuristic;
   params.neighbours = neighbours;
   return params;

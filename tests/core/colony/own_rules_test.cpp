@@ -13,7 +13,6 @@
 #include "core/colony/own_update.h"
 #include "core/grid/cell_distance.h"
 #include "lasius/batch.h"
-#include "tests/core/base/refusal.h"
 #include "tests/core/colony/own_published.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"
@@ -125,33 +124,6 @@ TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
       .schedule = [](int) { return StepWeights{.alpha = 2, .beta = 3, .greedy = 0.7}; }};
   expect_same(far.plan(params, {.own_rules = own}), expected);
   EXPECT_NE(far.plan(params).curves.steps, expected.curves.steps);
-}
-
-// Of what waits for another setting, own rules may read what they take the place of, no more.
-TEST(OwnRules, MayReadWhatBuiltInOnesWouldNot) {
-  const std::vector<double> table(12, 1.0);
-  const OwnRules heuristic{.heuristic = table},
-      update{.update = [](Pheromone&, const IterationTours&) {}},
-      schedule{.schedule = [](int) { return StepWeights{}; }};
-  const auto refused = [](const char* name, const OwnRules& own) {
-    Params params("as");
-    params.critical_time = 0;
-    set_parameter(params, name, "3");
-    return refusal([&] { validate(params, own); }) != "accepted";
-  };
-  for (const char* name : {"beta", "beta_first", "alpha_first", "ranks"})
-    EXPECT_TRUE(refused(name, {})) << name;
-  EXPECT_FALSE(refused("beta", heuristic));
-  EXPECT_TRUE(refused("ranks", heuristic));
-  Params rescaled("fan2004");
-  rescaled.omega = 3;
-  EXPECT_NO_THROW(validate(rescaled));
-  EXPECT_THROW(validate(rescaled, heuristic), Error);
-  EXPECT_FALSE(refused("ranks", update));
-  EXPECT_TRUE(refused("beta", update));
-  EXPECT_FALSE(refused("alpha_first", schedule));
-  EXPECT_FALSE(refused("beta_first", schedule));
-  EXPECT_TRUE(refused("ranks", schedule));
 }
 
 TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {

@@ -41,8 +41,6 @@ Params ants() {
   p.heuristic = Heuristic::goal_angle;
   p.visibility = Visibility::none;
   p.beta = 5;
-  p.polish = Polish::none;
-  p.neighbours = Neighbours::eight;
   p.iterations = 20;
   p.threads = 1;
   return p;

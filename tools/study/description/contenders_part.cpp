@@ -121,7 +121,6 @@ class Reader {
   static void try_settings(const Entry& d) {
     Params params = tool::known_params(d.contender.algorithm, d.contender.preset, *d.algorithm);
     for (const Placed& s : d.settings) tool::try_setting(params, s.name, s.value, *s.place);
-    reset_unread(params);
     try {
       validate(params);
     } catch (const Error& fault) {
