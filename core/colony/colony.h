@@ -1,9 +1,8 @@
 // The colony on a bitmap, composed from parameters: run once, or often on a map that changes.
 #pragma once
 
-#include <memory>
-
 #include "core/colony/colony_memory.h"
+#include "core/colony/grid_colony.h"
 #include "lasius/own_rules.h"
 #include "lasius/params.h"
 #include "lasius/progress.h"
@@ -33,8 +32,10 @@ class SurvivingColony {
   /// `grid`, edited by its owner between calls, must outlive the object and keep its size; so must
   /// `disc`, see run_colony(). `params` are a colony's of one island, valid.
   SurvivingColony(const Grid& grid, Cell goal, const Params& params,
-                  const disc::DiscSpace* disc = nullptr);
-  ~SurvivingColony();
+                  const disc::DiscSpace* disc = nullptr)
+      : goal_(goal),
+        params_(params),
+        colony_(grid, params_, memory_, no_own_rules(), GridColony::After::more_runs, disc) {}
   SurvivingColony(const SurvivingColony&) = delete;
   SurvivingColony& operator=(const SurvivingColony&) = delete;
 
@@ -59,14 +60,18 @@ class SurvivingColony {
   /// tour deposits no longer, though its path is still offered. After Guntsch & Middendorf 2001
   /// (resets in proportion to nearness); share and radius are ours, see docs/theory.md. A terminal
   /// index forgets instead what leads nowhere, see forget_lost_ways().
-  void changed(const Rectangle& part);
-
+  void changed(const Rectangle& part) {
+    if (!blank_) colony_.changed(part);
+  }
   /// Blank again, as a new object.
-  void forget();
+  void forget() noexcept { blank_ = true; }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Cell goal_;
+  Params params_;
+  ColonyMemory memory_;
+  GridColony colony_;
+  bool blank_ = true;
 };
 
 }  // namespace lasius

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/stored_arrays.h"
+#include "core/loop/run_status.h"
 
 namespace lasius {
 

@@ -10,6 +10,7 @@
 #include "core/colony/islands.h"
 #include "core/colony/rank_talk.h"
 #include "core/colony/tour_board.h"
+#include "core/loop/run_status.h"
 
 namespace lasius {
 namespace {
