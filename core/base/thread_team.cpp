@@ -2,6 +2,7 @@
 
 #include <omp.h>
 #include <pthread.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::atomic<pid_t> region_process = 0;  // the one that had the first parallel r
 /// Of so many threads those that the system has room for. An OpenMP runtime that gets fewer than it
 /// wants ends the process, so they are tried before; by threads that touch no heap, as one that
 /// only frees has malloc set aside an arena of 64 MB, and the room counted would not be there
-/// afterwards.
+/// afterwards. Room for an arena each, as malloc makes them for the first 8 a core, is theirs, too.
 int available(int wanted) noexcept {
   thread_local int had = 1;  // a region's threads stay for the next one of this thread
   if (wanted <= had) return wanted;
@@ -51,17 +52,29 @@ int available(int wanted) noexcept {
     return nullptr;
   };
   std::vector<pthread_t> tried;
+  std::vector<void*> arenas;
   try {
     tried.reserve(static_cast<std::size_t>(wanted - had));
+    arenas.reserve(tried.capacity());
   } catch (const std::bad_alloc&) {
     return had;
   }
-  pthread_t one{};
-  while (std::ssize(tried) < wanted - had && pthread_create(&one, nullptr, wait, &counted) == 0)
+  constexpr std::size_t kArena = 64 << 20;
+  const int most = 8 * omp_get_num_procs();
+  while (std::ssize(tried) < wanted - had) {
+    if (had + std::ssize(arenas) <= most) {
+      void* const arena = mmap(nullptr, kArena, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      if (arena == MAP_FAILED) break;
+      arenas.push_back(arena);
+    }
+    pthread_t one{};
+    if (pthread_create(&one, nullptr, wait, &counted) != 0) break;
     tried.push_back(one);
+  }
   counted = true;
   counted.notify_all();
   for (const pthread_t ended : tried) pthread_join(ended, nullptr);
+  for (void* const arena : arenas) munmap(arena, kArena);
   const int found = static_cast<int>(std::ssize(tried));
   // The last of what there is stays for others.
   if (had + found < wanted) return std::max(had, (had + found) / 2);
