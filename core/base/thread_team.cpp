@@ -2,7 +2,6 @@
 
 #include <omp.h>
 #include <pthread.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -52,29 +51,27 @@ int available(int wanted) noexcept {
     return nullptr;
   };
   std::vector<pthread_t> tried;
-  std::vector<void*> arenas;
   try {
     tried.reserve(static_cast<std::size_t>(wanted - had));
-    arenas.reserve(tried.capacity());
   } catch (const std::bad_alloc&) {
     return had;
   }
   constexpr std::size_t kArena = 64 << 20;
-  const int most = 8 * omp_get_num_procs();
-  while (std::ssize(tried) < wanted - had) {
-    if (had + std::ssize(arenas) <= most) {
-      void* const arena = mmap(nullptr, kArena, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-      if (arena == MAP_FAILED) break;
-      arenas.push_back(arena);
-    }
-    pthread_t one{};
-    if (pthread_create(&one, nullptr, wait, &counted) != 0) break;
+  std::size_t stack = 0;
+  pthread_attr_t roomy;
+  pthread_attr_init(&roomy);
+  pthread_attr_getstacksize(&roomy, &stack);
+  pthread_attr_setstacksize(&roomy, stack + kArena);
+  const auto room = [&] {
+    return had + std::ssize(tried) <= 8 * omp_get_num_procs() ? &roomy : nullptr;
+  };
+  pthread_t one{};
+  while (std::ssize(tried) < wanted - had && pthread_create(&one, room(), wait, &counted) == 0)
     tried.push_back(one);
-  }
+  pthread_attr_destroy(&roomy);
   counted = true;
   counted.notify_all();
   for (const pthread_t ended : tried) pthread_join(ended, nullptr);
-  for (void* const arena : arenas) munmap(arena, kArena);
   const int found = static_cast<int>(std::ssize(tried));
   // The last of what there is stays for others.
   if (had + found < wanted) return std::max(had, (had + found) / 2);

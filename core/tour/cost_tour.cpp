@@ -177,10 +177,13 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
   const Costs costs = legs.costs(), lower = legs.lower();
   Orders found = orders_and_bound(costs, lower, stops, request, legs.scale(), observer, tour);
   if (found.orders.empty()) return tour;
+  const auto known = [&](const auto& ends) { return legs.leg(ends.first, ends.second).known; };
+  if (legs.cut() && !std::ranges::all_of(tour::legs_of(first, request.open), known))
+    found.orders = first;  // few known legs among dear ones lead the search astray
   legs.complete(tour::legs_of(found.orders, request.open), request.threads);
   if (legs.cut() && !first.empty() &&
       cost_of(costs, first, request.open) < cost_of(costs, found.orders, request.open))
-    found.orders = first;  // all of whose legs were priced
+    found.orders = first;
   tour.status = status_after(found.cause, request.stop);
   if (tour.status == Status::solved && legs.cut()) tour.status = Status::limit;
   set_orders(request, stops, found, tour);

@@ -207,8 +207,7 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
       return result;
   }
   Poller poller(options.stop);  // once it stops, what is first will do
-  Candidates candidates = first ? Candidates(closed, places, kCandidates, poller)
-                                : Candidates(closed, places, kCandidates, options.stop);
+  Candidates candidates(closed, places, kCandidates, poller, first ? 0 : Candidates::kMany);
   if (more) candidates.add(closed, legs_of_more);
   Colony colony(closed, candidates, inner, found);
   colony.run(std::move(first));
