@@ -23,7 +23,7 @@ constexpr int kCandidates = 8;
 constexpr int kFirstAnts = 10, kMostAnts = 40;
 constexpr double kKicksOfAnt = 0.3;  // a stop
 constexpr int kPatience = 3;         // generations without change
-constexpr int kSoon = 1000;          // stops: by bounds alone in some hundredths of a second
+constexpr int kSoon = 5000;          // stops: by bounds alone in some tenths of a second
 
 // The search over closed tours of more than kMostBySubsets stops.
 class Colony {
