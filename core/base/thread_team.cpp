@@ -41,7 +41,7 @@ std::atomic<pid_t> region_process = 0;  // the one that had the first parallel r
 /// Of so many threads those that the system has room for. An OpenMP runtime that gets fewer than it
 /// wants ends the process, so they are tried before; by threads that touch no heap, as one that
 /// only frees has malloc set aside an arena of 64 MB, and the room counted would not be there
-/// afterwards.
+/// afterwards. Room for an arena each, as malloc makes them for the first 8 a core, is theirs, too.
 int available(int wanted) noexcept {
   thread_local int had = 1;  // a region's threads stay for the next one of this thread
   if (wanted <= had) return wanted;
@@ -56,9 +56,19 @@ int available(int wanted) noexcept {
   } catch (const std::bad_alloc&) {
     return had;
   }
+  constexpr std::size_t kArena = 64 << 20;
+  std::size_t stack = 0;
+  pthread_attr_t roomy;
+  pthread_attr_init(&roomy);
+  pthread_attr_getstacksize(&roomy, &stack);
+  pthread_attr_setstacksize(&roomy, stack + kArena);
+  const auto room = [&] {
+    return had + std::ssize(tried) <= 8 * omp_get_num_procs() ? &roomy : nullptr;
+  };
   pthread_t one{};
-  while (std::ssize(tried) < wanted - had && pthread_create(&one, nullptr, wait, &counted) == 0)
+  while (std::ssize(tried) < wanted - had && pthread_create(&one, room(), wait, &counted) == 0)
     tried.push_back(one);
+  pthread_attr_destroy(&roomy);
   counted = true;
   counted.notify_all();
   for (const pthread_t ended : tried) pthread_join(ended, nullptr);

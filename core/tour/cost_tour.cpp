@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
@@ -25,7 +26,7 @@ constexpr double kShareOfLegs = 0.7;  // of the time to a deadline
 constexpr double kAnyGap = 1e9;       // a leg's, where the time is up
 
 struct Leg {
-  bool known = false;
+  bool known = false;  // not cut short
   double cost = 0, lower = 0, length = 0;
   std::vector<Point> path = {};  // from the lower stop
 };
@@ -141,9 +142,11 @@ class LegsOverCosts {
         {.stop = stop, .target_gap = gap, .start_point = places_[a], .goal_point = places_[b]},
         options_);
     if (found.path.empty() || !std::isfinite(found.cost)) return;
-    legs_[index(a, b)] = {true, found.cost,
-                          found.optimal ? found.cost : found.lower_bound.value_or(0), found.length,
-                          std::move(found.path)};
+    Leg& leg = legs_[index(a, b)];
+    leg.lower = std::max(leg.lower, found.optimal ? found.cost : found.lower_bound.value_or(0));
+    leg.known = found.status == Status::solved;
+    if (leg.path.empty() || found.cost < leg.cost)
+      std::tie(leg.cost, leg.length, leg.path) = std::tie(found.cost, found.length, found.path);
   }
 
   const CostPlanner& planner_;
@@ -177,10 +180,13 @@ TourResult plan_tour(const CostPlanner& planner, const TourRequest& request,
   const Costs costs = legs.costs(), lower = legs.lower();
   Orders found = orders_and_bound(costs, lower, stops, request, legs.scale(), observer, tour);
   if (found.orders.empty()) return tour;
+  const auto known = [&](const auto& ends) { return legs.leg(ends.first, ends.second).known; };
+  if (legs.cut() && !std::ranges::all_of(tour::legs_of(first, request.open), known))
+    found.orders = first;  // few known legs among dear ones lead the search astray
   legs.complete(tour::legs_of(found.orders, request.open), request.threads);
   if (legs.cut() && !first.empty() &&
       cost_of(costs, first, request.open) < cost_of(costs, found.orders, request.open))
-    found.orders = first;  // all of whose legs were priced
+    found.orders = first;
   tour.status = status_after(found.cause, request.stop);
   if (tour.status == Status::solved && legs.cut()) tour.status = Status::limit;
   set_orders(request, stops, found, tour);

@@ -76,6 +76,7 @@ void plan_legs(const Planner& planner, std::span<const Point> points, int thread
   parallel_for(static_cast<int>(tour.legs.size()), static_cast<int>(workspaces.size()),
                [&](int i, int thread) {
                  TourLeg& leg = tour.legs[i];
+                 if (!leg.path.empty()) return;
                  Result planned =
                      planner.plan({.start_point = points[leg.from], .goal_point = points[leg.to]},
                                   exact, {.workspace = &workspaces[thread]});

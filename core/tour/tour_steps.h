@@ -44,8 +44,8 @@ void tell_no_order(const tour::PartialOrder& given, const tour::Ends& ends,
                    const tour::OrderFound& found, std::span<const int> named, bool ants,
                    TourResult& tour);
 
-/// The paths of a tour's legs. Never cut short: once there is an order, what stops the search
-/// leaves it its legs.
+/// The paths of a tour's legs, but those that are there. Never cut short: once there is an order,
+/// what stops the search leaves it its legs.
 void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
                TourResult& tour);
 

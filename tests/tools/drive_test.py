@@ -44,7 +44,8 @@ class Drive(ProgramTest):
     def test_options_of_plan_that_are_none_of_a_drive(self):
         help_text = self.run_program("drive", "--help").out
         self.assertIn("No effect: a drive always tells the optimum of its moves", " ".join(help_text.split()))
-        self.assertNotIn("--tracks", help_text)
+        for option in ("--tracks", "--prepared"):
+            self.assertNotIn(option, help_text)
         for value in ("1", "abc"):
             self.refused(self.drive("--tracks", value), 2, "a drive's picture shows the robot's track")
         self.refused(self.drive("--tracks"), 2, "--tracks needs a value, N,N,...")

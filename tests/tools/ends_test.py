@@ -328,6 +328,14 @@ class Missing(ProgramTest):
         self.ended(many, 0)
         self.assertEqual(many.json["path"], one.json["path"])
 
+    def test_threads_have_room_for_their_heaps(self):
+        self.ended(self.run_program("generate", "rooms", "--size", "100x100", "-o", "rooms.map"), 0)
+        cover = ("tour", "rooms.map", "--cover", "4", "--generations", "0", "--json", "--threads")
+        one = self.ended(self.run_program(*cover, "1"), 0)
+        for size in (1100, 1200, 1300):
+            many = self.ended(self.limited(resource.RLIMIT_AS, size << 20, *cover, "60"), 0)
+            self.assertEqual(many.json["legs"], one.json["legs"])
+
     def test_names_that_are_not_utf8(self):
         name = os.fsdecode(b"m\xff.map")
         self.write(name, self.read("small.map"))

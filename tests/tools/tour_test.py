@@ -2,6 +2,7 @@
 import itertools
 import json
 import math
+import random
 import re
 import unittest
 
@@ -345,6 +346,16 @@ class Tour(ProgramTest):
         near = self.tour("--json", "--target-gap", "40", stops=stops).json
         self.assertEqual(near["status"], "solved")
         self.assertLessEqual(near["gap"], 0.4)
+
+    def test_many_stops_are_in_a_short_order_from_the_first_on(self):
+        """A shortest tour of places drawn in a square is 0.7124 sqrt(n area) long or a little more."""
+        side, count = 300, 4500
+        self.write("open.map", f"type octile\nheight {side}\nwidth {side}\nmap\n" + ("." * side + "\n") * side)
+        cells = random.Random(1).sample(range(side * side), count)
+        self.write("many.tsv", "x y\n" + "".join(f"{c % side} {c // side}\n" for c in cells))
+        run = self.run_program("tour", "open.map", "--stops", "many.tsv", "--time-limit", "0", "--json")
+        self.assertEqual((run.code, run.json["status"]), (0, "limit"))
+        self.assertLess(run.json["length"], 1.3 * 0.7124 * math.sqrt(count) * side)
 
     def check_status(self, result):
         self.assertEqual(sorted(result["order"]), list(range(70)))

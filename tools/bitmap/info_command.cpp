@@ -219,10 +219,7 @@ Subcommand add_info(CLI::App& app) {
         InfoCommand& info = *text;
         const std::string& file = info.map.file;
         if (is_polygon_file(file)) {
-          if (info.map.prepare) throw UsageError("--prepare is for bitmaps");
-          for (const char* option : {"--frame", "--start", "--goal"})
-            if (table.given(option))
-              throw UsageError("--frame, --start and --goal of info are for bitmaps");
+          table.refuse({"--prepare", "--frame", "--start", "--goal"}, " of info is for bitmaps");
           refuse_radius(table);
           text->world.file = file;
           return run_command(WorldInfoCommand{text->world, info.json});

@@ -200,21 +200,17 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
                      ": vehicles are planned by lattice alone; leave it out");
   run.algorithm.clear();
   refuse_world_options(table);
-  for (const auto& [option, why] : {std::pair("--radius", "a vehicle's footprint is in its file"),
-                                    {"--moves", "a vehicle's motions are its lattice's"},
-                                    {"--via", "plan a vehicle from one pose to the next"},
-                                    {"--alternatives", "they are of points"},
-                                    {"--gap", "a vehicle's plan always tells its certified gap"},
-                                    {"--set", "it is of algorithms on cells"},
-                                    {"--ants", "it is of colonies"},
-                                    {"--iterations", "it is of colonies"},
-                                    {"--tracks", "it is of colonies"},
-                                    {"--preset", "it is of algorithms on cells"},
-                                    {"--neighbours", "it is of algorithms on cells"},
-                                    {"--corners", "it is of algorithms on cells"},
-                                    {"--prepare", "a vehicle's map is prepared without"}})
-    if (table.given(option))
-      throw UsageError(std::string(option) + " with --vehicle: " + why + "; leave it out");
+  const auto refuse = [&](std::initializer_list<const char*> options, const std::string& why) {
+    table.refuse(options, " with --vehicle: " + why + "; leave it out");
+  };
+  refuse({"--radius"}, "a vehicle's footprint is in its file");
+  refuse({"--moves"}, "a vehicle's motions are its lattice's");
+  refuse({"--via"}, "plan a vehicle from one pose to the next");
+  refuse({"--alternatives"}, "they are of points");
+  refuse({"--gap"}, "a vehicle's plan always tells its certified gap");
+  refuse({"--ants", "--iterations", "--tracks"}, "it is of colonies");
+  refuse({"--set", "--preset", "--neighbours", "--corners"}, "it is of algorithms on cells");
+  refuse({"--prepare"}, "a vehicle's map is prepared without");
   if (table.given("--polish")) {
     constexpr std::array<std::string_view, 2> kPolish{"none", "taut"};
     command.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);
@@ -253,8 +249,7 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--frame world: " + command.world.file +
                      " gives no frame, a polygon world is in its own coordinates; leave it out");
   refuse_radius(table);
-  for (const char* option : {"--cost", "--inflation", "--moves"})
-    if (table.given(option)) throw UsageError(std::string(option) + " is for bitmaps");
+  table.refuse({"--cost", "--inflation", "--moves"}, " is for bitmaps");
   if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
       file != command.outputs.end())
     throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
@@ -277,8 +272,7 @@ int run_plan(const OptionTable& table, PlanText& text, const Call& call) {
   if (!text.vehicle.file.empty()) return run_command(vehicle_command(table, text));
   if (is_polygon_file(asked.map.file)) return run_command(polygon_command(table, text));
   refuse_world_options(table);
-  if (table.given("--heading-tolerance"))
-    throw UsageError("--heading-tolerance is for --vehicle; leave it out");
+  table.refuse({"--heading-tolerance"}, " is for --vehicle; leave it out");
   asked.via.clear();
   for (const std::string& via : text.via)
     asked.via.push_back(point_value("--via", via, asked.frame));

@@ -152,16 +152,13 @@ void add_world_options(OptionTable& table, WorldOptions& to) {
 }
 
 void refuse_world_options(const OptionTable& table) {
-  for (const char* option : {"--margin", "--join", "--boundary", "--repair"})
-    if (table.given(option))
-      throw UsageError(std::string(option) +
-                       " is for polygon worlds (.geojson, .json, .wkt); the robot's radius is "
-                       "--radius on bitmaps");
+  table.refuse({"--margin", "--join", "--boundary", "--repair"},
+               " is for polygon worlds (.geojson, .json, .wkt); the robot's radius is --radius on "
+               "bitmaps");
 }
 
 void refuse_radius(const OptionTable& table) {
-  if (table.given("--radius"))
-    throw UsageError("--radius is for bitmaps; the robot's radius is --margin on polygon worlds");
+  table.refuse({"--radius"}, " is for bitmaps; the robot's radius is --margin on polygon worlds");
 }
 
 }  // namespace lasius::tool

@@ -60,6 +60,11 @@ CLI::Option* OptionTable::shell(CLI::Option* option, Values values) {
   return option;
 }
 
+void OptionTable::refuse(std::initializer_list<const char*> names, const std::string& why) const {
+  for (const char* name : names)
+    if (given(name)) throw UsageError(name + why);
+}
+
 std::vector<std::pair<std::string, std::string>> OptionTable::in_order(
     std::string_view beginning) const {
   std::map<const CLI::Option*, std::size_t> used;

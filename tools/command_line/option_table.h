@@ -70,6 +70,8 @@ class OptionTable {
   CLI::Option* shell(CLI::Option* option, Values values);
   CLI::Option* operator[](const std::string& name) { return app_.get_option(name); }
   bool given(const std::string& name) const { return app_.get_option(name)->count() > 0; }
+  /// @throws UsageError, a name and why, where one of these is given.
+  void refuse(std::initializer_list<const char*> names, const std::string& why) const;
   /// Those whose names begin so, name and value, in their order on the command line.
   std::vector<std::pair<std::string, std::string>> in_order(std::string_view beginning) const;
 

@@ -31,8 +31,7 @@ void finish_costs(RunOptions& run) {
   const char* const option = run.map.costs.layers.empty() ? "--inflation" : "--cost";
   if (find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact)
     throw UsageError(std::string(option) +
-                     ": drives over costs are for exact; leave --algorithm "
-                     "out");
+                     ": drives over costs are for exact; leave --algorithm out");
   if (run.target_gap > 0)
     throw UsageError("--target-gap: nothing is certified in a drive over costs; leave it out");
   if (std::exchange(run.map.prepare, false))
@@ -54,12 +53,9 @@ void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::st
     vehicle.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);
     run.named.clear();
   }
-  for (const char* option :
-       {"--radius", "--set", "--ants", "--iterations", "--preset", "--neighbours", "--corners",
-        "--prepare", "--prepared", "--target-gap"})
-    if (table.given(option))
-      throw UsageError(std::string(option) +
-                       " with --vehicle: it is of drives from cell to cell; leave it out");
+  table.refuse({"--radius", "--set", "--ants", "--iterations", "--preset", "--neighbours",
+                "--corners", "--prepare", "--prepared", "--target-gap"},
+               " with --vehicle: it is of drives from cell to cell; leave it out");
   require("", "--start", start);
   require("", "--goal", goals.empty() ? "" : goals.front());
   finish_run(run);
@@ -113,6 +109,7 @@ void add_drive_options(OptionTable& table, const std::shared_ptr<DriveText>& tex
                    .endings = kDriveEndings});
   add_cost_options(table, text->run.map.costs);
   table["--gap"]->description("No effect: a drive always tells the optimum of its moves");
+  table["--prepared"]->group(kRefused);
   const auto refuse = [](const std::string&) {
     throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   };
@@ -134,8 +131,7 @@ DriveCommand drive_asked(const OptionTable& table, const DriveText& text, const 
     const std::string goal = text.goals.empty() ? "" : text.goals.back();
     if (text.goals.size() > 1)
       throw UsageError("--goal is given more than once; several goals are for --vehicle");
-    if (table.given("--heading-tolerance"))
-      throw UsageError("--heading-tolerance is for --vehicle; leave it out");
+    table.refuse({"--heading-tolerance"}, " is for --vehicle; leave it out");
     static_cast<PlanCommand&>(drive) = plan_command(run, text.start_text, goal);
     for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
       if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};

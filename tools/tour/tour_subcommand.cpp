@@ -30,12 +30,10 @@ constexpr const char* kTourOutputs =
 
 /// @throws UsageError where an option of maps is given with a problem of TSPLIB.
 void check_tsplib(const OptionTable& table, const RunOptions& run) {
-  for (const char* option : {"--stops", "--cover", "--start", "--goal", "--capacity", "--frame",
-                             "--radius", "--unknown-free", "--prepare", "--prepared", "--corners",
-                             "--cost", "--inflation", "--most-stops", "--spacing", "--vehicle"})
-    if (table.given(option))
-      throw UsageError(std::string(option) + " is for maps, and " + run.map.file +
-                       " is a problem of TSPLIB; leave it out");
+  table.refuse({"--stops", "--cover", "--start", "--goal", "--capacity", "--frame", "--radius",
+                "--unknown-free", "--prepare", "--prepared", "--corners", "--cost", "--inflation",
+                "--most-stops", "--spacing", "--vehicle"},
+               " is for maps, and " + run.map.file + " is a problem of TSPLIB; leave it out");
   const auto picture = std::ranges::find_if(run.outputs, [](const auto& file) {
     return is_picture(file) || is_yaml(file) || is_page(file);
   });
@@ -47,11 +45,9 @@ void check_tsplib(const OptionTable& table, const RunOptions& run) {
 /// @throws UsageError where an option of bitmaps is given with a polygon world.
 void check_polygons(const OptionTable& table, const RunOptions& run) {
   refuse_radius(table);
-  for (const char* option : {"--cover", "--vehicle", "--frame", "--unknown-free", "--prepare",
-                             "--prepared", "--corners", "--cost", "--inflation", "--spacing"})
-    if (table.given(option))
-      throw UsageError(std::string(option) + " is for bitmaps, and " + run.map.file +
-                       " is a polygon world; leave it out");
+  table.refuse({"--cover", "--vehicle", "--frame", "--unknown-free", "--prepare", "--prepared",
+                "--corners", "--cost", "--inflation", "--spacing"},
+               " is for bitmaps, and " + run.map.file + " is a polygon world; leave it out");
   const auto other = std::ranges::find_if(
       run.outputs, [](const auto& file) { return is_yaml(file) || is_page(file); });
   if (other != run.outputs.end())
@@ -61,28 +57,23 @@ void check_polygons(const OptionTable& table, const RunOptions& run) {
 
 /// @throws UsageError for what does not go with the number of robots.
 void check_robots(const OptionTable& table, const TourCommand& tour) {
-  if (tour.robots.size() < 2) {
-    if (tour.most_stops)
-      throw UsageError(
-          "--most-stops is for several robots; give each its --start, or leave it out");
-    return;
-  }
+  if (tour.robots.size() < 2)
+    return table.refuse({"--most-stops"},
+                        " is for several robots; give each its --start, or leave it out");
   if (tour.goal)
     throw UsageError("--goal: " + std::to_string(tour.robots.size()) +
                      " robots end where they began, or with --open anywhere; leave it out");
   if (tour.ants.algorithm() != "exact")
     throw UsageError("--algorithm " + tour.ants.algorithm() +
                      ": ants know no tours of several robots; leave it out");
-  if (table.given("--capacity"))
-    throw UsageError("--capacity: tours of several robots have no loads; leave it out");
+  table.refuse({"--capacity"}, ": tours of several robots have no loads; leave it out");
 }
 
 /// @throws UsageError where an option of stops is given with --cover.
 void check_cover(const OptionTable& table, const RunOptions& run) {
-  for (const char* option : {"--stops", "--goal", "--capacity", "--most-stops", "--cost",
-                             "--inflation", "--target-gap", "--preset"})
-    if (table.given(option))
-      throw UsageError(std::string(option) + " is for tours of stops; leave it or --cover out");
+  table.refuse({"--stops", "--goal", "--capacity", "--most-stops", "--cost", "--inflation",
+                "--target-gap", "--preset"},
+               " is for tours of stops; leave it or --cover out");
   if ((!run.algorithm.empty() && run.algorithm != kLegAlgorithm) || !run.settings.empty())
     throw UsageError("--algorithm and --set are for tours of stops; leave them or --cover out");
   const auto starts = table.in_order("--start").size();
@@ -192,9 +183,8 @@ Subcommand add_tour(CLI::App& app) {
           check_polygons(table, run);
         else
           refuse_world_options(table);
-        if (table.given("--goal-tolerance"))
-          throw UsageError(
-              "--goal-tolerance: a tour leaves out what it cannot reach; leave it out");
+        table.refuse({"--goal-tolerance"},
+                     ": a tour leaves out what it cannot reach; leave it out");
         if (is_tsplib(run.map.file))
           check_tsplib(table, run);
         else if (table.given("--cover"))
@@ -217,10 +207,8 @@ Subcommand add_tour(CLI::App& app) {
         if (run.ranged)
           throw UsageError("--seed " + table.in_order("--seed").front().second +
                            ": one tour has one seed; a range is for plan");
-        if (run.with_optimum) {
-          run.with_optimum = false;
+        if (std::exchange(run.with_optimum, false))
           run.notes.emplace_back("--gap has no effect: a tour always tells its certified gap");
-        }
         run.inputs.push_back(tour.stops_file);
         const CostLayers& costs = run.map.costs;
         for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);

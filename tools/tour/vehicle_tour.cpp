@@ -189,12 +189,9 @@ class VehicleTour final : public TourProblem {
 
 void take_vehicle(const OptionTable& table, TourCommand& tour, const VehicleCommand& vehicle,
                   const std::vector<std::string>& starts, const std::string& goal) {
-  for (const char* option : {"--cover", "--capacity", "--most-stops", "--radius", "--prepare",
-                             "--prepared", "--corners", "--algorithm", "--set", "--preset"})
-    if (table.given(option))
-      throw UsageError(std::string(option) +
-                       " with --vehicle: it is of tours of points and "
-                       "discs; leave it out");
+  table.refuse({"--cover", "--capacity", "--most-stops", "--radius", "--prepare", "--prepared",
+                "--corners", "--algorithm", "--set", "--preset"},
+               " with --vehicle: it is of tours of points and discs; leave it out");
   if (starts.size() > 1)
     throw UsageError("--start is given " + std::to_string(starts.size()) +
                      " times, and one vehicle goes; give one --start");

@@ -137,6 +137,12 @@ void join_swaths(const Planner& planner, const CoverRequest& request, double bet
   const tour::OrderFound order = find_order(costs, ends, result.stops, options);
   found.order = whole_swaths(order.order, pricer, request.open);
   add_legs(found.order, request.open, found);
+  for (TourLeg& leg : found.legs) {
+    const Point from = result.stops[leg.from], to = result.stops[leg.to];
+    if (!pricer.joined(leg.from, leg.to) || from == to) continue;
+    leg.path = {from, to};  // a swath
+    leg.length = distance(from, to);
+  }
   plan_legs(planner, result.stops, request.threads, found);
   if (known && order.optimal) {
     found.lower_bound = cells(order.cost);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 
 namespace lasius::tour {
 
@@ -50,13 +52,24 @@ Candidates::Candidates(const Costs& costs, std::span<const Point> places, int co
   for (int q = 0; q < 4; ++q) sets[q].most = places.empty() ? 0 : count / 4;
   sets[4].most = count;
   std::vector<Leg> row, chosen;
+  std::vector<int> line(n), at(n);  // once cut, the stops by x and where each is
+  std::iota(line.begin(), line.end(), 0);
+  std::iota(at.begin(), at.end(), 0);
+  bool cut = false;
   begin_.push_back(0);
   for (int v = 0; v < n; ++v) {
     for (Nearest& set : sets) set.kept.clear();
     row.clear();
-    const int window = n > many && poller.stop_after(n) ? count : n;
-    for (int w = std::max(0, v - window); w < std::min(n, v + window + 1); ++w)
-      if (w != v) row.push_back({w, costs.lower(v, w)});
+    if (!cut && n > many && poller.stop_after(n)) {
+      cut = true;
+      std::stable_sort(line.begin(), line.begin() + static_cast<int>(places.size()),
+                       [&](int a, int b) { return places[a].x < places[b].x; });
+      for (int i = 0; i < n; ++i) at[line[i]] = i;
+    }
+    // So wide a strip of a square holds most of the nearest.
+    const int near = !cut ? n : many > 0 ? 4 * static_cast<int>(std::sqrt(n)) : count;
+    for (int i = std::max(0, at[v] - near); i < std::min(n, at[v] + near + 1); ++i)
+      if (line[i] != v) row.push_back({line[i], costs.lower(v, line[i])});
     // By rising bound: then few are priced that are not kept.
     if (costs.priced_late()) std::sort(row.begin(), row.end(), cheaper);
     for (Leg leg : row) {

@@ -22,12 +22,12 @@ class Candidates {
   /// The `count` cheapest each; where places are given (of the first stops, or none) first the
   /// count / 4 cheapest in each quadrant around the stop. Of a pricer's costs only those are priced
   /// of which the lower bound does not show that they are dearer. Of more than kMany stops, once
-  /// stopped, those whose numbers are near.
+  /// stopped, of those beside it by x; of stops without places by number.
   Candidates(const Costs& costs, std::span<const Point> places, int count,
              const StopCondition& stop = {});
-  /// The same, but once stopped those of any number of stops are as there.
-  Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller)
-      : Candidates(costs, places, count, poller, 0) {}
+  /// The same, but once stopped, of more than `many`, of fewer beside it.
+  Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller,
+             int many = 0);
   static constexpr int kMany = 4000;
 
   std::span<const Leg> of(int stop) const noexcept {
@@ -39,9 +39,6 @@ class Candidates {
   void add(const Costs& costs, std::span<const std::pair<int, int>> more);
 
  private:
-  Candidates(const Costs& costs, std::span<const Point> places, int count, Poller& poller,
-             int many);
-
   std::vector<int> begin_;
   std::vector<Leg> legs_;
 };

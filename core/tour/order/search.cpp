@@ -23,7 +23,7 @@ constexpr int kCandidates = 8;
 constexpr int kFirstAnts = 10, kMostAnts = 40;
 constexpr double kKicksOfAnt = 0.3;  // a stop
 constexpr int kPatience = 3;         // generations without change
-constexpr int kSoon = 1000;          // stops: by bounds alone in some hundredths of a second
+constexpr int kSoon = 5000;          // stops: by bounds alone in some tenths of a second
 
 // The search over closed tours of more than kMostBySubsets stops.
 class Colony {
@@ -207,8 +207,7 @@ OrderFound find_order(const Costs& costs, const Ends& ends, std::span<const Poin
       return result;
   }
   Poller poller(options.stop);  // once it stops, what is first will do
-  Candidates candidates = first ? Candidates(closed, places, kCandidates, poller)
-                                : Candidates(closed, places, kCandidates, options.stop);
+  Candidates candidates(closed, places, kCandidates, poller, first ? 0 : Candidates::kMany);
   if (more) candidates.add(closed, legs_of_more);
   Colony colony(closed, candidates, inner, found);
   colony.run(std::move(first));

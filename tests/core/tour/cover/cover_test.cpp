@@ -62,8 +62,11 @@ void expect_valid(const Planner& planner, const CoverRequest& request, const Cov
         EXPECT_GE(judge.clearance(leg.path[j - 1], leg.path[j]), radius - 2e-9);
     const bool back = !request.open && i + 1 == tour.legs.size();  // of a single swath
     if (leg.from / 2 != leg.to / 2 || leg.from / 2 >= cover.swaths() || back) continue;
-    const double straight = distance(leg.path.front(), leg.path.back(), leg.path.back());
-    EXPECT_NEAR(leg.length, straight, 1e-9);
+    const Point from = cover.stops[leg.from], to = cover.stops[leg.to];
+    const Result planned = planner.plan({.start_point = from, .goal_point = to}, Params("exact"));
+    EXPECT_EQ(leg.path, planned.path);
+    EXPECT_EQ(leg.length, planned.length);
+    EXPECT_NEAR(leg.length, distance(from, to, to), 1e-9);
   }
   for (int i = 0; i < cover.swaths(); ++i) {
     const auto at = [&](int stop) {

@@ -58,23 +58,6 @@ TEST(TourLocalSearch, LeavesNoCheaperExchangeOfThreeEdges) {
   }
 }
 
-// Far stops are cheap: none is found once stopped.
-TEST(TourCandidates, OfManyStopsAreNearNumbersOnceStopped) {
-  struct Far final : Pricer {
-    Cost price(int a, int b) override { return lower(a, b); }
-    Cost lower(int a, int b) const override {
-      return a == b ? 0 : 2 * Candidates::kMany - std::abs(a - b);
-    }
-    Cost largest() const override { return 2 * Candidates::kMany; }
-  } far;
-  constexpr int kSize = Candidates::kMany + 1, kCount = 8;
-  const Candidates candidates(Costs(kSize, far), {}, kCount, fired());
-  ASSERT_EQ(candidates.size(), kSize);
-  EXPECT_EQ(candidates.of(0).front().to, kSize - 1);
-  for (int v = 0; v < kSize; ++v) EXPECT_EQ(candidates.of(v).size(), kCount);
-  for (const Candidates::Leg& leg : candidates.of(kSize - 1)) EXPECT_GE(leg.to, kSize - 1 - kCount);
-}
-
 // From the middle, four stops lie to the lower right, one far to the left and one, the last, less
 // far there.
 TEST(TourCandidates, AreInNoQuadrantWithoutAPlace) {
