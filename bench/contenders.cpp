@@ -20,7 +20,7 @@ class Exact final : public peers::QueryPlanner {
  public:
   explicit Exact(const Grid& grid) : grid_(&grid) {}
   double plan(Cell start, Cell goal, std::vector<Point>& path) override {
-    search_.search(*grid_, start, goal, {.target_gap = kGap / 100.0}, {}, answer_);
+    search_.search(*grid_, centre(start), centre(goal), {.target_gap = kGap / 100.0}, {}, answer_);
     path.assign(answer_.path.begin(), answer_.path.end());
     return answer_.path.empty() ? peers::kNoPath : answer_.length;
   }
@@ -40,9 +40,9 @@ class Prepared final : public peers::QueryPlanner {
   }
   double plan(Cell start, Cell goal, std::vector<Point>& path) override {
     if (graph_ != nullptr) {
-      search_.search(*grid_, *graph_, start, goal, {}, {}, answer_);
+      search_.search(*grid_, *graph_, centre(start), centre(goal), {}, {}, answer_);
     } else {
-      unprepared_.search(*grid_, start, goal, {}, {}, answer_);
+      unprepared_.search(*grid_, centre(start), centre(goal), {}, {}, answer_);
     }
     path.assign(answer_.path.begin(), answer_.path.end());
     return answer_.path.empty() ? peers::kNoPath : answer_.length;

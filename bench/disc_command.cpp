@@ -63,8 +63,7 @@ Times measure_queries(const QuerySet& set, const disc::DiscSpace& space,
     };
     Least of_graph, of_scan, without;
     for (int round = 0; round < rounds; ++round) {
-      without.add(
-          microseconds([&] { point.search(set.grid, query.start, query.goal, {}, {}, of_point); }));
+      without.add(microseconds([&] { point.search(set.grid, start, goal, {}, {}, of_point); }));
       if (graph != nullptr) of_graph.add(ask(graph));
       of_scan.add(ask(nullptr));
     }

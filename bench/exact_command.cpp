@@ -31,7 +31,8 @@ double mean_time(const QuerySet& set, double gap, int rounds, double& peak) {
     ExactSearch search;  // a new one, so that its memory is the query's own
     ExactAnswer answer;
     sum += median_microseconds(rounds, [&] {
-      search.search(set.grid, query.start, query.goal, {.target_gap = gap}, {}, answer);
+      search.search(set.grid, centre(query.start), centre(query.goal), {.target_gap = gap}, {},
+                    answer);
     });
     peak = std::max(peak, static_cast<double>(search.bytes()));
   }
@@ -45,7 +46,7 @@ std::pair<double, double> compare_ends(const QuerySet& set) {
   ExactSearch search;
   ExactAnswer answer;
   const auto expanded = [&](Cell from, Cell to) {
-    search.search(set.grid, from, to, {}, {}, answer);
+    search.search(set.grid, centre(from), centre(to), {}, {}, answer);
     return static_cast<double>(search.counters().expansions);
   };
   for (const Query& query : set.queries) {

@@ -46,7 +46,7 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
                             {}, answer);
   };
   for (const Query& query : set.queries) {
-    plain.search(set.grid, query.start, query.goal, {}, {}, expected);
+    plain.search(set.grid, centre(query.start), centre(query.goal), {}, {}, expected);
     const bool found = ask(query);
     const bool equal =
         found && std::abs(answer.length - expected.length) <= exact::kRounding * expected.length;
@@ -68,10 +68,10 @@ LabelTimes measure_answers(const QuerySet& set, const exact::CornerGraph& graph,
       planner.plan({query.start, query.goal}, {}, {.workspace = &workspace});
     });
     least(times.graph, [&](const Query& query) {
-      by_graph.search(set.grid, graph, query.start, query.goal, {}, {}, expected);
+      by_graph.search(set.grid, graph, centre(query.start), centre(query.goal), {}, {}, expected);
     });
     least(times.plain, [&](const Query& query) {
-      plain.search(set.grid, query.start, query.goal, {}, {}, expected);
+      plain.search(set.grid, centre(query.start), centre(query.goal), {}, {}, expected);
     });
   }
   return times;

@@ -105,7 +105,7 @@ std::optional<Cell> first_free(const Grid& grid, Cell from, int step) {
 Quality measure_quality(const Course& course, const Params& params, int seeds) {
   ExactSearch exact;
   ExactAnswer answer;
-  exact.search(course.grid, course.start, course.goal, {}, {}, answer);
+  exact.search(course.grid, centre(course.start), centre(course.goal), {}, {}, answer);
   Quality quality{course.name, answer.length, {}};
   quality.runs.resize(static_cast<std::size_t>(seeds));
   const Planner planner(course.grid);

@@ -95,7 +95,7 @@ void measure_prepared(const QuerySet& set, const EditsOptions& options, Table& t
   ExactSearch search;
   ExactAnswer answer;
   for (const Query& query : set.queries) {
-    search.search(set.grid, query.start, query.goal, {}, {}, answer);
+    search.search(set.grid, centre(query.start), centre(query.goal), {}, {}, answer);
     before.push_back(answer.length);
   }
   StaleAnswers stale(std::make_shared<const PreparedMap>(PreparedMap{set.grid, graph, labels}),

@@ -40,7 +40,7 @@ struct Tours {
 
 class ArmColony final : public ColonyWorld {
  public:
-  ArmColony(const Lattice& lattice, const Request& request, const Params& parameters,
+  ArmColony(Lattice& lattice, const Request& request, const Params& parameters,
             const Observer& observer)
       : lattice_(lattice),
         request_(request),
@@ -104,7 +104,17 @@ class ArmColony final : public ColonyWorld {
   double tour_length(int ant) const override { return tours_[ant].length; }
   double best_length() const override { return best_.empty() ? kNaN : best_length_; }
 
-  bool settled() const override { return settled_; }
+  bool settled() override {
+    const bool blocked = lattice_.goals_blocked(false);
+    const bool any = !best_.empty();
+    // Without an arrival it may be that there is no way: what was learned can tell. With a shorter
+    // tour the gap may be what was asked for.
+    const bool gains = request_.target_gap > 0 && any && idle_ == 0;
+    if (shortest_ == nullptr || gains) update_bound();
+    return blocked || all_closed_ ||
+           (parameters_.patience > 0 && any && idle_ >= parameters_.patience) ||
+           (gains && bound_ && best_length_ <= *bound_ * (1 + request_.target_gap));
+  }
 
   Cause observe(const Convergence& run) override {
     ArmProgress view;
@@ -112,15 +122,6 @@ class ArmColony final : public ColonyWorld {
     view.lower_bound = bound_;
     view.joints = [this] { return joints_of(best_nodes()); };
     const Cause cause = show(observer_, run, view);
-    if (lattice_.goals_blocked(false)) settled_ = true;
-    if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
-      settled_ = true;
-    // Without an arrival it may be that there is no way: what was learned can tell. With a shorter
-    // tour the gap may be what was asked for.
-    const bool gains = request_.target_gap > 0 && !best_.empty() && idle_ == 0;
-    if (run.arrived.back() == 0 || gains) update_bound();
-    settled_ |= gains && bound_ && best_length_ <= *bound_ * (1 + request_.target_gap);
-    settled_ |= all_closed_;
     result_.asked.push_back(lattice_.questions());
     return cause;
   }
@@ -138,10 +139,8 @@ class ArmColony final : public ColonyWorld {
 
   double tau0() const {
     if (parameters_.initial_pheromone > 0) return parameters_.initial_pheromone;
-    return parameters_.ants / (nearest() * lattice_.unit());
+    return parameters_.ants / (lattice_.least(lattice_.start()) * lattice_.unit());
   }
-
-  double nearest() const { return lattice_.least(lattice_.start()); }
 
   void seed_line() {
     const auto moves = straight_moves(lattice_);
@@ -206,7 +205,7 @@ class ArmColony final : public ColonyWorld {
     return values;
   }
 
-  const Lattice& lattice_;
+  Lattice& lattice_;
   const Request& request_;
   const Params& parameters_;
   const Observer& observer_;
@@ -219,8 +218,7 @@ class ArmColony final : public ColonyWorld {
 
   std::vector<std::uint8_t> best_;  // moves of the best tour so far
   double best_length_ = kInfinity;
-  int idle_ = 0;  // iterations since it was found
-  bool settled_ = false;
+  int idle_ = 0;             // iterations since it was found
   bool all_closed_ = false;  // every way is known to be
   std::optional<double> bound_;
   Questions bound_questions_{.positions = -1};  // that were asked when it was computed
@@ -229,7 +227,7 @@ class ArmColony final : public ColonyWorld {
 
 }  // namespace
 
-Result run_arm_colony(const Lattice& lattice, const Request& request, const Params& parameters,
+Result run_arm_colony(Lattice& lattice, const Request& request, const Params& parameters,
                       const Observer& observer) {
   return ArmColony(lattice, request, parameters, observer).run();
 }

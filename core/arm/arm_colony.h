@@ -9,7 +9,7 @@ namespace lasius::arm {
 /// Sends ants through the lattice until the run ends. Precondition: the arm can stand at the start,
 /// which is not the goal; kinematics reaches the goal; `parameters` are valid, with a number of
 /// threads.
-Result run_arm_colony(const Lattice& lattice, const Request& request, const Params& parameters,
+Result run_arm_colony(Lattice& lattice, const Request& request, const Params& parameters,
                       const Observer& observer);
 
 }  // namespace lasius::arm

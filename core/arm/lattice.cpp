@@ -139,11 +139,11 @@ double Lattice::apart(const double* a, const double* b) const noexcept {
   return objective_ == Objective::joint ? std::sqrt(sum) : most;
 }
 
-double Lattice::cost(Node v, int move) const {
+double Lattice::cost(Node v, int move) {
   return counts_moves() ? 1 : apart(configuration(v), configuration(to(v, move)));
 }
 
-double Lattice::least(Node v) const {
+double Lattice::least(Node v) {
   if (arrived(v)) return 0;
   double least = kInfinity;
   const auto offer = [&](double cost) { least = std::min(least, cost); };
@@ -162,7 +162,7 @@ double Lattice::least(Node v) const {
   return least;
 }
 
-void Lattice::find_nearby(Node v) const noexcept {
+void Lattice::find_nearby(Node v) noexcept {
   double least = kInfinity;
   for (std::size_t i = 0; i < end_points_.size(); ++i) {
     const double change = largest_change(joint_values(v), targets_.ends[i].q);
@@ -173,7 +173,7 @@ void Lattice::find_nearby(Node v) const noexcept {
   guidance_[v * kRow + kTipMoves] = least < kInfinity ? 1 : 0;
 }
 
-void Lattice::fill_guidance(Node v) const noexcept {
+void Lattice::fill_guidance(Node v) noexcept {
   const auto at = coordinates(v), goal = nearest_target(v);
   double square = 0;
   for (int i = 0; i < 3; ++i) square += (goal[i] - at[i]) * (goal[i] - at[i]);
@@ -188,13 +188,13 @@ void Lattice::fill_guidance(Node v) const noexcept {
   if (moves_ > kTipMoves) find_nearby(v);
 }
 
-bool Lattice::has_target() const {
+bool Lattice::has_target() {
   return !targets_.ends.empty() || std::ranges::any_of(targets_.points, [&](const auto& point) {
     return configuration(node(point.at)) != nullptr;
   });
 }
 
-bool Lattice::goals_blocked(bool ask) const {
+bool Lattice::goals_blocked(bool ask) {
   if (!targets_.ends.empty()) return false;
   bool any = false;
   for (const auto& point : targets_.points) {

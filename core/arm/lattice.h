@@ -49,7 +49,8 @@ struct Box {
 /// posture of a point is continued from that of the neighbour towards the start. What is found out
 /// about a node or an edge is kept, by whichever thread comes first; a thread that wants to know
 /// what another one is finding out waits for it.
-/// The answers depend on the world only, so it does not matter who asks.
+/// The answers depend on the world only, so it does not matter who asks. Whoever may ask holds a
+/// reference that is not const.
 class Lattice {
  public:
   Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
@@ -76,9 +77,9 @@ class Lattice {
 
   /// What a move adds to the objective, in unit(): one of `length`. Precondition: both ends have
   /// joint values.
-  double cost(Node v, int move) const;
+  double cost(Node v, int move);
   /// The least that the way on may cost.
-  double least(Node v) const;
+  double least(Node v);
   /// True where a move costs one.
   bool counts_moves() const noexcept { return objective_ == Objective::length; }
   /// The objective's unit, in metres, radians or seconds.
@@ -95,26 +96,26 @@ class Lattice {
 
   Vec3 position(Node v) const noexcept;
   /// Joint values, null where there are none. Kinematics only.
-  const double* configuration(Node v) const;
+  const double* configuration(Node v);
   /// u^gamma of the moves() out of a node whose configuration was asked for (eq. 9); 0: no move.
   const float* guidance(Node v) const noexcept { return guidance_.at(v * kRow); }
 
   /// True when the move can be made. Asks the sensor what is not known. Precondition: `v` has a
   /// configuration that is free.
-  bool open(Node v, int move) const;
+  bool open(Node v, int move);
   /// False when the move is known to be closed; kinematics is worked out, the sensor not asked.
-  bool maybe_open(Node v, int move) const;
+  bool maybe_open(Node v, int move);
   /// True when the sensor was asked and said no.
-  bool known_blocked(Node v) const noexcept { return load(position_[v]) == kNo; }
+  bool known_blocked(Node v) noexcept { return load(position_[v]) == kNo; }
   /// True when the tip gets to a goal, as far as kinematics tells.
-  bool has_target() const;
+  bool has_target();
   /// True when there is no end, and the goals are known to be blocked in the posture that they
   /// have. `ask` the sensor about it.
-  bool goals_blocked(bool ask) const;
+  bool goals_blocked(bool ask);
   /// Where no way was found, for people.
   std::string not_found() const;
 
-  bool position_free(Node v) const;
+  bool position_free(Node v);
   Questions questions() const noexcept {
     return {.positions = positions_asked_, .motions = motions_asked_};
   }
@@ -150,13 +151,13 @@ class Lattice {
   int manhattan(Node v, const std::array<int, 3>& to) const noexcept;
   int target_of(Node v) const noexcept;
   void enter(Node v, const JointVector& q);
-  bool solve(Node v, JointArray& q) const;
+  bool solve(Node v, JointArray& q);
   /// The joint values of a node from other ones, bent before.
   bool continued(Node v, const double* from, double bend, std::span<const double> rest,
                  JointArray& q) const;
   bool reachable_by_joints(Node a, int move) const noexcept;
-  void fill_guidance(Node v) const noexcept;
-  void find_nearby(Node v) const noexcept;
+  void fill_guidance(Node v) noexcept;
+  void find_nearby(Node v) noexcept;
   double apart(const double* a, const double* b) const noexcept;
 
   const Kinematics& kinematics_;
@@ -178,21 +179,21 @@ class Lattice {
   Vec3 origin_;
 
   // What was worked out or asked so far.
-  mutable ZeroArray<double> values_;          // joint values by node
-  mutable ZeroArray<float> guidance_;         // kRow a node
-  mutable ZeroArray<std::int16_t> nearby_;    // number of the end nearby, from 1, by node
-  mutable ZeroArray<std::uint8_t> solved_;    // Answer by node: it has joint values
-  mutable ZeroArray<std::uint8_t> position_;  // Answer by node: it is free
-  mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
-  mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
+  ZeroArray<double> values_;          // joint values by node
+  ZeroArray<float> guidance_;         // kRow a node
+  ZeroArray<std::int16_t> nearby_;    // number of the end nearby, from 1, by node
+  ZeroArray<std::uint8_t> solved_;    // Answer by node: it has joint values
+  ZeroArray<std::uint8_t> position_;  // Answer by node: it is free
+  ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
+  std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
   friend class LatticePoller;
-  mutable std::atomic<bool> out_of_questions_{false}, cut_{false};
+  std::atomic<bool> out_of_questions_{false}, cut_{false};
 };
 
 /// Polls after so many steps, and after every question that was asked: a sensor may take its time.
 class LatticePoller {
  public:
-  LatticePoller(const Lattice& lattice, const StopCondition& stop, std::int64_t interval) noexcept
+  LatticePoller(Lattice& lattice, const StopCondition& stop, std::int64_t interval) noexcept
       : lattice_(lattice), poller_(stop, interval), interval_(interval), asked_(lattice.asked()) {}
 
   /// As Poller::stop_after.
@@ -210,7 +211,7 @@ class LatticePoller {
   }
 
  private:
-  const Lattice& lattice_;
+  Lattice& lattice_;
   Poller poller_;
   std::int64_t interval_;
   std::int64_t asked_;

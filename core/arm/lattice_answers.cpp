@@ -31,7 +31,7 @@ bool Lattice::answer_once(std::uint8_t& answer, const Find& find) {
   return yes.value_or(false);
 }
 
-const double* Lattice::configuration(Node v) const {
+const double* Lattice::configuration(Node v) {
   const std::uint8_t known = load(solved_[v]);
   if (known == kYes || known == kNo) return known == kYes ? values_.at(v * joints_) : nullptr;
   // Two threads may solve the same point: they find equal values, and one of them enters them.
@@ -55,7 +55,7 @@ bool Lattice::continued(Node v, const double* from, double bend, std::span<const
   return kinematics_.reach_for(position(v), rest, span);
 }
 
-bool Lattice::solve(Node v, JointArray& q) const {
+bool Lattice::solve(Node v, JointArray& q) {
   if (outside(v)) return false;
   // Towards the start along the axis that is furthest from it; ties to x, then y.
   const auto at = coordinates(v);
@@ -85,14 +85,14 @@ bool Lattice::reachable_by_joints(Node a, int move) const noexcept {
          largest_change(joint_values(a), joint_values(to(a, move))) <= joint_step_;
 }
 
-bool Lattice::position_free(Node v) const {
+bool Lattice::position_free(Node v) {
   return answer_once(position_[v], [&]() -> std::optional<bool> {
     positions_asked_.fetch_add(1, std::memory_order_relaxed);
     return sensor_.position_free(joint_values(v));
   });
 }
 
-bool Lattice::open(Node v, int move) const {
+bool Lattice::open(Node v, int move) {
   std::uint8_t& answer = edges_[edge(v, move)];
   if (const std::uint8_t known = load(answer); known == kYes || known == kNo) return known == kYes;
   const Node w = to(v, move);
@@ -108,7 +108,7 @@ bool Lattice::open(Node v, int move) const {
   });
 }
 
-bool Lattice::maybe_open(Node v, int move) const {
+bool Lattice::maybe_open(Node v, int move) {
   const std::uint8_t known = load(edges_[edge(v, move)]);
   if (known == kYes || known == kNo) return known == kYes;
   const Node w = to(v, move);

@@ -16,8 +16,7 @@ class Dice : public kernels::RandomStream {
   using RandomStream::RandomStream;
 };
 
-LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
-                         const Params& parameters)
+LatticeAnts::LatticeAnts(Lattice& lattice, const LatticeTrail& trail, const Params& parameters)
     : lattice_(lattice), trail_(trail), parameters_(parameters) {
   const int threads = std::clamp(parameters.ants / 2, 1, std::max(parameters.threads, 1));
   for (int i = 0; i < threads; ++i)

@@ -20,7 +20,7 @@ struct alignas(64) LatticeAnt {
 
 class LatticeAnts {
  public:
-  LatticeAnts(const Lattice& lattice, const LatticeTrail& trail, const Params& parameters);
+  LatticeAnts(Lattice& lattice, const LatticeTrail& trail, const Params& parameters);
 
   /// Walks every ant until it has arrived, is lost, or `stop` says so; then ants under way are
   /// lost. Which thread walks which ant changes nothing.
@@ -39,7 +39,7 @@ class LatticeAnts {
   int draw_open_move(const ThreadScratch& scratch, Node at, class Dice& dice,
                      LatticePoller& poller) const;
 
-  const Lattice& lattice_;
+  Lattice& lattice_;
   const LatticeTrail& trail_;
   const Params& parameters_;
   std::vector<ThreadScratch> scratch_;

@@ -23,7 +23,7 @@ struct QueueEntry {
 
 class WaySearch {
  public:
-  WaySearch(const Lattice& lattice, Unknown unknown)
+  WaySearch(Lattice& lattice, Unknown unknown)
       : lattice_(lattice), unknown_(unknown), from_(lattice.nodes()), by_(lattice.nodes()) {}
 
   KnownWay run(const StopCondition& stop) {
@@ -69,7 +69,7 @@ class WaySearch {
     }
   }
 
-  const Lattice& lattice_;
+  Lattice& lattice_;
   Unknown unknown_;
   ZeroArray<Node> from_;
   ZeroArray<std::uint8_t> by_;  // the move, from 1; 0: not reached
@@ -79,7 +79,7 @@ class WaySearch {
 
 }  // namespace
 
-KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop) {
+KnownWay shortest_known_way(Lattice& lattice, Unknown unknown, const StopCondition& stop) {
   return WaySearch(lattice, unknown).run(stop);
 }
 

@@ -20,7 +20,7 @@ enum class Unknown { counts_as_free, is_asked };
 /// A* with the lattice's own estimate, which never is too high. An edge is looked at when the way
 /// over it is the next to go on with. Where what was not tried counts as free no way is cheaper;
 /// kinematics is worked out on the fly, the sensor is not asked.
-KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
+KnownWay shortest_known_way(Lattice& lattice, Unknown unknown, const StopCondition& stop);
 
 /// The moves from start to the nearest goal that keep nearest to the straight line: each along the
 /// axis that lags most behind its share of the way. Asks nothing.

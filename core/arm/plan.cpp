@@ -97,7 +97,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     check_duration(request.duration);
   }
   RequestSolver solver(robot, sensor, request, parameters);
-  Result result = solver.solve([&](const Lattice& lattice, const Params& p) {
+  Result result = solver.solve([&](Lattice& lattice, const Params& p) {
     return run_arm_colony(lattice, solver.request(), p, observer);
   });
   if (result.joints.cols() == 0) return result;
@@ -128,14 +128,14 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {
   return RequestSolver(robot, sensor, request, lattice_alone(parameters))
-      .solve([&](const Lattice& lattice, const Params&) {
+      .solve([&](Lattice& lattice, const Params&) {
         return answer_of(shortest_known_way(lattice, Unknown::is_asked, request.stop), lattice);
       });
 }
 
 Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {
-  const auto search = [&](const Lattice& lattice, const Params&) {
+  const auto search = [&](Lattice& lattice, const Params&) {
     Result result;
     Node at = lattice.start();
     LatticePoller poller(lattice, request.stop, Poller::kSteps);

@@ -288,8 +288,8 @@ Result RequestSolver::search_lattice(const Search& search) {
                " points",
            "take a larger pitch or a smaller side: at most " + std::to_string(Lattice::kMostNodes) +
                " fit");
-  const Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
-                        parameters_, request_.stop, asked_);
+  Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
+                  parameters_, request_.stop, asked_);
   Result result;
   if (lattice.has_target()) {
     result = search(lattice, parameters_);

@@ -13,7 +13,7 @@ namespace lasius::arm {
 class RequestSolver {
  public:
   /// Plans in one lattice.
-  using Search = std::function<Result(const Lattice&, const Params&)>;
+  using Search = std::function<Result(Lattice&, const Params&)>;
 
   /// @throws Error(invalid_parameter) as `plan` does. Robot and sensor must outlive it. The
   /// request is copied; values outside a limit by Request::kLimitTolerance at most are moved to it.

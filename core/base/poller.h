@@ -2,18 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "lasius/stop.h"
 
 namespace lasius {
-
-/// Other work, done in turns with that of a poller's owner.
-class InterleavedWork {
- public:
-  virtual ~InterleavedWork() = default;
-  /// Called after `work` units of the owner's work; returns what asks to stop.
-  virtual StopCondition::Cause turn(std::int64_t work) = 0;
-};
 
 /// Counts work and polls a condition each time a budget is spent. Not shared between threads.
 class Poller {
@@ -21,21 +14,23 @@ class Poller {
   static constexpr std::int64_t kWords = 65536;  ///< scanned words between two polls
   static constexpr std::int64_t kSteps = 4096;   ///< ant steps between two polls
 
-  explicit Poller(const StopCondition& condition, std::int64_t interval = kWords,
-                  InterleavedWork* other_work = nullptr) noexcept
-      : condition_(&condition), other_work_(other_work), interval_(interval), left_(interval) {}
+  explicit Poller(const StopCondition& condition, std::int64_t interval = kWords) noexcept
+      : condition_(&condition), interval_(interval), left_(interval) {}
 
   /// True once the condition asked to stop; `work` is what was done since the last call.
   bool stop_after(std::int64_t work) {
     left_ -= work;
     if (left_ > 0 || stopped()) return stopped();
-    const std::int64_t done = interval_ - left_;
+    work_ += interval_ - left_;
     left_ = interval_;
     polled_ = true;
     cause_ = condition_->poll();
-    if (other_work_ != nullptr && !stopped()) cause_ = other_work_->turn(done);
     return stopped();
   }
+  /// Somebody else asks to stop, or `none`. Precondition: nobody has.
+  void stop(StopCondition::Cause cause) noexcept { cause_ = cause; }
+  /// The work until the last poll, since it was last taken.
+  std::int64_t take_work() noexcept { return std::exchange(work_, 0); }
   bool stopped() const noexcept { return cause_ != StopCondition::Cause::none; }
   StopCondition::Cause cause() const noexcept { return cause_; }
   /// True once the condition was polled.
@@ -43,9 +38,9 @@ class Poller {
 
  private:
   const StopCondition* condition_;
-  InterleavedWork* other_work_;
   std::int64_t interval_;
   std::int64_t left_;
+  std::int64_t work_ = 0;
   bool polled_ = false;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 };

@@ -115,10 +115,6 @@ StopCondition::Cause GridColony::send_ants(int q) {
   return cause;
 }
 
-void GridColony::offer() {
-  if (!trail_.answers()) offer(best_path_, memory_.tours);
-}
-
 void GridColony::update_trail(int) {
   if (!learned_) learn_from_walks();
   if (trail_.answers())
@@ -126,13 +122,12 @@ void GridColony::update_trail(int) {
   else
     trail_.learn_from_paths(tours(0, params_.ants), ants_, memory_.polisher.paths(),
                             best_path_.finder());
-  agreed_ = all_agree() ? agreed_ + 1 : 0;
-}
-
-std::optional<ColonyWorld::Walked> GridColony::walked(int ant) const {
-  const Ant& one = ants_[ant];
-  return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
-                one.near};
+  // Did two ants or more arrive, all by one way?
+  const auto& all = memory_.tours;
+  const bool agree = params_.ants > 1 && std::ranges::all_of(all, [&](const Tour& tour) {
+                       return tour.length > 0 && std::ranges::equal(tour.moves, all[0].moves);
+                     });
+  agreed_ = agree ? agreed_ + 1 : 0;
 }
 
 StopCondition::Cause GridColony::observe(const Convergence& run) {
@@ -217,14 +212,6 @@ void GridColony::learn_from_walks() {
   memory_.tours.resize(ants_.size());
   memory_.guest.drop();
   learned_ = true;
-}
-
-// Did two ants or more arrive, all by one way?
-bool GridColony::all_agree() const {
-  const auto& tours = memory_.tours;
-  return params_.ants > 1 && std::ranges::all_of(tours, [&](const Tour& tour) {
-           return tour.length > 0 && std::ranges::equal(tour.moves, tours[0].moves);
-         });
 }
 
 // Offers what the trail answers by now, or where it knows no way what the ants found. Nothing is

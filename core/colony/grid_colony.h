@@ -54,16 +54,22 @@ class GridColony final : public ColonyWorld {
   /// the trail after a cut, one thread lays the walks' trails meanwhile: they have nothing to do
   /// with the polish.
   StopCondition::Cause send_ants(int q) override;
-  void offer() override;
+  void offer() override {
+    if (!trail_.answers()) offer(best_path_, memory_.tours);
+  }
   void offer_cut() override { offer(cut_path_, memory_.tours); }
   void update_trail(int) override;
   int ants() const override { return params_.ants; }
   int threads() const override { return threads_; }
   double tour_length(int ant) const override { return memory_.raw_lengths[ant]; }
-  std::optional<Walked> walked(int ant) const override;
+  std::optional<Walked> walked(int ant) const override {
+    const Ant& one = ants_[ant];
+    return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
+                  one.near};
+  }
   double best_length() const override { return best_path_.length(); }
   double iteration_best() const override { return best_path_.iteration_best(); }
-  bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
+  bool settled() override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
   double trail_entropy() const override { return trail_.entropy(request_.start); }
   StopCondition::Cause observe(const Convergence& run) override;
 
@@ -73,7 +79,6 @@ class GridColony final : public ColonyWorld {
   Tour measured(int number, int thread);
   Tours tours(int first, int count) const;
   void learn_from_walks();
-  bool all_agree() const;
   void offer_what_is_known();
   void offer_way(std::span<const std::uint8_t> way, const StopCondition& stop);
   void offer(BestPath& to, std::span<const Tour> tours) const;

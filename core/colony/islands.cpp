@@ -12,11 +12,6 @@
 namespace lasius {
 
 Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
-                 const disc::DiscSpace* disc, const cost::Terrain* terrain, const Ranks* ranks)
-    : Islands(grid, params, memory, disc, terrain,
-              ranks != nullptr ? Part{ranks->own, ranks->count} : Part{}, ranks, nullptr) {}
-
-Islands::Islands(const Grid& grid, const Params& params, ColonyMemory& memory,
                  const disc::DiscSpace* disc, const cost::Terrain* terrain, Part part,
                  const Ranks* ranks, TourBoard* board)
     : params_(params),
@@ -106,8 +101,8 @@ StopCondition::Cause Islands::send_ants(int q) {
   return told;
 }
 
-void Islands::tell(const Island& island, StopCondition::Cause cause, bool with_tour) {
-  const GridColony& colony = island.colony;
+void Islands::tell(Island& island, StopCondition::Cause cause, bool with_tour) {
+  GridColony& colony = island.colony;
   News& to = news(island.number);
   to.whole.cause = cause;
   if (cause != StopCondition::Cause::none) return;
@@ -190,7 +185,7 @@ double Islands::iteration_best() const {
   return best;
 }
 
-bool Islands::settled() const {
+bool Islands::settled() {
   return std::ranges::all_of(news_, [](const News& one) { return one.whole.settled != 0; });
 }
 

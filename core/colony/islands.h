@@ -26,23 +26,19 @@ namespace lasius {
 /// by rank i mod their number; what they find depends on their number and the schedule alone.
 class Islands final : public ColonyWorld {
  public:
-  /// As GridColony for one run; `params` have more than one island, and an ant for each.
-  /// @throws Error(invalid_parameter) for ranks that cannot be.
-  Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
-          const cost::Terrain* terrain, const Ranks* ranks);
-
-  Result run(const Request& request, const Observer& observer);
-
   /// Islands own, own + count, ... of all.
   struct Part {
     int own = 0, count = 1;
     bool has(int island) const { return island % count == own; }
   };
-  /// These alone, on one thread, with tours of the others by way of a board, which outlives them.
+  /// As GridColony for one run; `params` have more than one island, and an ant for each. `part` of
+  /// them alone, the others on other ranks; or with a board, which outlives the object, on this one
+  /// thread, with tours of the others by way of that.
+  /// @throws Error(invalid_parameter) for ranks that cannot be.
   Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
-          const cost::Terrain* terrain, Part part, TourBoard& board)
-      : Islands(grid, params, memory, disc, terrain, part, nullptr, &board) {}
+          const cost::Terrain* terrain, Part part, const Ranks* ranks, TourBoard* board);
 
+  Result run(const Request& request, const Observer& observer);
   /// Begins and runs the loop. Why it was cut short, or `none`.
   StopCondition::Cause walk(const Request& request, const Observer& observer, Convergence& run);
   /// The best path of all islands here, which gives it away.
@@ -65,7 +61,7 @@ class Islands final : public ColonyWorld {
   double best_length() const override;
   double iteration_best() const override;
   /// All islands have.
-  bool settled() const override;
+  bool settled() override;
   /// Shows the island that has the shortest path, of equal ones the first; of ranks the own ones'.
   StopCondition::Cause observe(const Convergence& run) override;
 
@@ -101,14 +97,11 @@ class Islands final : public ColonyWorld {
     int island, ant;
   };
 
-  Islands(const Grid& grid, const Params& params, ColonyMemory& memory, const disc::DiscSpace* disc,
-          const cost::Terrain* terrain, Part part, const Ranks* ranks, TourBoard* board);
-
   template <class Do>
   void for_each(const Do& act);
   bool exchange_at(int q) const { return q > 0 && q % params_.exchange_every == 0; }
   void exchange_tours();
-  void tell(const Island& island, StopCondition::Cause cause, bool with_tour);
+  void tell(Island& island, StopCondition::Cause cause, bool with_tour);
   /// Tells the others what this rank is told, and of its islands, and hears of theirs. The first
   /// cause, by rank, for which one is to stop.
   StopCondition::Cause share_news(StopCondition::Cause told);

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "core/base/number_text.h"
-#include "core/colony/stored_pheromone.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
 #include "core/params/grid_parameters.h"
@@ -197,14 +196,6 @@ std::span<const TrailPlace> NumberedTours::cells() noexcept {
 std::span<const TrailPlace> NumberedTours::arcs() noexcept {
   for (int ant = 0; ant < ants(); ++ant) arcs_of(ant);
   return {lists_->arcs.data(), static_cast<std::size_t>(lists_->offsets[ants()] - ants())};
-}
-
-bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
-                      Cell goal, const Tours& tours, NumberedTours& numbered) {
-  IterationTours view = numbered.view(tours, grid, params.trail);
-  view.goal = goal;
-  StoredPheromone stored(field, grid, params, tours.moves.count);
-  return own.update(stored.pheromone, view) == Go::stop;
 }
 
 }  // namespace lasius

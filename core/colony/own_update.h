@@ -75,8 +75,4 @@ class NumberedTours {
   int width_ = 0;
 };
 
-/// Lets the caller's own update, which there is, change the trail. True where it ends the search.
-bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
-                      Cell goal, const Tours& tours, NumberedTours& numbered);
-
 }  // namespace lasius

@@ -55,10 +55,8 @@ Cause join(const Ranks& ranks, Cause cause, std::vector<IterationSums>& course) 
 
 Result run_apart(const Grid& grid, const Request& request, const Params& params,
                  ColonyMemory& memory, const Observer& observer, const disc::DiscSpace* disc,
-                 const cost::Terrain* terrain) {
+                 const cost::Terrain* terrain, Islands::Part here) {
   const Ranks* const ranks = request.ranks;
-  const Islands::Part here =
-      ranks != nullptr ? Islands::Part{ranks->own, ranks->count} : Islands::Part{};
   if (ranks != nullptr) require_ranks(*ranks, true);
   TourBoard board(ranks);
   if (ranks != nullptr) meet(*ranks, grid, request, params, board);
@@ -68,7 +66,8 @@ Result run_apart(const Grid& grid, const Request& request, const Params& params,
   std::deque<Islands> parts;
   for (int p = 0; p < count; ++p)
     parts.emplace_back(grid, params, memory, disc, terrain,
-                       Islands::Part{here.own + p * here.count, here.count * count}, board);
+                       Islands::Part{here.own + p * here.count, here.count * count}, nullptr,
+                       &board);
   std::vector<Convergence> seen(parts.size());
   bool observed = false;  // by thread 0, which calls
   const Observer none;
@@ -102,9 +101,11 @@ Result run_apart(const Grid& grid, const Request& request, const Params& params,
 Result run_islands(const Grid& grid, const Request& request, const Params& params,
                    ColonyMemory& memory, const Observer& observer, const disc::DiscSpace* disc,
                    const cost::Terrain* terrain) {
+  const Ranks* const ranks = request.ranks;
+  const auto here = ranks != nullptr ? Islands::Part{ranks->own, ranks->count} : Islands::Part{};
   if (params.exchange == Exchange::asynchronous)
-    return run_apart(grid, request, params, memory, observer, disc, terrain);
-  return Islands(grid, params, memory, disc, terrain, request.ranks).run(request, observer);
+    return run_apart(grid, request, params, memory, observer, disc, terrain, here);
+  return Islands(grid, params, memory, disc, terrain, here, ranks, nullptr).run(request, observer);
 }
 
 }  // namespace lasius

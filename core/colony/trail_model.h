@@ -7,6 +7,7 @@
 #include "core/base/special_values.h"
 #include "core/colony/colony_memory.h"
 #include "core/colony/own_update.h"
+#include "core/colony/stored_pheromone.h"
 #include "core/colony/terminal_index.h"
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
@@ -63,7 +64,11 @@ class TrailModel {
     update_locally(memory_.field, params_, tau0_, batch, kept_ ? &memory_.earlier : nullptr);
   }
   /// Makes a trail that is kept what it was before an iteration that was cut short, to the bit.
-  void take_back() { lasius::take_back(memory_.field, memory_.earlier); }
+  void take_back() {
+    for (auto last = memory_.earlier.rbegin(); last != memory_.earlier.rend(); ++last)
+      memory_.field.set_tau(last->place, last->tau);
+    memory_.earlier.clear();
+  }
 
   /// The paper's update by the walks of a whole iteration.
   void learn(const Tours& walks) {
@@ -73,9 +78,12 @@ class TrailModel {
   /// and what straight paths lay. `finder`: the ant that found the best one, -1 being none.
   void learn_from_paths(const Tours& walks, std::span<const Ant> ants,
                         std::span<const PolishedPath> paths, int finder) {
-    if (kind_ == Kind::callers)
-      stopped_ =
-          update_by_caller(memory_.field, own_, params_, grid_, goal_, walks, memory_.numbered);
+    if (kind_ == Kind::callers) {
+      IterationTours view = memory_.numbered.view(walks, grid_, params_.trail);
+      view.goal = goal_;
+      StoredPheromone stored(memory_.field, grid_, params_, moves_.count);
+      stopped_ = own_.update(stored.pheromone, view) == Go::stop;
+    }
     lay_straight_paths(memory_.field, params_, ants, paths, finder);
   }
   /// How open it leaves the choice along the best tour; see Convergence::trail_entropy.

@@ -100,12 +100,6 @@ void update_locally(Field& field, const Params& params, double tau0, const Tours
   }
 }
 
-void take_back(Field& field, std::vector<EarlierTau>& before) {
-  for (auto last = before.rbegin(); last != before.rend(); ++last)
-    field.set_tau(last->place, last->tau);
-  before.clear();
-}
-
 void update_trail(Field& field, const Params& params, const Tours& all) {
   const GridTours tours{all, params.trail};
   switch (params.update) {

@@ -65,8 +65,6 @@ struct EarlierTau {
 /// that is null, what it changes.
 void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
                     std::vector<EarlierTau>* before);
-/// Takes such changes back, to the bit, and empties the list.
-void take_back(Field& field, std::vector<EarlierTau>& before);
 
 /// After every iteration. Work grows with the moves of its tours and of the best one.
 void update_trail(Field& field, const Params& params, const Tours& tours);

@@ -257,7 +257,7 @@ StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller
 void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
                         const ExactOptions& options, const StopCondition& stop,
                         DiscAnswer& answer) {
-  Poller poller(stop, kWordsPerPoll, options.beside);
+  Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
   space_ = &space;
   graph_ = graph;

@@ -28,7 +28,6 @@ constexpr double kSmallGap = 0.01;
 Anytime::Anytime(Memory& memory, const Grid& grid, Point start, Point goal,
                  const ExactOptions& options, const StopCondition& stop)
     : memory_(memory),
-      bounding_(memory.search),
       grid_(grid),
       start_(start),
       goal_(goal),
@@ -59,18 +58,18 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
   const bool urgent = !first && share_ > kSmallShare && std::isinf(length_);
   owed_ += (urgent ? kUrgentShare : share_) * static_cast<double>(work);
   if (resting_ || owed_ < (urgent ? kUrgentTurn : kTurn)) return StopCondition::Cause::none;
-  if (!begun_) bounding_.begin_improving(grid_, start_, goal_);
+  if (!begun_) memory_.search.begin_improving(grid_, start_, goal_);
   begun_ = true;
   work_ += owed_;
   if (work_ > kLate) share_ = std::min(share_, kLateShare);
   Poller poller(stop_, kWordsPerPoll);
-  const bool more = bounding_.improve(static_cast<std::int64_t>(owed_), poller);
+  const bool more = memory_.search.improve(static_cast<std::int64_t>(owed_), poller);
   owed_ = 0;
-  const double bound = rounded_down(bounding_.lower());
+  const double bound = rounded_down(memory_.search.lower());
   bool go_on = true;
-  if (bounding_.upper() < traced_) {
-    traced_ = bounding_.upper();
-    bounding_.trace(memory_.traced);
+  if (memory_.search.upper() < traced_) {
+    traced_ = memory_.search.upper();
+    memory_.search.trace(memory_.traced);
     go_on = tell(memory_.traced, path_length(memory_.traced), bound);
   }
   bound_ = std::max(bound_, bound);

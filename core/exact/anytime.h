@@ -16,7 +16,7 @@ namespace lasius::exact {
 /// to themselves, so that a search which is not cut ends with the same path, bit for bit, as
 /// without; one that is cut has the shorter path and the higher bound of the two. A search that
 /// ends within a tenth of a millisecond never gets here.
-class Anytime final : public InterleavedWork {
+class Anytime {
  public:
   /// What a workspace keeps from search to search.
   struct Memory {
@@ -39,13 +39,19 @@ class Anytime final : public InterleavedWork {
   /// Puts what the bounding search has into the answer of an exact one that was cut.
   void merge(ExactAnswer& answer) const;
 
-  StopCondition::Cause turn(std::int64_t work) override;
+  /// The turn of the bounding search, between two steps of the exact one, whose work `poller`
+  /// counts and which may be told to stop.
+  void take_turn(Poller& poller) {
+    const std::int64_t work = poller.take_work();
+    if (work > 0 && !poller.stopped()) poller.stop(turn(work));
+  }
+  /// The same after so much work; returns what asks to stop.
+  StopCondition::Cause turn(std::int64_t work);
 
  private:
   bool tell(const std::vector<Point>& path, double length, double bound);
 
   Memory& memory_;
-  ExactSearch& bounding_;
   const Grid& grid_;
   Point start_, goal_;
   const StopCondition& stop_;

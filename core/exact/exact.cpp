@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
+#include "core/exact/anytime.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
 
@@ -35,7 +35,6 @@ constexpr std::int64_t kWeightedReturn = 4096;
 constexpr double kFirstRun = 1;
 constexpr double kLongFirstRun = 4;
 constexpr double kSecondRun = 2;
-constexpr double kLongWay = 2048;  // cells
 // A target gap above this asks for any path; what is computed with it stays finite.
 constexpr double kWidestGap = 1e6;
 // What W of the bounding search takes of the target gap; the width of buckets has the rest.
@@ -50,15 +49,14 @@ constexpr double kBoundingHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
 
-// Where ties are found to be frequent the search that notes them ends early; and after each that
-// was in vain more of the next searches do without.
-constexpr std::int64_t kFewTies = 8;
-constexpr std::int64_t kExpansionsForTie = 32;
-constexpr std::int64_t kFirstLook = 64;  // expansions until the way in hand is looked at
-constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
-constexpr int kMorePause = 8, kMostPause = 256;
-
 }  // namespace
+
+// Expands a corner, and lets the search beside take its turn.
+void ExactSearch::step(std::uint32_t index) {
+  expand(index);
+  poller_->stop_after(kWordsPerExpansion);
+  if (beside_ != nullptr) beside_->take_turn(*poller_);
+}
 
 // Scans the cone of a corner. Where the view is long, only as far as paths not much longer than the
 // corner's own bound can lead; what lies behind stays in the frontier, as the corner itself with
@@ -70,7 +68,8 @@ void ExactSearch::expand(std::uint32_t index) {
   const double bound = corner.length + corner.to_goal;
   horizon_ = upper_;
   if (corner.scans < kMostScans) {
-    const double share = bounding_ ? kBoundingHorizon : kHorizon;
+    const bool any_path = mode_ == Mode::bounded || mode_ >= Mode::bounding;
+    const double share = any_path ? kBoundingHorizon : kHorizon;
     const double ahead =
         (share * straight_ + kHorizonOfRise * (lower_ - straight_)) * (1 << 2 * corner.scans);
     horizon_ = std::min(upper_, bound + ahead);
@@ -82,8 +81,8 @@ void ExactSearch::expand(std::uint32_t index) {
   again.expanded = false;
   again.weighed = false;
   ++again.scans;
-  if (!improving_) frontier_.push(index, horizon);
-  if (weighted_on_) weighted_frontier_.push(index, horizon + (weight_ - 1) * again.to_goal);
+  if (mode_ != Mode::improving) frontier_.push(index, horizon);
+  if (weighs()) weighted_frontier_.push(index, horizon + (weight_ - 1) * again.to_goal);
 }
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
@@ -102,28 +101,27 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
 
 // Expands corners by the frontier that weighs the distance to the goal more. What it finds enters
 // both frontiers.
-void ExactSearch::search_weighted(std::int64_t steps, Poller& poller) {
-  for (;
-       steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance(poller);
-       --steps) {
+void ExactSearch::search_weighted(std::int64_t steps) {
+  for (; steps > 0 && upper_ == kInfinity && !poller_->stopped(); --steps) {
+    if (!weighted_frontier_.advance(*poller_)) break;
     const std::uint32_t index = weighted_frontier_.pop();
     Corner& corner = corners_[index];
     if (corner.weighed || corner.expanded) continue;
     corner.weighed = true;
-    expand(index);
-    poller.stop_after(kWordsPerExpansion);
+    step(index);
   }
-  weighted_on_ = upper_ == kInfinity;
+  const bool bounding = mode_ == Mode::bounding;
+  if (upper_ < kInfinity) mode_ = bounding ? Mode::bounded : Mode::plain;
   // A scan that was stopped may have left out what would come first.
-  if (!bounding_ || poller.stopped()) return;
+  if (!bounding || poller_->stopped()) return;
   const double least =
-      weighted_frontier_.advance(poller) ? weighted_frontier_.floor() / weight_ : kInfinity;
+      weighted_frontier_.advance(*poller_) ? weighted_frontier_.floor() / weight_ : kInfinity;
   lower_ = std::max(lower_, std::min(least, upper_));
 }
 
 // The bounding search has found no path: from here on the lower bound is the frontier's.
 void ExactSearch::restore_default_weight() {
-  bounding_ = false;
+  mode_ = Mode::weighted;
   weight_ = kDefaultWeight;
   weighted_frontier_.reset(lower_, kBucketWidth);
   for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
@@ -133,21 +131,19 @@ void ExactSearch::restore_default_weight() {
 }
 
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
-  Poller poller(stop, kWordsPerPoll, options.beside);
+  Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
+  beside_ = options.beside;
   frontier_.reset(lower_, kBucketWidth);
   const double gap = std::min(options.target_gap, kWidestGap);
-  bounding_ = gap > 0;
-  weighted_on_ = true;
-  weight_ = bounding_ ? 1 + kShareOfGap * gap : kDefaultWeight;
+  if (gap > 0) mode_ = Mode::bounding;
+  weight_ = gap > 0 ? 1 + kShareOfGap * gap : kDefaultWeight;
   weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
-  const auto first = [&](double a_cell) {
-    search_weighted(std::llround(a_cell * straight_), poller);
-  };
-  const bool long_way = straight_ > kLongWay;
-  if (bounding_ || long_way) first(long_way ? kLongFirstRun : kFirstRun);
-  if (bounding_ && weighted_on_) {
+  const auto first = [&](double a_cell) { search_weighted(std::llround(a_cell * straight_)); };
+  const bool long_way = straight_ > exact::kLongWay;
+  if (gap > 0 || long_way) first(long_way ? kLongFirstRun : kFirstRun);
+  if (mode_ == Mode::bounding) {
     restore_default_weight();
     first(kSecondRun);
   }
@@ -156,74 +152,15 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   bool go_on = tell_improvement();
   while (go_on && !poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= gap * lower_) break;
-    expand(index);
-    poller.stop_after(kWordsPerExpansion);
+    step(index);
     go_on = tell_improvement();
-    if (!weighted_on_ || counters_.expansions < next_weighted) continue;
-    search_weighted(counters_.expansions / kWeightedShare, poller);
+    if (!weighs() || counters_.expansions < next_weighted) continue;
+    search_weighted(counters_.expansions / kWeightedShare);
     next_weighted = counters_.expansions * 2;
     if (next_weighted > kWeightedRest) next_weighted = std::max(next_weighted, kWeightedReturn);
   }
   poller_ = nullptr;
   cause_ = go_on ? poller.cause() : StopCondition::Cause::token;
-}
-
-// Expands corners by the frontier alone, for about so much work.
-void ExactSearch::run_plain(const StopCondition& stop, std::int64_t work, InterleavedWork* beside) {
-  bounding_ = weighted_on_ = false;
-  Poller poller(stop, kWordsPerPoll, beside);
-  poller_ = &poller;
-  frontier_.reset(lower_, kBucketWidth);
-  std::uint32_t index = CornerTable::kStart;
-  do {
-    expand(index);
-  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && !given_up(index) &&
-           next_corner(index));
-  poller_ = nullptr;
-  cause_ = poller.cause();
-}
-
-// Finds the shortest path if it is the only one, or that there is none; or is stopped. Else false.
-bool ExactSearch::search_only(const ExactOptions& options, const StopCondition& stop) {
-  const bool looked_at = options.improved != nullptr && !options.improved_once_polled;
-  if (options.target_gap > 0 || looked_at || stop.deadline != Clock::time_point::max() ||
-      straight_ > kLongWay)
-    return false;
-  if (rest_ > 0) {
-    --rest_;
-    return false;
-  }
-  only_ = true;
-  run_plain(stop, kNoLimit, options.beside);
-  if (cause_ != StopCondition::Cause::none || (!in_vain_ && !goal_tied_ && is_only(last_))) {
-    if (pause_ > 0) --pause_;
-    rest_ = pause_;
-    counters_.ties = exact::Counters::Ties::none;
-    return true;
-  }
-  counters_.ties = exact::Counters::Ties::some;
-  rest_ = pause_ = std::min(2 * pause_ + kMorePause, kMostPause);
-  return false;
-}
-
-// Where ties are frequent, or one lies on the way to the corner in hand: the best one begins so,
-// too, as a rule.
-bool ExactSearch::given_up(std::uint32_t index) noexcept {
-  if (!only_ || ties_ == 0) return false;
-  if (counters_.expansions >= next_look_) {
-    next_look_ = counters_.expansions * 3 / 2;
-    in_vain_ = !is_only(index);
-  }
-  in_vain_ = in_vain_ || (ties_ > kFewTies && ties_ * kExpansionsForTie > counters_.expansions);
-  return in_vain_;
-}
-
-// Is no other path as short as the best? Let one be, and let it join the best one at a corner, or
-// at the goal: it came there by a corner that was expanded at its least length, which was noted.
-bool ExactSearch::is_only(std::uint32_t index) const noexcept {
-  for (std::uint32_t i = index; i != CornerTable::kStart; i = corners_[i].parent)
-    if (corners_[i].tied) return false;
-  return true;
 }
 
 bool ExactSearch::tell_improvement() {
@@ -233,7 +170,9 @@ bool ExactSearch::tell_improvement() {
   });
 }
 
-void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
+void ExactSearch::begin(const Grid& grid, Point start, Point goal, Mode mode) {
+  mode_ = mode;
+  beside_ = nullptr;
   map_ = view_of(grid);
   start_ = exact::QueryEnd(start);
   goal_ = exact::QueryEnd(goal);
@@ -244,20 +183,14 @@ void ExactSearch::begin(const Grid& grid, Point start, Point goal) {
   straight_ = lower_;
   last_ = CornerTable::kStart;
   touched_ = nullptr;
-  improving_ = false;
   near_lines_ = exact::kLeastNear;
   barren_tests_ = exact::kFirstBarrenTests;
-  only_ = goal_tied_ = in_vain_ = false;
-  next_look_ = kFirstLook;
-  ties_ = 0;
+  ties_ = {};
   root_ = {};
-  passes_goal_ = false;
   const kernels::HalfPoint near = start_.near();
   corners_.reset(grid.width(),
                  {near.x, near.y, 0, lower_, CornerTable::kStart, {}, false, true, false, 0});
 }
-
-bool ExactSearch::goal_in_sight() const noexcept { return start_.sees(map_, goal_); }
 
 kernels::FinePoint ExactSearch::place(std::uint32_t index) const noexcept {
   if (index == CornerTable::kStart) return start_.fine();
@@ -266,13 +199,13 @@ kernels::FinePoint ExactSearch::place(std::uint32_t index) const noexcept {
 
 void ExactSearch::search(const Grid& grid, Point start, Point goal, const ExactOptions& options,
                          const StopCondition& stop, ExactAnswer& answer) {
-  begin(grid, start, goal);
+  begin(grid, start, goal, Mode::weighted);
   improvements_.begin(options);
-  if (goal_in_sight()) {
+  if (start_.sees(map_, goal_)) {
     upper_ = lower_;
   } else if (!search_only(options, stop)) {
     const exact::Counters::Ties ties = counters_.ties;
-    begin(grid, start, goal);
+    begin(grid, start, goal, Mode::weighted);
     run(options, stop);
     counters_.ties = ties;
   }
@@ -280,19 +213,6 @@ void ExactSearch::search(const Grid& grid, Point start, Point goal, const ExactO
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
   exact::conclude(lower_, upper_, cause_, options.target_gap, answer);
-}
-
-void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double length,
-                           const CellSet& cells, std::int64_t work, const StopCondition& stop,
-                           std::vector<Point>& path) {
-  begin(grid, centre(start), centre(goal));
-  path.clear();
-  if (lower_ >= length) return;
-  if (goal_in_sight()) return trace(path);
-  upper_ = length;
-  touched_ = &cells;
-  run_plain(stop, work);
-  if (upper_ < length) trace(path);
 }
 
 void ExactSearch::trace(std::vector<Point>& path) const {

@@ -25,6 +25,12 @@ constexpr int kLeastNear = 12, kMostNear = 96;
 /// Corners that are looked at for whether they are barren, and more for each that is.
 constexpr int kFirstBarrenTests = 64, kTestsForBarren = 8;
 
+/// Expansions until the way in hand is looked at for ties.
+constexpr std::int64_t kFirstLook = 64;
+
+/// Ways from here on, in cells, are so long that a path is looked for before the proof.
+constexpr double kLongWay = 2048;
+
 /// Ways whose lengths differ by less of themselves may be equally long but for rounding.
 constexpr double kAlike = 1e-11;
 /// Is a length beyond another by more than that?
@@ -91,11 +97,6 @@ class ExactSearch {
   /// included. Deterministic, except for when it is stopped.
   void search(const Grid& grid, Point start, Point goal, const ExactOptions& options,
               const StopCondition& stop, ExactAnswer& answer);
-  /// The same between the centres of two free cells.
-  void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
-              const StopCondition& stop, ExactAnswer& answer) {
-    search(grid, centre(start), centre(goal), options, stop, answer);
-  }
 
   /// A taut path between the centres of two free cells that is shorter than `length`, which is
   /// finite, and bends only at corners that one of `cells` touches; empty where none was found. A
@@ -138,17 +139,30 @@ class ExactSearch {
     double length;
   };
 
-  void begin(const Grid& grid, Point start, Point goal);
+  // What the search in hand is for, and by which frontiers it goes.
+  enum class Mode : std::uint8_t {
+    plain,      // A*
+    row,        // A* over all corners within a bound: the goal ends no way
+    only,       // A* for the only shortest path: ways as long as the one kept are noted
+    bounded,    // A* with a path of the bounding search
+    weighted,   // A*, and the weighted search now and then, until it sees the goal
+    bounding,   // the weighted search, as one that gives a lower bound
+    improving,  // a bounding search whose weight falls; there is no A* beside it
+  };
+  // Does the weighted search go on?
+  bool weighs() const noexcept { return mode_ >= Mode::weighted; }
+
+  void begin(const Grid& grid, Point start, Point goal, Mode mode);
   kernels::FinePoint place(std::uint32_t index) const noexcept;
-  bool goal_in_sight() const noexcept;
-  void search_weighted(std::int64_t steps, Poller& poller);
+  void search_weighted(std::int64_t steps);
   void restore_default_weight();
   void run(const ExactOptions& options, const StopCondition& stop);
-  void run_plain(const StopCondition& stop, std::int64_t work, InterleavedWork* beside = nullptr);
+  void run_plain(const StopCondition& stop, std::int64_t work, exact::Anytime* beside = nullptr);
   bool search_only(const ExactOptions& options, const StopCondition& stop);
   bool is_only(std::uint32_t index) const noexcept;
   bool given_up(std::uint32_t index) noexcept;
   bool next_corner(std::uint32_t& index);
+  void step(std::uint32_t index);
   void expand(std::uint32_t index);
   /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
   bool scan_cone(std::uint32_t index);
@@ -168,13 +182,15 @@ class ExactSearch {
   bool is_barren_towards(int x, int y, exact::Heading heading) const noexcept;
   // Is no path of this length wanted?
   bool too_long(double length) const noexcept {
-    return only_ ? exact::beyond(length, upper_) : length >= upper_;
+    return mode_ == Mode::only ? exact::beyond(length, upper_) : length >= upper_;
   }
   bool in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint at) const noexcept;
   void note_tie(exact::Corner& corner, std::uint32_t parent, exact::Heading heading) noexcept;
   void offer_goal(std::uint32_t index) noexcept;
   bool learn_limits(bool asked, bool cut_off) noexcept;
-  std::int64_t work_done() const noexcept;
+  std::int64_t work_done() const noexcept {
+    return counters_.words + counters_.expansions * exact::kWordsPerExpansion;
+  }
   bool lower_weight();
   bool tell_improvement();
 
@@ -188,27 +204,25 @@ class ExactSearch {
   double straight_ = 0;               // distance from start to goal
   const CellSet* touched_ = nullptr;  // where paths may bend; null: everywhere
   Poller* poller_ = nullptr;          // of the call in hand
+  exact::Anytime* beside_ = nullptr;  // of the search in hand, or null
   exact::Improvements improvements_;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 
   exact::CornerTable corners_;
   BucketQueue frontier_;
   BucketQueue weighted_frontier_;
-  bool weighted_on_ = false;
-  bool bounding_ = false;
-  bool passes_goal_ = false;  // which ends no way
-  bool improving_ = false;    // the weighted frontier alone is used
-  bool cut_ = false;          // improving was stopped: what was left out might come first
+  Mode mode_ = Mode::plain;
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   int near_lines_ = exact::kLeastNear;  // to where scans ask for limits
   int barren_tests_ = 0;                // that are still worth their time
-  bool only_ = false;                   // ways as long as the one kept are noted
-  bool goal_tied_ = false;              // another way to it is as short as the best
-  bool in_vain_ = false;                // the search for the only path was given up
-  std::int64_t ties_ = 0;               // noted
-  std::int64_t next_look_ = 0;          // for one on the way in hand
-  int rest_ = 0, pause_ = 0;            // searches until that is tried again, and after a failure
+  struct Ties {
+    std::int64_t noted = 0;
+    std::int64_t next_look = exact::kFirstLook;  // for one on the way in hand
+    bool at_goal = false;                        // another way to it is as short as the best
+    bool in_vain = false;                        // the search for the only path was given up
+  } ties_;
+  int rest_ = 0, pause_ = 0;  // searches until that is tried again, and after a failure
   exact::Counters counters_;
 };
 

@@ -18,6 +18,10 @@
 
 namespace lasius {
 
+namespace exact {
+class Anytime;
+}
+
 /// Called with each shorter path, its length and a lower bound; false asks the search to end.
 using OnImproved =
     std::function<bool(const std::vector<Point>& path, double length, double lower_bound)>;
@@ -29,7 +33,7 @@ struct ExactOptions {
   /// Tells of no path before the stop condition was polled for the first time, and then of the best
   /// so far: a search that ends before that cannot be cut short, so its path need not be told.
   bool improved_once_polled = false;
-  InterleavedWork* beside = nullptr;  ///< takes turns with the search, unless null; must outlive it
+  exact::Anytime* beside = nullptr;  ///< takes turns with the search, unless null; outlives it
 };
 
 /// How a search ended.

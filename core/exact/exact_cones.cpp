@@ -104,20 +104,21 @@ double ExactSearch::reach(int x, int y, Heading heading) {
   std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
+  const bool only = mode_ == Mode::only;
   bool barren = false;
   if (index != CornerTable::kStart) {
     Corner& known = corners_[index];
-    if (length >= known.length || (only_ && !exact::beyond(known.length, length))) {
-      if (only_ && !exact::beyond(length, known.length)) [[unlikely]]
+    if (length >= known.length || (only && !exact::beyond(known.length, length))) {
+      if (only && !exact::beyond(length, known.length)) [[unlikely]]
         note_tie(known, root_.index, heading);
       return known.length;
     }
     to_goal = known.to_goal;
-    barren = only_ && is_barren(x, y, heading);
+    barren = only && is_barren(x, y, heading);
   } else {
     if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
     to_goal = distance(2 * x, 2 * y, goal_.x, goal_.y);
-    if (too_long(length + to_goal) || (only_ && is_barren(x, y, heading))) return -1;
+    if (too_long(length + to_goal) || (only && is_barren(x, y, heading))) return -1;
     index = corners_.add(slot, x, y);
   }
   Corner& corner = corners_[index];
@@ -131,9 +132,9 @@ double ExactSearch::reach(int x, int y, Heading heading) {
   if (barren) {
     corner.weighed = true;
   } else if (!too_long(length + to_goal)) {
-    if (!improving_) frontier_.push(index, length + to_goal);
-    if (bounding_) corner.weighed = false;
-    if (weighted_on_ && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
+    if (mode_ != Mode::improving) frontier_.push(index, length + to_goal);
+    if (mode_ >= Mode::bounding) corner.weighed = false;
+    if (weighs() && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
   }
   return -1;
 }
@@ -158,7 +159,7 @@ bool ExactSearch::in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint a
   if (parent == corner.parent) return;
   if (!in_line(parent, corner.parent, kernels::fine({corner.x, corner.y}))) {
     corner.tied = true;
-    ++ties_;
+    ++ties_.noted;
   } else if (corners_[parent].length > corners_[corner.parent].length) {
     corner.parent = parent;
     corner.heading = heading;
@@ -168,11 +169,11 @@ bool ExactSearch::in_line(std::uint32_t a, std::uint32_t b, kernels::FinePoint a
 // The straight way from a corner to the goal, which it sees.
 void ExactSearch::offer_goal(std::uint32_t index) noexcept {
   const double length = corners_[index].length + corners_[index].to_goal;
-  if (!only_ || exact::beyond(upper_, length)) {
-    goal_tied_ = false;
+  if (mode_ != Mode::only || exact::beyond(upper_, length)) {
+    ties_.at_goal = false;
   } else {
     if (exact::beyond(length, upper_)) return;
-    if (!in_line(index, last_, goal_.fine())) goal_tied_ = true;
+    if (!in_line(index, last_, goal_.fine())) ties_.at_goal = true;
     if (corners_[index].length < corners_[last_].length) return;
   }
   upper_ = length;
@@ -211,12 +212,12 @@ template <int S>
 bool ExactSearch::scan_cone(std::uint32_t index) {
   const Corner& corner = corners_[index];
   const Heading heading = corner.heading;
-  if (!passes_goal_ && goal_in_cone<S>(corner) &&
+  if (mode_ != Mode::row && goal_in_cone<S>(corner) &&
       goal_.sees(map_, kernels::HalfPoint{corner.x, corner.y})) {
     offer_goal(index);
     return false;  // every other way on from here is longer
   }
-  if (only_ && corner.length + corner.to_goal >= upper_) return false;
+  if (mode_ == Mode::only && corner.length + corner.to_goal >= upper_) return false;
   const kernels::FinePoint here = place(index), parent = place(corner.parent);
   const auto u = static_cast<double>(S * (here.x - parent.x));
   const auto depth = static_cast<double>(heading.down() * (here.y - parent.y));
@@ -259,7 +260,6 @@ bool ExactSearch::scan_around_start(int down) {
 
 // Looks at what paths up to the horizon may turn at first.
 void ExactSearch::look_around_start() {
-  root_ = {CornerTable::kStart, start_.near(), start_.x, start_.y, 0};
   const auto way = [this](int x, int y) { return distance(start_.x, start_.y, 2 * x, 2 * y); };
   const auto worth = [&](int x, int y) {
     return way(x, y) + distance(2 * x, 2 * y, goal_.x, goal_.y) < horizon_;
@@ -273,11 +273,11 @@ void ExactSearch::look_around_start() {
 }
 
 bool ExactSearch::scan_around_start() {
+  root_ = {CornerTable::kStart, start_.near(), start_.x, start_.y, 0};
   if (!start_.is_centre()) {
     look_around_start();
     return true;  // what lies behind the horizon was not looked at
   }
-  root_ = {CornerTable::kStart, start_.near(), start_.x, start_.y, 0};
   bool cut_off = false;
   for (const int down : {1, -1}) {
     cut_off |= scan_around_start<1>(down);

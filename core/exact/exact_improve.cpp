@@ -23,17 +23,11 @@ constexpr double kLeastWeight = 1.01;
 }  // namespace
 
 void ExactSearch::begin_improving(const Grid& grid, Point start, Point goal) {
-  begin(grid, start, goal);
-  improving_ = bounding_ = weighted_on_ = true;
-  cut_ = false;
+  begin(grid, start, goal, Mode::improving);
   weight_ = kFirstWeight;
   corners_[CornerTable::kStart].weighed = false;
   weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ / kTrailBuckets));
   weighted_frontier_.push(CornerTable::kStart, weight_ * lower_);
-}
-
-std::int64_t ExactSearch::work_done() const noexcept {
-  return counters_.words + counters_.expansions * exact::kWordsPerExpansion;
 }
 
 // False if it is low enough. What was expanded stays so: only a corner that was reached by a
@@ -55,7 +49,8 @@ bool ExactSearch::lower_weight() {
 bool ExactSearch::improve(std::int64_t work, Poller& poller) {
   poller_ = &poller;
   const std::int64_t end = work_done() + work;
-  bool more = lower_ < upper_ && !cut_;
+  // Where it was stopped before, what was left out might come first.
+  bool more = lower_ < upper_ && cause_ == StopCondition::Cause::none;
   while (more && !poller.stopped() && work_done() < end) {
     const double before = upper_;
     const double least =
@@ -74,8 +69,8 @@ bool ExactSearch::improve(std::int64_t work, Poller& poller) {
     more = lower_ < upper_ && (on || lower_weight());
   }
   poller_ = nullptr;
-  cut_ = poller.stopped();
-  return more && !cut_;
+  cause_ = poller.cause();
+  return more && !poller.stopped();
 }
 
 }  // namespace lasius

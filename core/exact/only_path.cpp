@@ -11,11 +11,7 @@ namespace lasius::exact {
 bool PreparedSearch::search_only(const Grid& grid, const CornerGraph& graph, Point start,
                                  Point goal, const StopCondition& stop, ExactAnswer& answer) {
   Poller poller(stop, kWordsPerPoll);
-  begin(grid, graph, start, poller);
-  goal_ = QueryEnd(goal);
-  straight_ = distance(start_.x, start_.y, goal_.x, goal_.y);
-  lower_ = straight_;
-  improvements_.begin({});
+  begin(grid, graph, start, goal, Mode::first_few, poller);
   bool only = true;
   if (start_.sees(map_, goal_)) {
     upper_ = lower_;

@@ -12,8 +12,7 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
                            const StopCondition& stop, std::vector<double>& lengths) {
   Poller poller(stop);
   grain_ = grain;
-  begin(grid, graph, centre(start), poller);
-  mode_ = Mode::flood;
+  begin(grid, graph, centre(start), centre(start), Mode::flood, poller);
   reach_all(kInfinity);
   lengths.clear();
   lengths.reserve(graph.size());
@@ -24,31 +23,19 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
 }
 
 void PreparedSearch::reach_all(double limit) {
-  horizon_ = kInfinity;
-  straight_ = 0;
-  lower_ = 0;
   scan_start_view();
   restart();
   upper_ = limit;
   reach_start_corners();
-  improvements_.begin({});
   run(0, kNoBudget);
 }
 
 bool PreparedSearch::row(const Grid& grid, const CornerGraph& graph, Point from, Point to,
                          double bound, const StopCondition& stop, TautRow& row) {
   Poller poller(stop);
-  begin(grid, graph, from, poller);
-  goal_ = QueryEnd(to);
-  mode_ = Mode::row;
+  begin(grid, graph, from, to, Mode::row, poller);
   horizon_ = bound;
-  straight_ = lower_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
-  scan_start_view();
-  restart();
-  upper_ = bound;
-  reach_start_corners();
-  improvements_.begin({});
-  run(0, kNoBudget);
+  reach_all(bound);
   row.corners.clear();
   std::vector<std::uint32_t> places(graph.size(), TautRow::kEnd);
   // By rounding a corner may seem farther than one behind it on the same way.
@@ -69,8 +56,7 @@ bool PreparedSearch::row(const Grid& grid, const CornerGraph& graph, Point from,
 bool PreparedSearch::view(const Grid& grid, const CornerGraph& graph, Point point,
                           const StopCondition& stop, Target& target) {
   Poller poller(stop);
-  begin(grid, graph, point, poller);
-  horizon_ = kInfinity;
+  begin(grid, graph, point, point, Mode::all, poller);
   scan_start_view();
   target = {start_, start_corners_};
   poller_ = nullptr;
@@ -81,8 +67,7 @@ bool PreparedSearch::lengths_to(const Grid& grid, const CornerGraph& graph, Poin
                                 std::span<const Target> targets, const StopCondition& stop,
                                 std::span<double> lengths, double limit) {
   Poller poller(stop);
-  begin(grid, graph, start, poller);
-  mode_ = Mode::all;
+  begin(grid, graph, start, start, Mode::all, poller);
   reach_all(limit);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto& [at, corners] = targets[i];

@@ -5,6 +5,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
+#include "core/exact/anytime.h"
 #include "core/exact/corner_view.h"
 #include "core/grid/grid_view.h"
 
@@ -32,13 +33,19 @@ struct PreparedSearch::Sink {
   bool go_on(std::int64_t words) { return !poller.stop_after(words); }
 };
 
-void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Point start,
-                           Poller& poller) {
+// For the whole map; where there is no goal the start is one.
+void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
+                           Mode mode, Poller& poller) {
   map_ = view_of(grid);
   graph_ = &graph;
   poller_ = &poller;
+  beside_ = nullptr;
+  improvements_.begin({});
   start_ = QueryEnd(start);
-  mode_ = Mode::first_few;
+  goal_ = QueryEnd(goal);
+  straight_ = lower_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  horizon_ = kInfinity;
+  mode_ = mode;
   told_to_stop_ = false;
   margin_ = 0;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
@@ -233,6 +240,7 @@ bool PreparedSearch::run(double target_gap, std::int64_t budget) {
     if (margin_ == 0 && upper_ - lower_ <= target_gap * lower_) break;
     if (mode_ == Mode::first_few && reach_goal_from(index)) continue;
     poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
+    if (beside_ != nullptr) beside_->take_turn(*poller_);
     if (!tell_improvement()) return told_to_stop_ = true;
   }
   return true;
@@ -283,11 +291,9 @@ bool PreparedSearch::search_whole_map(double target_gap) {
 void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
                             const ExactOptions& options, const StopCondition& stop,
                             ExactAnswer& answer) {
-  Poller poller(stop, kWordsPerPoll, options.beside);
-  begin(grid, graph, start, poller);
-  goal_ = QueryEnd(goal);
-  straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
-  lower_ = straight_;
+  Poller poller(stop, kWordsPerPoll);
+  begin(grid, graph, start, goal, Mode::first_few, poller);
+  beside_ = options.beside;
   improvements_.begin(options);
   if (start_.sees(map_, goal_)) {
     upper_ = lower_;

@@ -44,11 +44,6 @@ class PreparedSearch {
   /// cell, its border included. Deterministic, except for when it is stopped.
   void search(const Grid& grid, const CornerGraph& graph, Point start, Point goal,
               const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer);
-  /// The same between the centres of two free cells.
-  void search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
-              const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer) {
-    search(grid, graph, centre(start), centre(goal), options, stop, answer);
-  }
 
   /// The same where the shortest path is the only one, up to kAlike of its length: then it is that
   /// of any other exact search, bit for bit. False where another one may be as short, where there
@@ -122,7 +117,8 @@ class PreparedSearch {
 
   template <class Found>
   struct Sink;
-  void begin(const Grid& grid, const CornerGraph& graph, Point start, Poller& poller);
+  void begin(const Grid& grid, const CornerGraph& graph, Point start, Point goal, Mode mode,
+             Poller& poller);
   bool search_near(double target_gap);
   bool search_few(double target_gap);
   bool search_whole_map(double target_gap);
@@ -157,7 +153,8 @@ class PreparedSearch {
 
   kernels::BitmapView map_{};
   const CornerGraph* graph_ = nullptr;
-  Poller* poller_ = nullptr;  // of the call in hand
+  Poller* poller_ = nullptr;   // of the call in hand
+  Anytime* beside_ = nullptr;  // of the search in hand, or null
   Improvements improvements_;
   bool told_to_stop_ = false;  // by who looks on
   QueryEnd start_, goal_;

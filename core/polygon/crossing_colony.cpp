@@ -142,7 +142,7 @@ class CrossingColony final : public CrossingSearch {
   int ants() const override { return parameters_.ants; }
   double tour_length(int ant) const override { return lengths_[ant]; }
 
-  bool settled() const override {
+  bool settled() override {
     return CrossingSearch::settled() ||
            (parameters_.agreement > 0 && agreed_ >= parameters_.agreement);
   }

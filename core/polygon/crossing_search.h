@@ -25,7 +25,7 @@ class CrossingSearch : public ColonyWorld {
   }
 
   double best_length() const override { return best_length_; }
-  bool settled() const override { return best_length_ <= control_.good_enough; }
+  bool settled() override { return best_length_ <= control_.good_enough; }
   StopCondition::Cause observe(const Convergence& run) override {
     return control_.observe(run, [this] { return best(); });
   }

@@ -190,7 +190,7 @@ class AntColony final : public ColonyWorld {
   double tour_length(int ant) const override { return tours_.ants[ant].length; }
   double best_length() const override { return tours_.best_so_far.length; }
   double iteration_best() const override { return iteration_best_; }
-  bool settled() const override { return enough_; }
+  bool settled() override { return enough_; }
   StopCondition::Cause observe(const Convergence&) override { return StopCondition::Cause::none; }
 
  private:

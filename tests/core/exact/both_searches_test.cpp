@@ -16,7 +16,7 @@ struct Unprepared {
   explicit Unprepared(const Grid&) {}
   void search(ExactSearch& search, const Grid& grid, Cell start, Cell goal,
               const ExactOptions& options, ExactAnswer& answer) const {
-    search.search(grid, start, goal, options, {}, answer);
+    search.search(grid, centre(start), centre(goal), options, {}, answer);
   }
   using Search = ExactSearch;
 };
@@ -26,7 +26,7 @@ struct Prepared {
   explicit Prepared(const Grid& grid) : graph(graph_of(grid)) {}
   void search(exact::PreparedSearch& search, const Grid& grid, Cell start, Cell goal,
               const ExactOptions& options, ExactAnswer& answer) const {
-    search.search(grid, *graph, start, goal, options, {}, answer);
+    search.search(grid, *graph, centre(start), centre(goal), options, {}, answer);
   }
   using Search = exact::PreparedSearch;
   std::shared_ptr<const exact::CornerGraph> graph;

@@ -37,7 +37,7 @@ inline std::shared_ptr<exact::CornerGraph> graph_of(const Grid& grid,
 inline ExactAnswer solve(ExactSearch& search, const Grid& grid, Cell start, Cell goal,
                          const ExactOptions& options = {}, const StopCondition& stop = {}) {
   ExactAnswer answer;
-  search.search(grid, start, goal, options, stop, answer);
+  search.search(grid, centre(start), centre(goal), options, stop, answer);
   return answer;
 }
 

@@ -123,23 +123,14 @@ TEST(ExactStop, ExpansionsAreWorkToo) {
 // On very long ways most corners wait beyond the buckets, and are looked at again each time these
 // start anew.
 TEST(ExactStop, APollerIsToldOfTheItemsThatAFrontierDealsOut) {
-  struct Recorder final : InterleavedWork {
-    StopCondition::Cause turn(std::int64_t work) override {
-      told += work;
-      return StopCondition::Cause::none;
-    }
-    std::int64_t told = 0;
-  } recorder;
-  const StopCondition never;
-  Poller poller(never, 1, &recorder);
+  Poller poller(kNeverStops, 1);
   BucketQueue frontier;
   frontier.reset(0, 1);
   constexpr int kItems = 5;
   for (std::uint32_t i = 0; i < kItems; ++i) frontier.push(i, 1e5 * (i + 1));
   for (std::uint32_t i = 0; i < kItems; ++i) {
-    recorder.told = 0;
     ASSERT_TRUE(frontier.advance(poller));
-    EXPECT_EQ(recorder.told, kItems - i);  // all that still wait
+    EXPECT_EQ(poller.take_work(), kItems - i);  // all that still wait
     EXPECT_EQ(frontier.pop(), i);
   }
   EXPECT_FALSE(frontier.advance(poller));

@@ -152,22 +152,5 @@ TEST(PointEnds, AHairBesideAWall) {
   }
 }
 
-TEST(PointEnds, ACentreIsItsCell) {
-  const Grid grid = generate(MapKind::blobs, {.width = 200, .height = 150, .seed = 4});
-  std::mt19937 random(9);
-  ExactSearch search;
-  exact::PreparedSearch prepared;
-  const auto graph = graph_of(grid);
-  for (int i = 0; i < 20; ++i) {
-    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    ExactAnswer cells, points;
-    search.search(grid, start, goal, {}, {}, cells);
-    search.search(grid, centre(start), centre(goal), {}, {}, points);
-    EXPECT_EQ(cells.path, points.path);
-    prepared.search(grid, *graph, centre(start), Point{goal.x + 0.5, goal.y + 0.5}, {}, {}, points);
-    EXPECT_EQ(cells.lower_bound, points.lower_bound);
-  }
-}
-
 }  // namespace
 }  // namespace lasius

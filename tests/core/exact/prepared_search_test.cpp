@@ -19,7 +19,7 @@ using Graph = std::shared_ptr<const CornerGraph>;
 ExactAnswer solve(PreparedSearch& search, const Grid& grid, const Graph& graph, Cell start,
                   Cell goal, const ExactOptions& options = {}, const StopCondition& stop = {}) {
   ExactAnswer answer;
-  search.search(grid, *graph, start, goal, options, stop, answer);
+  search.search(grid, *graph, centre(start), centre(goal), options, stop, answer);
   return answer;
 }
 

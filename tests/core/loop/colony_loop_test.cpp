@@ -31,7 +31,7 @@ struct Noted final : ColonyWorld {
   int ants() const override { return 0; }
   double tour_length(int) const override { return kNaN; }
   double best_length() const override { return kNaN; }
-  bool settled() const override { return now == settled_at; }
+  bool settled() override { return now == settled_at; }
   Cause observe(const Convergence& run) override {
     calls += std::to_string(run.iterations);
     return now == stop_at ? Cause::token : Cause::none;

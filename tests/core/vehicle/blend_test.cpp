@@ -11,6 +11,7 @@
 #include "lasius/error.h"
 #include "lasius/vehicle/planner.h"
 #include "lasius/vehicle/profile.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/dense_check.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/worlds/grids.h"
@@ -109,15 +110,6 @@ TEST(VehicleBlend, WhatHasNoRoomStays) {
   EXPECT_THROW(Planner(Grid(20, 20), slow_hand(1e-5)), Error);
 }
 
-/// Ends a blend when it polled so often.
-struct Ends final : InterleavedWork {
-  explicit Ends(int after) : left(after) {}
-  StopCondition::Cause turn(std::int64_t) override {
-    return left-- > 0 ? StopCondition::Cause::none : StopCondition::Cause::deadline;
-  }
-  int left;
-};
-
 // A turn that has no room, and others that have: stopped early all corners stay, later some.
 TEST(VehicleBlend, KeepsTheCornersThatAreLeftOnceStopped) {
   const Vehicle vehicle = slow_hand();
@@ -134,8 +126,9 @@ TEST(VehicleBlend, KeepsTheCornersThatAreLeftOnceStopped) {
   int before = corners(path), some = 0;
   EXPECT_EQ(before, 12);
   for (int after = 0;; ++after) {
-    Ends ends(after);
-    Poller poller(kGoesOn, 1, &ends);
+    const CountingTime time(after);
+    const StopCondition stop = time.is_up();
+    Poller poller(stop, 1);
     std::int64_t checked = 0;
     const std::vector<Segment> made = blended(space.impl(), vehicle, path, checked, poller);
     if (after == 0) {

@@ -212,15 +212,6 @@ TEST(VehicleCosts, TellNoBoundThatIsAbovePaths) {
   EXPECT_EQ(Bound::told(std::numeric_limits<double>::infinity(), 8, true), std::nullopt);
 }
 
-/// Counts the work that it is told of.
-struct Counts final : InterleavedWork {
-  StopCondition::Cause turn(std::int64_t work) override {
-    done += work;
-    return StopCondition::Cause::none;
-  }
-  std::int64_t done = 0;
-};
-
 // Sources over weights may cost more than 32 bits have levels for, and have much between them.
 TEST(VehicleCosts, OfSourcesMayBeAnyNumber) {
   Grid grid(60, 30);
@@ -230,8 +221,7 @@ TEST(VehicleCosts, OfSourcesMayBeAnyNumber) {
   const Prices prices(grid, vehicle, &costs);
   const Space space(grid, vehicle);
   const Lattice lattice(vehicle, space.impl().outline());
-  Counts counts;
-  Poller poller(kGoesOn, 1, &counts);
+  Poller poller(kGoesOn, 1);
   const FreeHeadings free(space.impl(), lattice, poller);
   Flood::Memory memory;
   const auto flooded = [&](double first, double far, Poller& by) {
@@ -248,9 +238,9 @@ TEST(VehicleCosts, OfSourcesMayBeAnyNumber) {
   EXPECT_NEAR(near[6 * 60 + 5], 0, 1e-12);
   EXPECT_NEAR(near[6 * 60 + 55], 500, 1e-12);
   for (const double first : {1e6, 7.4e7, 1e12}) {
-    counts.done = 0;
+    (void)poller.take_work();
     const std::vector<double> told = flooded(first, 3e7, poller);
-    EXPECT_LT(counts.done, 200'000);  // of levels where nothing is there are 870 million
+    EXPECT_LT(poller.take_work(), 200'000);  // of levels where nothing is there are 870 million
     for (std::size_t i = 0; i < told.size(); ++i) {
       if (near[i] > 1e29) {
         EXPECT_EQ(told[i], near[i]);
