@@ -12,6 +12,7 @@
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 #include "tests/core/grid/centres.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {
@@ -40,6 +41,14 @@ TEST(Colony, UpdatesLocallyAfterEachAnt) {
   ASSERT_EQ(tau.size(), 2u);
   EXPECT_NEAR(tau[0], 0.034, 1e-7);
   EXPECT_NEAR(tau[1], 0.051496, 1e-7);
+}
+
+TEST(Colony, APointsKnightPassesBetweenTwoBlockedCells) {
+  Params params = quick("acs");
+  params.neighbours = Neighbours::sixteen_knight;
+  params.polish = Polish::none;
+  const Planner planner(drawn({"..#", "#.."}));
+  EXPECT_DOUBLE_EQ(planner.plan({.start = {0, 0}, .goal = {2, 1}}, params).length, std::sqrt(5.0));
 }
 
 TEST(Colony, LaterBatchesWalkByWhatEarlierOnesLeft) {

@@ -66,5 +66,17 @@ TEST_F(Polishing, APathMadeAheadIsOfOneIterationOnly) {
   EXPECT_EQ(polisher_.paths()[0].length, std::sqrt(13.0));
 }
 
+// Round the corner of a dear cell.
+TEST_F(Polishing, OverCostsTheWayIsMadeCheaper) {
+  std::vector<double> weights(400, 1.0);
+  weights[3 * 20 + 3] = 2;
+  const cost::Terrain terrain(grid_, weights);
+  polisher_.reset(grid_, request_, moves_, params_, 1, nullptr, TourMeasure(moves_, &terrain));
+  std::vector<Ant> ants;
+  ants.push_back(ant({{1, 0}, {0, 1}, {1, 0}}));
+  polisher_.polish(ants, request_.stop, {});
+  EXPECT_NEAR(polisher_.paths()[0].length, std::sqrt(0.5) + std::sqrt(2.5), 1e-6);
+}
+
 }  // namespace
 }  // namespace lasius

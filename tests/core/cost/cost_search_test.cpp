@@ -11,6 +11,7 @@
 
 #include "core/cost/coarse_bound.h"
 #include "core/cost/goal_field.h"
+#include "core/cost/straightened.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/oracle/relaxed_walks.h"
@@ -231,6 +232,13 @@ TEST(CostSearch, WalksThatAreNoneOrHaveOneCell) {
     EXPECT_EQ(moves.search(terrain, {1, 2}, {1, 2}, Corners::allow, poller, knights),
               (std::vector<Cell>{{1, 2}}));
   }
+}
+
+TEST(CostSearch, AStraightWalkIsOnePiece) {
+  const Grid grid(9, 3);
+  std::vector<Cell> walk;
+  for (int x = 0; x < 8; ++x) walk.push_back({x, 1});
+  EXPECT_EQ(straightened(Terrain(grid, CostField(9, 3)), walk).size(), walk.size());
 }
 
 TEST(CostSearch, FirstPathsFollowAWalkWithAKnightsMoves) {

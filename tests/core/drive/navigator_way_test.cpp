@@ -8,6 +8,7 @@
 #include "lasius/navigator.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
@@ -113,6 +114,13 @@ TEST(NavigatorWay, LeadsOutOfWhereTheRobotMayNotBe) {
     EXPECT_EQ(robot, navigator.goal());
     EXPECT_EQ(plans, 0) << "the first one holds";
   }
+}
+
+TEST(NavigatorWay, AWayOutThatWasStoppedIsLookedForAgain) {
+  const Grid map = walled(60, 30, {{20, 0, 2, 20}});
+  Navigator navigator(map, {50, 5}, {.params = quick("acs"), .radius = 3, .goal_tolerance = 1});
+  EXPECT_TRUE(navigator.step({18, 10}, fired()).path.empty());
+  EXPECT_EQ(navigator.step({18, 10}).way_out, (Point{16.5, 10.5}));
 }
 
 TEST(NavigatorWay, AWayOutThatIsShutIsFoundAnew) {

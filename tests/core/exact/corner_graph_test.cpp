@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/stored_arrays.h"
 #include "core/exact/exact_answer.h"
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
@@ -107,6 +108,21 @@ TEST(CornerGraph, SeesAroundOneBlock) {
   EXPECT_EQ(down[0].to(), graph->index(4, 5));
   ASSERT_EQ(right.size(), 1u);
   EXPECT_EQ(right[0].to(), graph->index(5, 4));
+}
+
+TEST(CornerGraph, AFileThatNamesOtherCornersIsRefused) {
+  const Grid grid = with_blocked(9, 9, {{4, 4}});
+  ArrayWriter to;
+  graph_of(grid)->save(to);
+  std::string text = to.text();
+  const auto load = [&] {
+    ArrayReader from(text, "file", 0);
+    return CornerGraph::load(grid, from);
+  };
+  EXPECT_EQ(load()->size(), 4u);
+  // Of the first tile's rows, which follow their number, the one of (4, 4) and (5, 4).
+  text[8 + 4] = static_cast<char>(text[8 + 4] << 1);
+  EXPECT_THROW(load(), Error);
 }
 
 // Distances from one landmark to all corners, by brute force.

@@ -45,7 +45,13 @@ TEST(Exact, BendsAroundAWall) {
 
 TEST(Exact, DoesNotSqueezeBetweenDiagonalBlocks) {
   EXPECT_EQ(solve(drawn({".#", "#."}), {0, 0}, {1, 1}).end, ExactEnd::unreachable);
-  EXPECT_EQ(solve(drawn({".#.", "#..", "..."}), {0, 0}, {2, 2}).end, ExactEnd::unreachable);
+  const Grid grid = drawn({".#.", "#..", "..."});
+  ExactSearch search;
+  ExactAnswer answer = solve(search, grid, {1, 1}, {2, 2});
+  EXPECT_EQ(answer.path.size(), 2u);
+  search.search(grid, Cell{0, 0}, Cell{2, 2}, {}, {}, answer);
+  EXPECT_EQ(answer.end, ExactEnd::unreachable);
+  EXPECT_TRUE(answer.path.empty());  // that of before is gone
 }
 
 TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {

@@ -154,6 +154,12 @@ TEST(WidestRadius, IsWorkedOutByHand) {
   EXPECT_EQ(WidestRadius::make(squeezed)->between({0, 0}, {1, 1}), std::nullopt);
   EXPECT_EQ(WidestRadius::make(squeezed, Corners::allow)->between({0, 0}, {1, 1}), 0);
   EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, fired()));
+  // Whenever time is up there is none.
+  const CountingTime enough(1000);
+  const Grid wide(300, 300);
+  EXPECT_TRUE(WidestRadius::make(wide, Corners::forbid, enough.is_up()));
+  for (int polls = 0; polls < enough.polls(); ++polls)
+    EXPECT_FALSE(WidestRadius::make(wide, Corners::forbid, CountingTime(polls).is_up()));
 }
 
 TEST(NearestBlocked, IsASquareOrTheOutside) {

@@ -152,6 +152,19 @@ TEST(CostPlanner, VerticesOfStraightPiecesAreLeftOut) {
   EXPECT_NEAR(2 * sine(result.path[0], result.path[1]), sine(result.path[1], result.path[2]), 1e-5);
 }
 
+TEST(CostPlanner, AColonysPathThroughAPointIsCountedFromTheStart) {
+  const Grid grid(40, 30);
+  const CostField costs = striped(grid);
+  CostOptions options{.params = Params("mmas")};
+  options.params.iterations = 3;
+  const CostResult result =
+      CostPlanner(Planner(Grid(grid)), costs)
+          .plan({.start = {2, 3}, .goal = {35, 4}, .via = {{20.5, 25.5}}}, options);
+  ASSERT_FALSE(result.path.empty());
+  EXPECT_NEAR(result.cost, *path_cost(grid, costs, result.path), 1e-9);
+  EXPECT_NEAR(result.best.back(), result.cost, 1e-9);
+}
+
 TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
   const Grid grid(60, 60);
   const CostField costs = striped(grid);

@@ -83,6 +83,28 @@ TEST(Ants, DrawAndUpdateByTheFormulas) {
   EXPECT_GT(improved, 5);
 }
 
+TEST(Ants, BeginWithAShareOfDijkstrasPath) {
+  const Planner planner(known_world());
+  Params parameters("maklink-acs");
+  parameters.routes = 1;
+  const Result result = planner.plan({}, parameters);  // of 1 / (n L) for n lines
+  ASSERT_GT(result.crossing.lines.size(), 1u);
+  parameters.initial_pheromone =
+      1 / (static_cast<double>(result.crossing.lines.size()) * result.dijkstra->length);
+  EXPECT_EQ(planner.plan({}, parameters).mean, result.mean);
+}
+
+// Children of blend 1 are the other parent: nothing is shorter than the first generation's best.
+TEST(Genes, AreAllBlended) {
+  Params parameters("real-ga");
+  parameters.iterations = 20;
+  parameters.crossover = parameters.blend = 1;
+  parameters.mutation = 0;
+  parameters.routes = 1;
+  const Result result = Planner(known_world()).plan({}, parameters);
+  EXPECT_NEAR(result.best.back(), result.best.front(), 1e-9);
+}
+
 // Up to 64 values, lengths between lines come from a table.
 TEST(Ants, MeasureAlikeWithAndWithoutATable) {
   const Planner planner(known_world());

@@ -146,6 +146,23 @@ TEST(LatticeFlood, IsDijkstras) {
           reached += flood.level(x, y, h) != LatticeFlood::kNever ? 1 : 0;
         }
     EXPECT_GT(reached, 100);
+    // What lies about a goal, beside the border too.
+    Steering steering(vehicle);
+    for (const Pose& goal : {Pose{60.3, 61.8, 0.4}, Pose{1.2, 128.5, 1}, Pose{158.5, 1.2, 1}}) {
+      std::vector<LatticeFlood::Try> tries;
+      for (const Cell c : cells_of(grid)) {
+        const int away =
+            std::max(std::abs(c.x - floor_of(goal.x)), std::abs(c.y - floor_of(goal.y)));
+        for (int h = 0; h < Lattice::kHeadings && away <= 3; ++h) {
+          const double total =
+              flood.cost(c.x, c.y, h) + steering.least(lattice.pose(c.x, c.y, h), goal);
+          if (flood.level(c.x, c.y, h) != LatticeFlood::kNever && total < 150)
+            tries.push_back({total, c.x, c.y, h});
+        }
+      }
+      std::ranges::sort(tries);
+      EXPECT_TRUE(flood.about(goal, 3, 150, steering, poller) == tries);
+    }
   }
 }
 

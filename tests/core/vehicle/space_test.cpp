@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/vehicle/dense_check.h"
 #include "tests/worlds/grids.h"
 
@@ -159,6 +160,8 @@ TEST(VehicleSpace, RefusesWhatIsNoVehicle) {
     EXPECT_THROW(Space(grid, bad), Error);
   }
   EXPECT_NO_THROW(Space(grid, good));
+  const auto back = [&] { Space(grid, car({{-1, -1}, {3, -1}, {2, 1}, {0, 1}, {1, 1}}, 3)); };
+  expect_says(refusal(back), "edge 3 of the footprint is gone back");
   EXPECT_DOUBLE_EQ(inscribed_radius(car(rectangle(2, 10, 4), 8)), 2);
   EXPECT_EQ(inscribed_radius(car({{1, -1}, {3, -1}, {3, 1}, {1, 1}}, 8)), 0);
 }

@@ -276,6 +276,8 @@ TEST(Cover, TellsWhatIsWalledOff) {
   EXPECT_EQ(plan_cover(Planner(grid, Disc{7}), ask(2)).tour.status, Status::invalid);
   grid.fill(true);
   EXPECT_EQ(plan_cover(Planner(grid), ask(2)).tour.status, Status::invalid);
+  grid.set_blocked({0, 0}, false);
+  EXPECT_EQ(plan_cover(Planner(grid), ask(4)).covered, 1);  // of one sample
 }
 
 TEST(Cover, RefusesWhatIsNoWidth) {

@@ -212,6 +212,16 @@ TEST(Routes, WalksBoundScatteredGroups) {
   EXPECT_EQ(walk_bound(problem, instance.costs(), found.cost, late), 0);
 }
 
+// Four tasks far from the depot, three a route at most: there are two routes.
+TEST(Routes, BoundCountsTheRoutesThatTheRoomAsksFor) {
+  std::vector<Cost> costs(25, 1);
+  for (int v = 0; v < 5; ++v) costs[20 + v] = costs[5 * v + 4] = 100;
+  const RouteProblem problem{
+      .tasks = {{0}, {1}, {2}, {3}}, .routes = {{false, 4}, {false, 4}}, .most = 3};
+  Poller poller(kNeverStops);
+  EXPECT_EQ(routes_bound(problem, Costs(5, costs.data()), 410, poller), 402);
+}
+
 // Near stops that a walk goes back and forth between once it has forgotten them: the bound is not
 // above what is shortest, which a program over subsets of ten tasks finds, and with all seven that
 // are remembered forgotten it is below that somewhere.
