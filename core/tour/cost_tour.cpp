@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <tuple>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
@@ -146,7 +145,7 @@ class LegsOverCosts {
     leg.lower = std::max(leg.lower, found.optimal ? found.cost : found.lower_bound.value_or(0));
     leg.known = found.status == Status::solved;
     if (leg.path.empty() || found.cost < leg.cost)
-      std::tie(leg.cost, leg.length, leg.path) = std::tie(found.cost, found.length, found.path);
+      leg = {leg.known, found.cost, leg.lower, found.length, std::move(found.path)};
   }
 
   const CostPlanner& planner_;

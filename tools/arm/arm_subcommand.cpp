@@ -244,8 +244,7 @@ Subcommand add_arm(CLI::App& app) {
         to->called = call.line;
         finish_search(*to);
         if (to->ranged)
-          throw UsageError("--seed " + table.in_order("--seed").front().second +
-                           ": arm takes one seed; several are for plan and batch");
+          table.refuse({"--seed"}, ": arm takes one seed; several are for plan and batch");
         if (*plain) to->named.insert(to->named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
         to->inputs = {to->robot, to->scene, to->srdf, to->joint_limits, to->held};
         finish_goals(table, *to);

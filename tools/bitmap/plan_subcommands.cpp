@@ -218,9 +218,7 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
   }
   finish_run(run);
   run.inputs.push_back(command.file);
-  if (run.ranged)
-    throw UsageError("--seed " + table.in_order("--seed").front().second +
-                     ": a vehicle's plan draws nothing; leave it out");
+  if (run.ranged) table.refuse({"--seed"}, ": a vehicle's plan draws nothing; leave it out");
   if (run.target_gap > 0) run.notes.emplace_back("--target-gap has no effect with --vehicle");
   if (const auto proof = std::ranges::find_if(run.outputs, is_proof); proof != run.outputs.end())
     throw UsageError("-o " + *proof + ": a vehicle's bound is not written as a proof");

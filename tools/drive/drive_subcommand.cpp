@@ -138,9 +138,7 @@ DriveCommand drive_asked(const OptionTable& table, const DriveText& text, const 
       end->point = false;
     }
   }
-  if (run.ranged)
-    throw UsageError("--seed " + table.in_order("--seed").front().second +
-                     ": one drive has one seed; a range is for plan");
+  if (run.ranged) table.refuse({"--seed"}, ": one drive has one seed; a range is for plan");
   if (run.with_optimum)
     run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
   run.map.prepare = prepare && !moves_on_cells(run.params);

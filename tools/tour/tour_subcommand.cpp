@@ -204,9 +204,7 @@ Subcommand add_tour(CLI::App& app) {
         run.named = asked.named;
         refuse_repeats(run.settings);
         choose_ants(tour);
-        if (run.ranged)
-          throw UsageError("--seed " + table.in_order("--seed").front().second +
-                           ": one tour has one seed; a range is for plan");
+        if (run.ranged) table.refuse({"--seed"}, ": one tour has one seed; a range is for plan");
         if (std::exchange(run.with_optimum, false))
           run.notes.emplace_back("--gap has no effect: a tour always tells its certified gap");
         run.inputs.push_back(tour.stops_file);
