@@ -37,7 +37,7 @@ TEST(Lattice, GuidanceByHand) {
   // of gamma (eq. 9).
   Plane plane;
   plane.parameters.gamma = 2;
-  const Lattice lattice = plane.lattice({2, 0, 0});
+  Lattice lattice = plane.lattice({2, 0, 0});
   ASSERT_NE(lattice.configuration(lattice.start()), nullptr);
   const float* u = lattice.guidance(lattice.start());
   const auto squared = [](double theta) { return 1 / ((1 + theta) * (1 + theta)); };
@@ -46,7 +46,7 @@ TEST(Lattice, GuidanceByHand) {
   for (const int k : {2, 3, 4, 5}) EXPECT_NEAR(u[k], squared(std::numbers::pi / 2), 1e-6);
 
   // Seen from (0, 1, 0), the goal (1, 2, 0) lies half way between +x and +y.
-  const Lattice slanted = plane.lattice({1, 2, 0});
+  Lattice slanted = plane.lattice({1, 2, 0});
   const Node v = slanted.node({0, 1, 0});
   ASSERT_NE(slanted.configuration(v), nullptr);
   const double eighth = std::numbers::pi / 4;
@@ -57,7 +57,7 @@ TEST(Lattice, GuidanceByHand) {
 
 TEST(Lattice, JointValuesAreAFunctionOfThePointAlone) {
   Plane plane;
-  const Lattice one = plane.lattice({2, 0, 0}), other = plane.lattice({2, 0, 0});
+  Lattice one = plane.lattice({2, 0, 0}), other = plane.lattice({2, 0, 0});
   // Asked in opposite orders.
   std::vector<Node> nodes;
   for (int y = -2; y <= 2; ++y) {
@@ -95,8 +95,8 @@ TEST(Lattice, SensorsReadItsOwnValuesNotCopies) {
   const Plane plane;
   const Addresses sensor;
   const Vec3 tip = tip_position(plane.robot, plane.start);
-  const Lattice lattice(plane.robot, plane.arm, sensor, plane.start, 0.02, kBox,
-                        {{{plane.goal, tip, 0}}, {}}, plane.parameters);
+  Lattice lattice(plane.robot, plane.arm, sensor, plane.start, 0.02, kBox,
+                  {{{plane.goal, tip, 0}}, {}}, plane.parameters);
   const Node at = lattice.start(), next = lattice.to(at, 0);
   ASSERT_TRUE(lattice.open(at, 0));
   EXPECT_EQ(sensor.position, lattice.configuration(next));
@@ -111,7 +111,7 @@ TEST(LatticeAnts, FirstMovesFollowTheRandomProportionalRule) {
   plane.parameters.ants = 40000;
   plane.parameters.gamma = 1;
   plane.parameters.alpha = 2;
-  const Lattice lattice = plane.lattice({2, 0, 0});
+  Lattice lattice = plane.lattice({2, 0, 0});
   LatticeTrail trail(lattice, Pheromone::arcs, 1, plane.parameters.alpha);
   trail.deposit(trail.place(lattice.start(), 2), 0.5);  // +y
   trail.refresh();
