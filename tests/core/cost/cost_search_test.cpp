@@ -236,8 +236,7 @@ TEST(CostSearch, WalksThatAreNoneOrHaveOneCell) {
 
 TEST(CostSearch, AStraightWalkIsOnePiece) {
   const Grid grid(9, 3);
-  std::vector<Cell> walk;
-  for (int x = 0; x < 8; ++x) walk.push_back({x, 1});
+  const std::vector<Cell> walk = cells_of(Rectangle{0, 1, 8, 1});
   EXPECT_EQ(straightened(Terrain(grid, CostField(9, 3)), walk).size(), walk.size());
 }
 

@@ -107,12 +107,13 @@ std::int64_t heap_in_use() {
 TEST(Workspace, TellsWhatItHoldsAndGivesItBack) {
   const Planner plain(blobs(150, 100));
   const Planner prepared = plain.prepared({.threads = 1});
+  const Planner disc(plain.grid(), Disc{0.5});
   const Request request = far_apart(plain);
   const auto nothing = heap_in_use();
   const auto block = std::make_unique<char[]>(100000);
   if (heap_in_use() < nothing + 100000) GTEST_SKIP() << "the allocator does not count";
   for (const Algorithm& algorithm : algorithms()) {
-    for (const Planner* planner : {&plain, &prepared}) {
+    for (const Planner* planner : {&plain, &prepared, &disc}) {
       const auto before = heap_in_use();
       Workspace workspace;
       const auto empty = workspace.bytes();
