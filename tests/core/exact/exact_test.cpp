@@ -49,7 +49,7 @@ TEST(Exact, DoesNotSqueezeBetweenDiagonalBlocks) {
   ExactSearch search;
   ExactAnswer answer = solve(search, grid, {1, 1}, {2, 2});
   EXPECT_EQ(answer.path.size(), 2u);
-  search.search(grid, Cell{0, 0}, Cell{2, 2}, {}, {}, answer);
+  search.search(grid, centre({0, 0}), centre({2, 2}), {}, {}, answer);
   EXPECT_EQ(answer.end, ExactEnd::unreachable);
   EXPECT_TRUE(answer.path.empty());  // that of before is gone
 }

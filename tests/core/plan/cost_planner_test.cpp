@@ -162,7 +162,7 @@ TEST(CostPlanner, AColonysPathThroughAPointIsCountedFromTheStart) {
           .plan({.start = {2, 3}, .goal = {35, 4}, .via = {{20.5, 25.5}}}, options);
   ASSERT_FALSE(result.path.empty());
   EXPECT_NEAR(result.cost, *path_cost(grid, costs, result.path), 1e-9);
-  EXPECT_NEAR(result.best.back(), result.cost, 1e-9);
+  EXPECT_NEAR(result.curves.best.back(), result.cost, 1e-9);
 }
 
 TEST(CostPlanner, ObserversSeeCheaperPathsAndEndTheSearch) {
