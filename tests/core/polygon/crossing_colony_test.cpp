@@ -91,7 +91,7 @@ TEST(Ants, BeginWithAShareOfDijkstrasPath) {
   ASSERT_GT(result.crossing.lines.size(), 1u);
   parameters.initial_pheromone =
       1 / (static_cast<double>(result.crossing.lines.size()) * result.dijkstra->length);
-  EXPECT_EQ(planner.plan({}, parameters).mean, result.mean);
+  EXPECT_EQ(planner.plan({}, parameters).curves.mean, result.curves.mean);
 }
 
 // Children of blend 1 are the other parent: nothing is shorter than the first generation's best.
@@ -102,7 +102,7 @@ TEST(Genes, AreAllBlended) {
   parameters.mutation = 0;
   parameters.routes = 1;
   const Result result = Planner(known_world()).plan({}, parameters);
-  EXPECT_NEAR(result.best.back(), result.best.front(), 1e-9);
+  EXPECT_NEAR(result.curves.best.back(), result.curves.best.front(), 1e-9);
 }
 
 // Up to 64 values, lengths between lines come from a table.
