@@ -59,11 +59,11 @@ template <class... Args>
 class Callback {
  public:
   Callback() = default;
-  /// Of anything that can be copied and called so; none of an empty std::function.
+  /// Of anything that can be copied and called so; none of an empty std::function or Callback.
   template <std::invocable<Args...> Function>
   Callback(Function function) {
-    if constexpr (requires { function == nullptr; })
-      if (function == nullptr) return;
+    if constexpr (std::is_constructible_v<bool, const Function&>)
+      if (!static_cast<bool>(function)) return;
     function_ = [called = std::move(function)](Args... args) mutable {
       if constexpr (std::is_void_v<std::invoke_result_t<Function&, Args...>>) {
         called(args...);

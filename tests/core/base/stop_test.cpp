@@ -72,6 +72,7 @@ TEST(Callback, OfWhatAnswersOrReturnsNothing) {
   using Watch = Callback<int&, double>;
   EXPECT_FALSE(Watch());
   EXPECT_FALSE(Watch(std::function<void(int&, double)>()));
+  EXPECT_FALSE(Watch(Callback<int, double>()));
   int seen = 0;
   const Watch silent = [](int& sum, double more) { sum += static_cast<int>(more); };
   EXPECT_EQ(silent(seen, 2), Go::on);
