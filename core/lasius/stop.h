@@ -62,8 +62,8 @@ class Callback {
   /// Of anything that can be copied and called so; none of an empty std::function or Callback.
   template <std::invocable<Args...> Function>
   Callback(Function function) {
-    if constexpr (std::is_constructible_v<bool, const Function&>)
-      if (!static_cast<bool>(function)) return;
+    if constexpr (requires { function.operator bool(); })
+      if (!function) return;
     function_ = [called = std::move(function)](Args... args) mutable {
       if constexpr (std::is_void_v<std::invoke_result_t<Function&, Args...>>) {
         called(args...);
