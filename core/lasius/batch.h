@@ -25,7 +25,7 @@ using BatchReceiver = BatchReceiverOf<Result>;  ///< called with each
 /// Returns the number of answers received: all of them unless stopped.
 ///
 /// `own` are rules of the caller's own, see OwnRules: its functions are called from several threads
-/// at a time, for a plan each.
+/// at a time, a copy of them for each plan.
 /// @throws Error(invalid_parameter) for parameters that validate() refuses, options or a
 ///         target gap out of range, for own rules that do not go with the parameters or the map,
 ///         and for an empty receiver, before anything is planned.
