@@ -2,6 +2,7 @@
 
 #include <omp.h>
 #include <pthread.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,7 +42,8 @@ std::atomic<pid_t> region_process = 0;  // the one that had the first parallel r
 /// Of so many threads those that the system has room for. An OpenMP runtime that gets fewer than it
 /// wants ends the process, so they are tried before; by threads that touch no heap, as one that
 /// only frees has malloc set aside an arena of 64 MB, and the room counted would not be there
-/// afterwards. Room for an arena each, as malloc makes them for the first 8 a core, is theirs, too.
+/// afterwards. Where addresses are limited, room for an arena each, as malloc makes them for the
+/// first 8 a core, is theirs, too.
 int available(int wanted) noexcept {
   thread_local int had = 1;  // a region's threads stay for the next one of this thread
   if (wanted <= had) return wanted;
@@ -62,8 +64,10 @@ int available(int wanted) noexcept {
   pthread_attr_init(&roomy);
   pthread_attr_getstacksize(&roomy, &stack);
   pthread_attr_setstacksize(&roomy, stack + kArena);
+  rlimit addresses{};
+  const bool limited = getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY;
   const auto room = [&] {
-    return had + std::ssize(tried) <= 8 * omp_get_num_procs() ? &roomy : nullptr;
+    return limited && had + std::ssize(tried) <= 8 * omp_get_num_procs() ? &roomy : nullptr;
   };
   pthread_t one{};
   while (std::ssize(tried) < wanted - had && pthread_create(&one, room(), wait, &counted) == 0)

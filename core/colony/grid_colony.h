@@ -28,6 +28,8 @@ class GridColony final : public ColonyWorld {
   GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own,
              After after, const disc::DiscSpace* disc, const cost::Terrain* terrain = nullptr,
              int first_ant = 0);
+  GridColony(const GridColony&) = delete;  // the trail refers to the moves
+  GridColony& operator=(const GridColony&) = delete;
 
   /// Makes the trail blank for questions like this one; its stop condition may leave it in pieces.
   void begin(const Request& request);

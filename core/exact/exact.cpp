@@ -160,6 +160,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
     if (next_weighted > kWeightedRest) next_weighted = std::max(next_weighted, kWeightedReturn);
   }
   poller_ = nullptr;
+  beside_ = nullptr;
   cause_ = go_on ? poller.cause() : StopCondition::Cause::token;
 }
 

@@ -33,6 +33,7 @@ void ExactSearch::run_plain(const StopCondition& stop, std::int64_t work, exact:
     step(index);
   } while (!poller.stopped() && work_done() < work && !given_up(index) && next_corner(index));
   poller_ = nullptr;
+  beside_ = nullptr;
   cause_ = poller.cause();
 }
 

@@ -304,6 +304,7 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Point st
     if (!ended) search_whole_map(gap);
   }
   poller_ = nullptr;
+  beside_ = nullptr;
   tell_improvement();  // the last one; nothing is left to stop
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);

@@ -54,8 +54,8 @@ class ColonyWorld {
   /// runs record that.
   virtual double iteration_best() const { return kNaN; }
 
-  /// True when another iteration is of no use. Asked once after each, when it was observed; to find
-  /// out may take long, and poll.
+  /// True when another iteration is of no use. Asked once after each, when it was observed, of
+  /// islands before, from any thread; to find out may take long, and poll.
   virtual bool settled() { return false; }
   /// Called after every iteration, its record the last of `run`. Has an observer asked to stop?
   virtual StopCondition::Cause observe(const Convergence& run) = 0;

@@ -39,7 +39,8 @@ std::string only_with(const Parameter& info) {
   const std::string heuristics = readers("heuristic", info.name, kHeuristics),
                     visibilities = readers("visibility", info.name, kVisibilities),
                     updates = readers("update", info.name, kUpdates);
-  std::string words = !visibilities.empty()
+  const int kinds = !heuristics.empty() + !visibilities.empty() + !updates.empty();
+  std::string words = kinds > 1 || !visibilities.empty()
                           ? "a heuristic, visibility or update with it in its formula"
                           : heuristics + updates;
   if (words.empty() || info.only_with.empty()) return words.append(info.only_with);

@@ -272,7 +272,7 @@ class Params(ParameterSet):
         return str(self._raw.why_unread(name))
 
     def _refuse_unread(self, settings: Dict[str, Any], before: Any) -> None:
-        names = {name.replace("evaporation", "persistence") for name in settings} - {"straight_deposit"}
+        names = {"persistence" if name == "evaporation" else name for name in settings} - {"straight_deposit"}
         for name in [p.name for p in self._described().parameters if p.name in names]:
             value, usual, why = self._raw.get(name), before.get(name), self.why_unread(name)
             if why and value != usual:

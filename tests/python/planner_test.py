@@ -203,10 +203,13 @@ def test_what_other_settings_leave_unread_is_refused(planner):
             typed(ranks=9)
     idle = lasius.Params("ras", ranks=9).replace(update="ant-system")  # as a sweep over updates does
     assert idle.ranks == 9 and pickle.loads(pickle.dumps(idle)) == idle
-    assert planner.plan(START, GOAL, idle, iterations=2).length == plan(iterations=2).length
+    same = lasius.Params("ras", update="ant-system")
+    assert planner.plan(START, GOAL, idle, iterations=2).length == planner.plan(START, GOAL, same, iterations=2).length
     assert idle.why_unread("ranks") == "it is read only with update=rank" and idle.why_unread("ants") == ""
     with pytest.raises(lasius.InvalidParameter, match=r"persistence \(1 - evaporation\) is 0, but"):
         lasius.Params("terminal-index", evaporation=1)
+    with pytest.raises(lasius.InvalidParameter, match="local_evaporation is 0.5, but"):
+        lasius.Params("as", local_evaporation=0.5)
     with pytest.raises(lasius.InvalidParameter, match="beta is 1, but"):
         planner.plan(START, GOAL, "as", beta=1)
     table = np.linspace(1, 2, planner.grid.shape[0] * planner.grid.shape[1]).reshape(planner.grid.shape)

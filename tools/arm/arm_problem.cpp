@@ -180,7 +180,6 @@ class ArmProblem : public ProblemOf<ArmCommand> {
         .goal = vector_json(tip_of(found_.robot, found_.goals[goal])),
         .parameters = parameters_of(),
         .result = found_.plan,
-        .lacks = command_.recheck > 0 && !found_.recheck,
         .elapsed_ms = found_.elapsed_ms,
         .unit = unit_of(found_.parameters.objective),
         .axes = 3,

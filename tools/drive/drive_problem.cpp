@@ -152,7 +152,6 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     record.parameters["sense"] = number(answer_.sense);
     record.parameters["max_ticks"] = command_.max_ticks;
     record.optimum = answer_.optimum;
-    record.lacks = !(answer_.vehicle ? answer_.vehicle->lower_bound : answer_.optimum);
     record.elapsed_ms = answer_.elapsed_ms;
     record.arrived = result_.status == Status::solved;
     Json costs = Json::object();

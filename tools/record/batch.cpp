@@ -135,13 +135,9 @@ class BatchOutput {
     why_ = std::move(told.why);
   }
 
-  /// Tells of answers that are missing or not final, which optima may be where a signal came before
-  /// all were there. The exit code.
-  int finish(bool signalled) {
+  /// Tells of answers that are missing or not final. The exit code.
+  int finish(bool interrupted) {
     bar_.reset();
-    const bool interrupted =
-        signalled &&
-        (done_ < total_ || answers_.contains(Status::interrupted) || batch_.options.with_optimum);
     const auto say = [&](const char* what, std::int64_t count) {
       if (!batch_.options.messages.quiet)
         message(what + std::to_string(count) + " of " + counted(total_, "answer"));
@@ -155,12 +151,11 @@ class BatchOutput {
   }
 
   void write_files() {
-    const auto write = [&](const std::string& file) {
+    delivery_.write([&](const std::string& file) {
       write_output(file, {.json = [&](auto& out) { out << lines_; },
                           .csv = [&](auto& out) { out << rows_; },
                           .picture = [&](auto& name) { batch_.draw(name, kept_, caption()); }});
-    };
-    delivery_.write(write, batch_.options.messages.verbose);
+    });
   }
 
  private:
@@ -302,11 +297,10 @@ int run_batch(const Batch& batch, const SignalWatcher& signals, Delivery& delive
   else
     batch.answer({.count = batch.queries, .seed = options.seed}, how,
                  [&](const auto&... answer) { output.add(output.told(answer...)); });
-  const bool signalled = signals.interrupted() || !whole;
   output.write_files();
-  const int code = output.finish(signalled);
-  if (shared && code != kInterrupted) shared->end();
-  return code;
+  const bool interrupted = signals.interrupted() || !whole;
+  if (shared && !interrupted) shared->end();
+  return output.finish(interrupted);
 }
 
 }  // namespace lasius::tool

@@ -76,9 +76,7 @@ int run(Problem& problem) {
     problem.plan({.token = signals.token(), .deadline = deadline_after(options.time_limit)},
                  shown ? Problem::Watch(update) : Problem::Watch());
   }
-  const bool signalled = signals.interrupted();  // later ones find the answer whole
   const Record run = problem.record();
-  const bool cut = signalled && (run.lacks || (options.with_optimum && !run.optimum));
   const std::string why = explain(run);
   if (!why.empty() && (!run.found() || !options.messages.quiet)) message(why);
   const int done = run.result.curves.iterations;
@@ -86,9 +84,8 @@ int run(Problem& problem) {
     message("ended by its own rule after " + counted(done, "iteration") + " of " +
             std::to_string(*iterations));
   say(run.remarks);
-  if (cut && run.found()) say({"interrupted: what is sought beside the answer is not all there"});
   deliver(problem, run, delivery);
-  return cut ? kInterrupted : exit_code(run);
+  return signals.interrupted() ? kInterrupted : exit_code(run);  // --gap may be what was cut off
 }
 
 std::string Recorded::map_file() const {

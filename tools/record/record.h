@@ -37,7 +37,6 @@ struct Record {
   std::optional<double> cost = {};           ///< over costs, NaN without a path: the bound's
   std::string error = result.error;
   std::optional<double> optimum = {};  ///< found for --gap
-  bool lacks = false;                  ///< something else that is sought beside the answer
   Json answer = {};                    ///< what came of it, from "length" on
   double elapsed_ms = 0;
   bool arrived = true;       ///< of a path that there is: it is what was asked for

@@ -66,8 +66,11 @@ Candidates::Candidates(const Costs& costs, std::span<const Point> places, int co
                        [&](int a, int b) { return places[a].x < places[b].x; });
       for (int i = 0; i < n; ++i) at[line[i]] = i;
     }
-    // So wide a strip of a square holds most of the nearest.
-    const int near = !cut ? n : many > 0 ? 4 * static_cast<int>(std::sqrt(n)) : count;
+    // So wide a strip of a square holds most of the nearest; of very many stops a narrower one, as
+    // nothing polls any more.
+    constexpr int kSoon = 2000000;
+    const int strip = std::min(4 * static_cast<int>(std::sqrt(n)), std::max(count, kSoon / n));
+    const int near = !cut ? n : many > 0 ? strip : count;
     for (int i = std::max(0, at[v] - near); i < std::min(n, at[v] + near + 1); ++i)
       if (line[i] != v) row.push_back({line[i], costs.lower(v, line[i])});
     // By rising bound: then few are priced that are not kept.
