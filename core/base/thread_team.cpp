@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <new>
 #include <utility>
@@ -66,9 +67,8 @@ int available(int wanted) noexcept {
   pthread_attr_setstacksize(&roomy, stack + kArena);
   rlimit addresses{};
   const bool limited = getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY;
-  const auto room = [&] {
-    return limited && had + std::ssize(tried) <= 8 * omp_get_num_procs() ? &roomy : nullptr;
-  };
+  const std::ptrdiff_t with_arena = limited ? std::ptrdiff_t{8} * omp_get_num_procs() : 0;
+  const auto room = [&] { return had + std::ssize(tried) <= with_arena ? &roomy : nullptr; };
   pthread_t one{};
   while (std::ssize(tried) < wanted - had && pthread_create(&one, room(), wait, &counted) == 0)
     tried.push_back(one);
