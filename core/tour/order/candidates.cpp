@@ -68,8 +68,8 @@ Candidates::Candidates(const Costs& costs, std::span<const Point> places, int co
     }
     // So wide a strip of a square holds most of the nearest; of very many stops a narrower one, as
     // nothing polls any more.
-    constexpr int kSoon = 2000000;
-    const int strip = std::min(4 * static_cast<int>(std::sqrt(n)), std::max(count, kSoon / n));
+    constexpr int kUnpolled = 2000000;  // bounds on either side, of all stops
+    const int strip = std::min(4 * static_cast<int>(std::sqrt(n)), std::max(count, kUnpolled / n));
     const int near = !cut ? n : many > 0 ? strip : count;
     for (int i = std::max(0, at[v] - near); i < std::min(n, at[v] + near + 1); ++i)
       if (line[i] != v) row.push_back({line[i], costs.lower(v, line[i])});
