@@ -11,7 +11,7 @@
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

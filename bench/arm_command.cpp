@@ -8,9 +8,9 @@
 #include "bench/commands.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::bench {

@@ -12,8 +12,8 @@
 #include "bench/peers/joint_space.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/arm_plan.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/plan.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/oracle/arm/fcl_judge.h"
 
 namespace lasius::bench {

@@ -11,9 +11,9 @@
 #include "bench/peers/joint_space.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
-#include "lasius/error.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/statistics.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::bench {
 

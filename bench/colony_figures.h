@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/report.h"
-#include "lasius/grid.h"
-#include "lasius/planner.h"
+#include "lasius/grid/grid.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 

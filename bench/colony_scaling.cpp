@@ -11,8 +11,8 @@
 #include "bench/colony_figures.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/error.h"
-#include "lasius/generate.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
 
 namespace lasius::bench {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
 #include "core/plan/workspace.h"
-#include "lasius/map_io.h"
-#include "lasius/schedule.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/params/schedule.h"
 
 namespace lasius::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bench/clocks.h"
 #include "bench/statistics.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/exact/exact.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::bench {
 namespace {

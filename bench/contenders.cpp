@@ -5,8 +5,8 @@
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 
 namespace lasius::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/query_set.h"
-#include "lasius/cost_field.h"
+#include "lasius/cost/field.h"
 
 namespace lasius::bench {
 

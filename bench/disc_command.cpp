@@ -17,7 +17,7 @@
 #include "core/disc/disc_search.h"
 #include "core/disc/disc_space.h"
 #include "core/exact/exact.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

@@ -11,7 +11,7 @@
 #include "bench/statistics.h"
 #include "core/base/special_values.h"
 #include "core/exact/exact.h"
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 
 namespace lasius::bench {
 namespace {

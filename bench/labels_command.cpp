@@ -14,8 +14,8 @@
 #include "core/exact/exact.h"
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 namespace {

@@ -12,8 +12,8 @@
 #include "bench/statistics.h"
 #include "core/base/special_values.h"
 #include "core/io/grey_image.h"
-#include "lasius/cost_planner.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
+#include "lasius/cost/planner.h"
 #include "lasius/io.h"
 
 namespace lasius::bench {

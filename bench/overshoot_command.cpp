@@ -10,8 +10,8 @@
 #include "bench/commands.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/planner.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

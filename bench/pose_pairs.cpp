@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 #include "lasius/vehicle/space.h"
 
 namespace lasius::bench {

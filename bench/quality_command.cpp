@@ -19,9 +19,9 @@
 #include "core/base/text_lines.h"
 #include "core/exact/exact.h"
 #include "core/grid/cell_distance.h"
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/grid/map_io.h"
 
 namespace lasius::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include "bench/contenders.h"
 #include "bench/report.h"
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 namespace {

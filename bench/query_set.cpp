@@ -9,8 +9,8 @@
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/grid/components.h"
-#include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/map_io.h"
 
 namespace lasius::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/generate.h"
-#include "lasius/grid.h"
+#include "lasius/grid/generate.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::bench {
 

@@ -18,9 +18,9 @@
 #include "core/tour/order/bound.h"
 #include "core/tour/order/search.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/error.h"
-#include "lasius/tour.h"
-#include "lasius/tsplib.h"
+#include "lasius/base/error.h"
+#include "lasius/tour/tour.h"
+#include "lasius/tour/tsplib.h"
 
 namespace lasius::bench {
 namespace {

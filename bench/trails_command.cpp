@@ -14,8 +14,8 @@
 #include "core/tour/order/costs.h"
 #include "core/tour/order/search.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/error.h"
-#include "lasius/tsplib.h"
+#include "lasius/base/error.h"
+#include "lasius/tour/tsplib.h"
 
 namespace lasius::bench {
 namespace {

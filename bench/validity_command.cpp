@@ -17,9 +17,9 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/base/output.h"
-#include "lasius/error.h"
-#include "lasius/map_io.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/plan/planner.h"
 #include "tests/oracle/whole_path.h"
 
 namespace lasius::bench {

@@ -15,8 +15,8 @@
 #include "bench/report.h"
 #include "core/vehicle/lattice.h"
 #include "core/vehicle/sweep.h"
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
+#include "lasius/grid/generate.h"
+#include "lasius/grid/map_io.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/oracle/vehicle/motions.h"
 

@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "lasius/arm_robot.h"
-#include "lasius/error.h"
+#include "lasius/arm/robot.h"
+#include "lasius/base/error.h"
 #include "lasius/io.h"
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/io/chunks.h"
 #include "tools/record/queries.h"

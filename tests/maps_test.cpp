@@ -6,10 +6,10 @@
 #include <set>
 #include <vector>
 
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/grid/generate.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 #include "tests/oracle/visibility_graph.h"
 
 namespace lasius {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/colony/update.h"
-#include "lasius/planner.h"
-#include "lasius/schedule.h"
+#include "lasius/params/schedule.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/colony/walked_grid.h"
 #include "tests/worlds/grids.h"
 

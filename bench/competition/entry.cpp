@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/cost_planner.h"
-#include "lasius/drive.h"
+#include "lasius/cost/planner.h"
+#include "lasius/drive/drive.h"
 
 namespace lasius::bench {
 namespace {

@@ -14,8 +14,8 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "core/base/number_text.h"
-#include "lasius/drive.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/drive/drive.h"
+#include "lasius/path/shortest_walk.h"
 
 namespace lasius::bench {
 namespace {

@@ -18,8 +18,8 @@
 #include "core/exact/labels/corner_labels.h"
 #include "core/exact/prepared_search.h"
 #include "core/plan/stale_answers.h"
-#include "lasius/navigator.h"
-#include "lasius/planner.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

@@ -14,9 +14,9 @@
 #include "bench/statistics.h"
 #include "core/base/number_text.h"
 #include "core/colony/colony.h"
-#include "lasius/error.h"
-#include "lasius/planner.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/base/error.h"
+#include "lasius/path/shortest_walk.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::bench {
 namespace {

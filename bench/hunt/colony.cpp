@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "bench/hunt/drawing.h"
-#include "lasius/error.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/planner.h"
 #include "tests/oracle/visibility_graph.h"
 
 namespace lasius::bench {

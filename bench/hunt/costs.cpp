@@ -3,7 +3,7 @@
 
 #include "bench/hunt/drawing.h"
 #include "bench/peers/weighted_map.h"
-#include "lasius/cost_planner.h"
+#include "lasius/cost/planner.h"
 #include "tests/oracle/cost_paths.h"
 
 namespace lasius::bench {

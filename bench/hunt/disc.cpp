@@ -1,7 +1,7 @@
 // Shortest curves of discs.
 
 #include "bench/hunt/drawing.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/oracle/near_clearance.h"
 

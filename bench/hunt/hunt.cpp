@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bench/hunt/drawing.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 
 namespace lasius::bench {
 namespace {

@@ -17,7 +17,7 @@
 #include "bench/commands.h"
 #include "bench/hunt/hunt.h"
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "bench/hunt/drawing.h"
-#include "lasius/batch.h"
-#include "lasius/planner.h"
+#include "lasius/plan/batch.h"
+#include "lasius/plan/planner.h"
 #include "tests/oracle/visibility_graph.h"
 
 namespace lasius::bench {

@@ -1,5 +1,5 @@
 // Tours over few stops with every option, against the least that there is.
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 #include <algorithm>
 #include <array>

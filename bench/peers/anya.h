@@ -9,8 +9,9 @@
 namespace lasius::peers {
 
 /// Shortest Euclidean path among the blocked cells (Harabor, Grastien, Öz & Aksakalli 2016), under
-/// the rule of lasius/path.h. A node is an interval of a horizontal grid line that a root, the last
-/// turn, sees through the rows between; successors are made row by row from the runs of free cells.
+/// the rule of lasius/path/path.h. A node is an interval of a horizontal grid line that a root, the
+/// last turn, sees through the rows between; successors are made row by row from the runs of free
+/// cells.
 ///
 /// Start and goal are cell centres: the start sends two intervals, the lines above and below its
 /// run, and the goal is met when its row is entered. Ends of intervals within 1e-6 of a column are

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
 
 namespace lasius::peers {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/peers/dstar_lite.h"
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 
 namespace lasius::peers {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "lasius/arm_sensor.h"
+#include "lasius/arm/sensor.h"
 
 namespace lasius::peers {
 

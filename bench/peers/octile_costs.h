@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::peers {
 

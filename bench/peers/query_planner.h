@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::peers {
 

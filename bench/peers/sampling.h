@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::peers {
 

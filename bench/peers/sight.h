@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bench/peers/runs.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::peers {
 

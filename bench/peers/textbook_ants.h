@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::peers {
 

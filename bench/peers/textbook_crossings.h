@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::peers {
 

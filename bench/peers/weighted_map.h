@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "lasius/cost_field.h"
-#include "lasius/grid.h"
+#include "lasius/cost/field.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::peers {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/arm/lattice.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 

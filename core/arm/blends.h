@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

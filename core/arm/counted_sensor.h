@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/poller.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::arm {
 

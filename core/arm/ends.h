@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/arm/robot/kinematics.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 

@@ -1,3 +1,5 @@
+#include "lasius/arm/generate.h"
+
 #include <cmath>
 #include <optional>
 
@@ -5,8 +7,7 @@
 #include "core/arm/robot/vec3.h"
 #include "core/base/invalid_parameter.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_sensor.h"
+#include "lasius/arm/sensor.h"
 
 namespace lasius::arm {
 namespace {

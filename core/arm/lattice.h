@@ -13,8 +13,8 @@
 #include "core/arm/robot/kinematics.h"
 #include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "lasius/arm_plan.h"
-#include "lasius/stop.h"
+#include "lasius/arm/plan.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::arm {
 

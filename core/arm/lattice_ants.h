@@ -7,7 +7,7 @@
 
 #include "core/arm/lattice.h"
 #include "core/arm/lattice_trail.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::arm {
 

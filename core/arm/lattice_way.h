@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/arm/lattice.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::arm {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/params/parameter_table.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 namespace {

@@ -1,10 +1,11 @@
+#include "lasius/arm/plan.h"
+
 #include "core/arm/arm_colony.h"
 #include "core/arm/lattice_way.h"
 #include "core/arm/plan_check.h"
 #include "core/arm/request_solver.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
-#include "lasius/arm_plan.h"
 
 namespace lasius::arm {
 namespace {

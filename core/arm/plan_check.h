@@ -1,7 +1,7 @@
 // What planners check before they ask the first question, and say of the motion that they made.
 #pragma once
 
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 

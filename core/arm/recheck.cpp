@@ -9,7 +9,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::arm {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/arm/lattice.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 

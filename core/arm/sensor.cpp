@@ -1,3 +1,5 @@
+#include "lasius/arm/sensor.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -6,8 +8,7 @@
 #include "core/arm/ends.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/special_values.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::arm {
 

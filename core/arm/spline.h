@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::arm {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/arm/blends.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::arm {
 

@@ -11,7 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 
 namespace lasius::arm {
 namespace {

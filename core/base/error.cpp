@@ -1,9 +1,9 @@
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 #include <utility>
 
 #include "core/base/printable.h"
-#include "lasius/enum_names.h"
+#include "lasius/base/enum_names.h"
 
 namespace lasius {
 namespace {

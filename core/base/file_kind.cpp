@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

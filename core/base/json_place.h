@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/text_lines.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

@@ -14,7 +14,7 @@
 
 #include "core/base/opening_pipe.h"
 #include "core/base/output_target.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

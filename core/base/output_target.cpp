@@ -10,7 +10,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius {
 

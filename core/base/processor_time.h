@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius {
 

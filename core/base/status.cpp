@@ -1,6 +1,6 @@
-#include "lasius/status.h"
+#include "lasius/base/status.h"
 
-#include "lasius/enum_names.h"
+#include "lasius/base/enum_names.h"
 
 namespace lasius {
 

@@ -1,8 +1,8 @@
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 #include <algorithm>
 
-#include "lasius/enum_names.h"
+#include "lasius/base/enum_names.h"
 
 namespace lasius {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

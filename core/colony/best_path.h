@@ -12,8 +12,8 @@
 #include "core/colony/update.h"
 #include "core/colony/walkers.h"
 #include "kernels/base/moves.h"
-#include "lasius/geometry.h"
-#include "lasius/path.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -3,11 +3,11 @@
 
 #include "core/colony/colony_memory.h"
 #include "core/colony/grid_colony.h"
-#include "lasius/own_rules.h"
-#include "lasius/params.h"
-#include "lasius/progress.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/params/own_rules.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

@@ -9,7 +9,7 @@
 #include "core/colony/field.h"
 #include "core/colony/walkers.h"
 #include "kernels/base/moves.h"
-#include "lasius/progress.h"
+#include "lasius/plan/progress.h"
 
 namespace lasius {
 

@@ -11,9 +11,9 @@
 #include "core/colony/heuristic.h"
 #include "kernels/base/raise.h"
 #include "kernels/walk/walk.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/schedule.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
+#include "lasius/params/schedule.h"
 
 namespace lasius {
 

@@ -12,7 +12,7 @@
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/run_status.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

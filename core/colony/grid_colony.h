@@ -11,9 +11,9 @@
 #include "core/colony/trail_model.h"
 #include "core/loop/colony_loop.h"
 #include "kernels/walk/walk.h"
-#include "lasius/progress.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

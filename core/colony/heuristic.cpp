@@ -10,7 +10,7 @@
 #include "core/grid/cell_distance.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/power.h"
-#include "lasius/own_rules.h"
+#include "lasius/params/own_rules.h"
 
 namespace lasius {
 namespace {

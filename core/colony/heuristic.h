@@ -9,10 +9,10 @@
 #include "core/cost/terrain.h"
 #include "kernels/base/moves.h"
 #include "kernels/base/raise.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

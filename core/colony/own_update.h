@@ -10,9 +10,9 @@
 #include "core/base/held_bytes.h"
 #include "core/base/large_array.h"
 #include "core/colony/update.h"
-#include "lasius/grid.h"
-#include "lasius/own_rules.h"
-#include "lasius/params.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/own_rules.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 #include "core/base/poller.h"
 #include "core/cost/polish.h"
 #include "core/grid/move_rule.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -12,11 +12,11 @@
 #include "core/colony/walkers.h"
 #include "core/smooth/path_maker.h"
 #include "kernels/walk/walk.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/request.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/request.h"
 
 namespace lasius {
 

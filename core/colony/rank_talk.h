@@ -9,8 +9,8 @@
 
 #include "core/base/special_values.h"
 #include "core/base/stored_arrays.h"
-#include "lasius/geometry.h"
-#include "lasius/request.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/plan/request.h"
 
 namespace lasius {
 

@@ -8,9 +8,9 @@
 #include <span>
 
 #include "core/colony/field.h"
-#include "lasius/grid.h"
-#include "lasius/own_rules.h"
-#include "lasius/params.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/own_rules.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

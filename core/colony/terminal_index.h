@@ -7,7 +7,7 @@
 #include "core/colony/field.h"
 #include "core/colony/update.h"
 #include "kernels/base/moves.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -7,8 +7,8 @@
 
 #include "core/colony/best_tour.h"
 #include "core/colony/grid_colony.h"
-#include "lasius/request.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/plan/request.h"
 
 namespace lasius {
 

@@ -10,8 +10,8 @@
 #include "core/cost/terrain.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/moves.h"
-#include "lasius/geometry.h"
-#include "lasius/path.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -12,8 +12,8 @@
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
 #include "core/grid/cell_distance.h"
-#include "lasius/request.h"
-#include "lasius/schedule.h"
+#include "lasius/params/schedule.h"
+#include "lasius/plan/request.h"
 
 namespace lasius {
 

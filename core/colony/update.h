@@ -10,7 +10,7 @@
 #include "core/colony/walkers.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/moves.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

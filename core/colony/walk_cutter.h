@@ -10,10 +10,10 @@
 #include "core/grid/cell_set.h"
 #include "kernels/base/moves.h"
 #include "kernels/base/packed_cell.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

@@ -3,9 +3,9 @@
 
 #include "kernels/base/moves.h"
 #include "kernels/walk/walk.h"
-#include "lasius/geometry.h"
-#include "lasius/params.h"
-#include "lasius/schedule.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/params/params.h"
+#include "lasius/params/schedule.h"
 
 namespace lasius {
 

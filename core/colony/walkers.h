@@ -13,8 +13,8 @@
 #include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 #include "kernels/walk/walk.h"
-#include "lasius/geometry.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::cost {
 

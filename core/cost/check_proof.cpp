@@ -11,7 +11,7 @@
 #include "core/cost/coarse_bound.h"
 #include "core/cost/level_values.h"
 #include "core/cost/terrain.h"
-#include "lasius/cost_proof.h"
+#include "lasius/cost/proof.h"
 
 namespace lasius {
 namespace {

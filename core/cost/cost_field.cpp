@@ -1,5 +1,3 @@
-#include "lasius/cost_field.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "core/cost/inflation.h"
 #include "core/grid/clearance.h"
 #include "kernels/base/power.h"
+#include "lasius/cost/field.h"
 
 namespace lasius {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/cost/eight_moves.h"
 #include "core/cost/terrain.h"
 #include "core/exact/exact_answer.h"
-#include "lasius/cost_proof.h"
+#include "lasius/cost/proof.h"
 
 namespace lasius::cost {
 

@@ -9,7 +9,7 @@
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/cost/terrain.h"
-#include "lasius/moves.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius::cost {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lasius/cost_field.h"
+#include "lasius/cost/field.h"
 
 namespace lasius::cost {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "lasius/cost_proof.h"
-#include "lasius/geometry.h"
+#include "lasius/cost/proof.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::cost {
 

@@ -1,6 +1,6 @@
 #include "core/cost/path_cost.h"
 
-#include "lasius/cost_field.h"
+#include "lasius/cost/field.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 
 #include "core/base/special_values.h"
 #include "core/cost/terrain.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::cost {
 

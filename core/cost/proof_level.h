@@ -3,7 +3,7 @@
 
 #include "core/cost/edge_field.h"
 #include "core/cost/terrain.h"
-#include "lasius/cost_proof.h"
+#include "lasius/cost/proof.h"
 
 namespace lasius::cost {
 

@@ -11,9 +11,9 @@
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
 #include "core/grid/distance.h"
-#include "lasius/cost_field.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/cost/field.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::cost {
 

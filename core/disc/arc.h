@@ -7,7 +7,7 @@
 
 #include "core/grid/distance.h"
 #include "kernels/base/arctangent.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::disc {
 

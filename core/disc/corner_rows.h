@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/disc/grown_rows.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::disc {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/disc/disc_space.h"
-#include "lasius/geometry.h"
-#include "lasius/path.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/path/path.h"
 
 namespace lasius::disc {
 

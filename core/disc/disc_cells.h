@@ -5,8 +5,8 @@
 
 #include "core/disc/arc.h"
 #include "core/grid/grow_obstacles.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius::disc {
 

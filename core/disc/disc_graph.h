@@ -8,7 +8,7 @@
 
 #include "core/disc/disc_space.h"
 #include "core/disc/tangent.h"
-#include "lasius/preparation.h"
+#include "lasius/plan/preparation.h"
 
 namespace lasius::disc {
 

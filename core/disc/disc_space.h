@@ -12,9 +12,9 @@
 #include "core/disc/bit_rows.h"
 #include "core/disc/disc_cells.h"
 #include "core/grid/components.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::disc {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/poller.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::disc {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/sight/cone.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::disc {
 

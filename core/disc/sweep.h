@@ -1,8 +1,8 @@
 // Whether a disc on its way meets blocked cells, from the bitmap alone.
 #pragma once
 
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::disc {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 namespace lasius {
 

@@ -12,7 +12,7 @@
 #include "core/map_files/byte_reader.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

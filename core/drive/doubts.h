@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

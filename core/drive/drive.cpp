@@ -1,4 +1,4 @@
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 #include <cmath>
 #include <cstdint>

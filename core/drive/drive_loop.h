@@ -10,7 +10,7 @@
 #include "core/drive/headway.h"
 #include "core/drive/sensor.h"
 #include "core/drive/world.h"
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 namespace lasius {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/grid/grow_obstacles.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/vehicle.h"
 

@@ -15,7 +15,7 @@
 #include "core/grid/clearance.h"
 #include "core/loop/run_status.h"
 #include "core/plan/cost_paths.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

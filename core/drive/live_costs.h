@@ -11,9 +11,9 @@
 #include "core/disc/disc_space.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/pending_parts.h"
-#include "lasius/cost_field.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/cost/field.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

@@ -9,11 +9,11 @@
 #include "core/colony/colony.h"
 #include "core/drive/pending_parts.h"
 #include "core/grid/components.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/progress.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

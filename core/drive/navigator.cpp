@@ -1,4 +1,4 @@
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 
 #include <utility>
 

@@ -26,8 +26,8 @@
 #include "core/plan/stale_answers.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/taut_string.h"
-#include "lasius/navigator.h"
-#include "lasius/path.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -10,7 +10,7 @@
 #include "core/grid/nearest_free.h"
 #include "core/grid/walk_cells.h"
 #include "core/loop/run_status.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

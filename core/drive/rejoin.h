@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/disc/disc_space.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/invalid_parameter.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/space.h"
 
 namespace lasius::vehicle {

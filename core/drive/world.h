@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/drive/edited_map.h"
-#include "lasius/drive.h"
-#include "lasius/grid.h"
+#include "lasius/drive/drive.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 
 #include "core/base/special_values.h"
 #include "core/grid/distance.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::exact {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/base/poller.h"
 #include "core/exact/taut_row.h"
 #include "kernels/sight/sight.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::exact {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::exact {
 

@@ -12,8 +12,8 @@
 #include "core/exact/corner_landmarks.h"
 #include "core/exact/quadrant.h"
 #include "kernels/sight/sight.h"
-#include "lasius/grid.h"
-#include "lasius/preparation.h"
+#include "lasius/grid/grid.h"
+#include "lasius/plan/preparation.h"
 
 namespace lasius {
 class ArrayReader;

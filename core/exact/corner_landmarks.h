@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::exact {
 

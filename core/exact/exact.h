@@ -11,8 +11,8 @@
 #include "core/exact/taut_row.h"
 #include "core/grid/cell_set.h"
 #include "kernels/sight/scan_cone.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -12,9 +12,9 @@
 #include "core/base/special_values.h"
 #include "core/exact/query_end.h"
 #include "kernels/sight/sight.h"
-#include "lasius/geometry.h"
-#include "lasius/path.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/exact/corner_landmarks.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::exact {
 

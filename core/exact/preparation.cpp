@@ -1,6 +1,6 @@
-#include "lasius/preparation.h"
+#include "lasius/plan/preparation.h"
 
-#include "lasius/enum_names.h"
+#include "lasius/base/enum_names.h"
 
 namespace lasius {
 

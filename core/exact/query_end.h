@@ -11,7 +11,7 @@
 #include "core/exact/box_view.h"
 #include "core/exact/quadrant.h"
 #include "kernels/sight/sight.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::exact {
 

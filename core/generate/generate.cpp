@@ -1,4 +1,4 @@
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 
 #include <array>
 #include <string>
@@ -7,7 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
-#include "lasius/enum_names.h"
+#include "lasius/base/enum_names.h"
 
 namespace lasius {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/base/poller.h"
 #include "core/generate/map_random.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

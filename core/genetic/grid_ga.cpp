@@ -11,7 +11,7 @@
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

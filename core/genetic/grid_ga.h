@@ -4,10 +4,10 @@
 #include <functional>
 
 #include "core/genetic/grid_ga_memory.h"
-#include "lasius/params.h"
-#include "lasius/progress.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

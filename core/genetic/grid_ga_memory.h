@@ -9,7 +9,7 @@
 #include "core/base/special_values.h"
 #include "core/genetic/grid_ga_route.h"
 #include "core/smooth/path_maker.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

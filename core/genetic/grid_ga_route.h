@@ -8,10 +8,10 @@
 #include "core/base/large_array.h"
 #include "core/base/poller.h"
 #include "kernels/base/moves.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

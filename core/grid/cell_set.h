@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/held_bytes.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

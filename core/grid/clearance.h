@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/base/poller.h"
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius {
 

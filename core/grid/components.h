@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/grid/components_block.h"
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
-#include "lasius/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -10,8 +10,8 @@
 
 #include "core/grid/components.h"
 #include "core/grid/components_block.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

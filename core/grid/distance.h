@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

@@ -1,4 +1,4 @@
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "kernels/sight/views.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/grid/changed_parts.h"
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius {
 namespace {

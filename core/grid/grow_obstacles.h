@@ -9,9 +9,9 @@
 
 #include "core/grid/clearance.h"
 #include "kernels/sight/sight.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

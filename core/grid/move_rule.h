@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "kernels/base/moves.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

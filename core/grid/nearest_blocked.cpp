@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius {
 

@@ -1,4 +1,4 @@
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 #include "core/grid/distance.h"
 #include "core/grid/grid_view.h"

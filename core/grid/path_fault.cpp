@@ -7,7 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/poller.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

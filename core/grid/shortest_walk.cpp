@@ -1,4 +1,4 @@
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
 
 #include <algorithm>
 #include <array>

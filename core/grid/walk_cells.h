@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
 
 namespace lasius {
 

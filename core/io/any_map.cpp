@@ -12,7 +12,7 @@
 #include "core/map_files/movingai.h"
 #include "core/map_files/pixel_rule.h"
 #include "core/map_files/pnm.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/io.h"
 
 namespace lasius {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lasius/grid/map_io.h"
 #include "lasius/io.h"
-#include "lasius/map_io.h"
 
 namespace lasius {
 

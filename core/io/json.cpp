@@ -1,3 +1,5 @@
+#include "lasius/io/json.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,7 @@
 
 #include "core/base/special_values.h"
 #include "core/io/json_values.h"
-#include "lasius/error.h"
-#include "lasius/io_json.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/base/json_place.h"
 #include "core/base/number_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::json {
 

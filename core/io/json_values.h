@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 #include "lasius/io_export.h"
-#include "lasius/params.h"
-#include "lasius/search_result.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/search_result.h"
 
 namespace lasius::json {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/output.h"
 #include "core/io/png_errors.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/io.h"
 
 namespace lasius {

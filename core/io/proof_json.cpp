@@ -11,8 +11,8 @@
 
 #include "core/base/number_text.h"
 #include "core/io/json_values.h"
-#include "lasius/error.h"
-#include "lasius/io_json.h"
+#include "lasius/base/error.h"
+#include "lasius/io/json.h"
 
 namespace lasius {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/pixel_rule.h"
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 
 namespace lasius {
 

@@ -1,8 +1,8 @@
 // Component lasius::arm: all of it.
 #pragma once
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
-#include "lasius/arm_robot.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
+#include "lasius/arm/robot.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/arm/trajectory.h"

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

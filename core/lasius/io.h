@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/io/json.h"
 #include "lasius/io_export.h"
-#include "lasius/io_json.h"
-#include "lasius/map_io.h"
 
 namespace lasius {
 

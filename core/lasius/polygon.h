@@ -1,5 +1,5 @@
 // Component lasius::polygon: all of it.
 #pragma once
 
-#include "lasius/polygon_plan.h"
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/plan.h"
+#include "lasius/polygon/world.h"

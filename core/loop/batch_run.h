@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/invalid_parameter.h"
-#include "lasius/batch_options.h"
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/stop.h"
+#include "lasius/plan/batch_options.h"
 
 namespace lasius {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/special_values.h"
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/search_result.h"
-#include "lasius/stop.h"
+#include "lasius/plan/search_result.h"
 
 namespace lasius {
 

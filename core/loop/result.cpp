@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "lasius/progress.h"
-#include "lasius/search_result.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/search_result.h"
 
 namespace lasius {
 

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/path.h"
-#include "lasius/progress.h"
-#include "lasius/result.h"
-#include "lasius/status.h"
-#include "lasius/stop.h"
+#include "lasius/base/status.h"
+#include "lasius/base/stop.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/progress.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "kernels/base/power.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius::trail_rules {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/export.h"
 
 namespace lasius {

@@ -1,4 +1,4 @@
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 
 #include <cmath>
 #include <string_view>
@@ -10,7 +10,7 @@
 #include "core/map_files/movingai.h"
 #include "core/map_files/pixel_rule.h"
 #include "core/map_files/pnm.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

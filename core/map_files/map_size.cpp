@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/number_text.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

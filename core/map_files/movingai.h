@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "core/map_files/byte_reader.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lasius/export.h"
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 
 namespace lasius {
 

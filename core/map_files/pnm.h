@@ -3,7 +3,7 @@
 
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/pixel_rule.h"
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/params/grid_parameters.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 namespace {

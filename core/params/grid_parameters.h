@@ -3,12 +3,12 @@
 
 #include <span>
 
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 
 /// The parameters that every grid colony reads.
-std::span<const Parameter> colony_parameters() noexcept;
+std::span<const Parameter> colony_parameters();
 /// The parameters that the genetic comparator reads.
 std::span<const Parameter> genetic_parameters() noexcept;
 

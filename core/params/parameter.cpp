@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/params/parameter_table.h"
-#include "lasius/enum_names.h"
-#include "lasius/params.h"
+#include "lasius/base/enum_names.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

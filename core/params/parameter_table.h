@@ -15,7 +15,7 @@
 #include "core/base/did_you_mean.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -1,4 +1,4 @@
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 #include <algorithm>
 #include <array>
@@ -272,7 +272,7 @@ void check_rules(const Params& params) {
 
 }  // namespace
 
-std::span<const Parameter> colony_parameters() noexcept {
+std::span<const Parameter> colony_parameters() {
   static const auto words = [] {  // made on first use, see algorithms()
     std::array<std::string, kColony.size()> all;
     std::ranges::transform(kColony, all.begin(), only_with, &Entry::info);

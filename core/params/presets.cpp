@@ -273,7 +273,7 @@ constexpr std::array kListed{
            grid_ga, nullptr, Algorithm::Kind::genetic},
 };
 
-std::span<const Parameter> parameters_of(Algorithm::Kind kind) noexcept {
+std::span<const Parameter> parameters_of(Algorithm::Kind kind) {
   switch (kind) {
     case Algorithm::Kind::colony:
       return colony_parameters();

@@ -1,4 +1,4 @@
-#include "lasius/schedule.h"
+#include "lasius/params/schedule.h"
 
 namespace lasius {
 

@@ -9,7 +9,7 @@
 #include "core/exact/alternatives.h"
 #include "core/grid/grid_view.h"
 #include "core/loop/run_status.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

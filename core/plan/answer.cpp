@@ -21,7 +21,7 @@
 #include "core/plan/plan_ends.h"
 #include "core/plan/workspace.h"
 #include "core/smooth/path_ends.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

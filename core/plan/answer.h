@@ -16,7 +16,7 @@
 #include "core/grid/nearest_free.h"
 #include "core/plan/own_graph.h"
 #include "core/plan/stale_answers.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

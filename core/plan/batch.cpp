@@ -1,4 +1,4 @@
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 
 #include <memory>
 

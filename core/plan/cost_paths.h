@@ -11,10 +11,10 @@
 #include "core/cost/terrain.h"
 #include "core/disc/disc_space.h"
 #include "core/plan/exact_view.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/progress.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/plan/progress.h"
 
 namespace lasius {
 

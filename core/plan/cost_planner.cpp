@@ -1,5 +1,3 @@
-#include "lasius/cost_planner.h"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -17,7 +15,8 @@
 #include "core/plan/legs.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
-#include "lasius/path.h"
+#include "lasius/cost/planner.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

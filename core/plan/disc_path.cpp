@@ -10,7 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/disc/curve.h"
 #include "core/disc/sweep.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

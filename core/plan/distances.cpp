@@ -12,7 +12,7 @@
 #include "core/plan/lengths_near.h"
 #include "core/plan/plan_ends.h"
 #include "core/plan/planner_impl.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/progress.h"
+#include "lasius/plan/progress.h"
 
 namespace lasius {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/special_values.h"
 #include "core/loop/run_status.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

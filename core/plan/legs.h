@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "lasius/grid.h"
-#include "lasius/moves.h"
-#include "lasius/request.h"
-#include "lasius/result.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
+#include "lasius/plan/request.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

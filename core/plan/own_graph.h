@@ -9,7 +9,7 @@
 
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact.h"
-#include "lasius/preparation.h"
+#include "lasius/plan/preparation.h"
 
 namespace lasius {
 

@@ -15,7 +15,7 @@
 #include "core/grid/rings.h"
 #include "core/plan/answer.h"
 #include "core/plan/disc_path.h"
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius {
 

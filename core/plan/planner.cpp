@@ -1,4 +1,4 @@
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 #include <algorithm>
 #include <utility>

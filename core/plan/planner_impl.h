@@ -17,7 +17,7 @@
 #include "core/grid/grid_view.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

@@ -1,4 +1,4 @@
-#include "lasius/poses.h"
+#include "lasius/path/poses.h"
 
 #include <cmath>
 #include <numbers>

@@ -9,7 +9,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/special_values.h"
 #include "core/grid/grid_view.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/exact/labels/corner_labels.h"
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -6,7 +6,7 @@
 
 #include "core/disc/disc_search.h"
 #include "core/plan/planner_impl.h"
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/exact/labels/label_search.h"
 #include "core/exact/prepared_search.h"
 #include "core/genetic/grid_ga_memory.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

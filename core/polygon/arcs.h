@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 

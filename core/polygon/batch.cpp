@@ -1,7 +1,7 @@
 #include "core/loop/batch_run.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/route_plan.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 

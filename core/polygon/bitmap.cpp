@@ -7,7 +7,7 @@
 #include "core/polygon/free_space.h"
 #include "core/polygon/world/geos.h"
 #include "core/polygon/world/rings.h"
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 namespace {

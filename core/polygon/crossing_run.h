@@ -5,7 +5,7 @@
 
 #include "core/loop/colony_loop.h"
 #include "core/polygon/route.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 

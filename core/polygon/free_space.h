@@ -6,7 +6,7 @@
 
 #include "core/polygon/arcs.h"
 #include "core/polygon/world/lattice_point.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 

@@ -5,7 +5,7 @@
 
 #include "core/polygon/arcs.h"
 #include "core/polygon/world/geos.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/polygon/route.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::polygon {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/params/parameter_table.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 namespace {

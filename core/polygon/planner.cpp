@@ -17,8 +17,8 @@
 #include "core/polygon/shortest_path.h"
 #include "core/polygon/world/geometry_check.h"
 #include "core/polygon/world/rings.h"
-#include "lasius/polygon_plan.h"
-#include "lasius/tour.h"
+#include "lasius/polygon/plan.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius::polygon {
 namespace {

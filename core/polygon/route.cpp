@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/special_values.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::polygon {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/poller.h"
 #include "core/polygon/regions.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 
 namespace lasius::polygon {
 

@@ -7,7 +7,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/crossing_run.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::polygon {
 

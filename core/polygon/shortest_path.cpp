@@ -7,7 +7,7 @@
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/polygon/sight.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::polygon {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/polygon/route.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::polygon {
 

@@ -6,10 +6,10 @@
 
 #include "core/disc/disc_space.h"
 #include "core/smooth/taut_string.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -6,7 +6,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/smooth/tighten.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 namespace {

@@ -11,10 +11,10 @@
 #include "core/smooth/straighten.h"
 #include "core/smooth/taut_string.h"
 #include "kernels/base/packed_cell.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/params.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
-#include "lasius/smooth.h"
+#include "lasius/path/smooth.h"
 
 namespace lasius {
 namespace {

@@ -12,9 +12,9 @@
 #include "core/smooth/taut_string.h"
 #include "kernels/sight/sight.h"
 #include "kernels/sight/sight_cone.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius {
 

@@ -9,8 +9,8 @@
 #include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "core/smooth/triangle.h"
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 
 namespace lasius {
 

@@ -6,10 +6,10 @@
 
 #include "core/base/held_bytes.h"
 #include "kernels/sight/sight.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/moves.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/disc/disc_space.h"
-#include "lasius/geometry.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

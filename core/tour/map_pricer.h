@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/tour/order/costs.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::tour {
 

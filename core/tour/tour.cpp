@@ -1,4 +1,4 @@
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,7 +11,7 @@
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/routes/exact_routes.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius {
 

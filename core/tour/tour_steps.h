@@ -10,7 +10,7 @@
 #include "core/tour/order/search.h"
 #include "core/tour/routes/routes.h"
 #include "core/tour/visited.h"
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius {
 

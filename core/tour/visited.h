@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius {
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::vehicle {
 

@@ -10,7 +10,7 @@
 
 #include "core/cost/path_cost.h"
 #include "core/vehicle/lattice.h"
-#include "lasius/cost_field.h"
+#include "lasius/cost/field.h"
 #include "lasius/vehicle/motion.h"
 
 namespace lasius::vehicle {

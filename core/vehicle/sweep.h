@@ -8,7 +8,7 @@
 
 #include "core/vehicle/bit_columns.h"
 #include "core/vehicle/outline.h"
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 #include "lasius/vehicle/space.h"
 
 namespace lasius::vehicle {

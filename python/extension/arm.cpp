@@ -1,8 +1,8 @@
 // Component lasius::arm: robots and scenes from files, plans, motions.
 #include <pybind11/eigen.h>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"

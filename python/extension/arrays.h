@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::python {
 

@@ -1,6 +1,6 @@
 #include "python/extension/batch.h"
 
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 #include "python/extension/modules.h"
 #include "python/extension/own_rules.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/batch_options.h"
+#include "lasius/plan/batch_options.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 

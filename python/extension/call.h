@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "lasius/error.h"
-#include "lasius/stop.h"
+#include "lasius/base/error.h"
+#include "lasius/base/stop.h"
 #include "python/extension/interrupt.h"
 
 namespace lasius::python {

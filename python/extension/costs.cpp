@@ -1,6 +1,6 @@
 // Costs: weights of cells, plans over them, proofs as text.
-#include "lasius/cost_planner.h"
-#include "lasius/io_json.h"
+#include "lasius/cost/planner.h"
+#include "lasius/io/json.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"

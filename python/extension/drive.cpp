@@ -1,5 +1,5 @@
 // A drive through a world that changes, and what happens to the world.
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // lasius::Error as Python exceptions, which the package's module `errors` defines.
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"

@@ -1,15 +1,15 @@
 // Grid, and questions about it: packed from arrays of one byte a cell with any strides.
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 
-#include "lasius/clearance.h"
-#include "lasius/path.h"
-#include "lasius/shortest_walk.h"
-#include "lasius/smooth.h"
+#include "lasius/grid/clearance.h"
+#include "lasius/path/path.h"
+#include "lasius/path/shortest_walk.h"
+#include "lasius/path/smooth.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"

@@ -1,5 +1,5 @@
 // Maps from files and seeds, and back.
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "lasius/io.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/error.h"
-#include "lasius/moves.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius::python {
 

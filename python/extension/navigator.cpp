@@ -1,5 +1,5 @@
 // Navigator: a robot's planner on a map edited in place, used by one Python thread at a time.
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 
 #include <mutex>
 

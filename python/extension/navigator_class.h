@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 #include "python/extension/arrays.h"
 
 namespace lasius::python {

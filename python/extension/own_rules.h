@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lasius/own_rules.h"
+#include "lasius/params/own_rules.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 #include "python/extension/arrays.h"
 
 namespace lasius::python {

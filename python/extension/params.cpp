@@ -1,5 +1,5 @@
 // Algorithms on bitmaps and their parameters.
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 #include "python/extension/modules.h"
 #include "python/extension/names.h"

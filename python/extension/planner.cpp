@@ -1,5 +1,5 @@
 // Planner: made, prepared and edited without the interpreter's lock; plans.
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 #include <atomic>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "lasius/progress.h"
+#include "lasius/plan/progress.h"
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/results.h"

@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "lasius/poses.h"
-#include "lasius/status.h"
+#include "lasius/base/status.h"
+#include "lasius/path/poses.h"
 #include "python/extension/modules.h"
 
 namespace lasius::python {

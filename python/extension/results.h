@@ -2,7 +2,7 @@
 // lasius/results.py makes of them.
 #pragma once
 
-#include "lasius/result.h"
+#include "lasius/plan/result.h"
 #include "python/extension/arrays.h"
 
 namespace lasius::python {

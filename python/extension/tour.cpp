@@ -1,5 +1,5 @@
 // Tours.
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 #include "lasius/tour/cover.h"
 #include "lasius/vehicle/tour.h"

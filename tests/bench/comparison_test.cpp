@@ -7,8 +7,8 @@
 
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/map_io.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
 

@@ -128,7 +128,7 @@ foreach(component IN LISTS components)
   run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
   if(component STREQUAL "arm")
     # Memory that Eigen allocates with another alignment could not be freed: the linker refuses.
-    file(WRITE ${WORK_DIR}/other_alignment.cpp "#include <lasius/arm_robot.h>\nint main() {}\n")
+    file(WRITE ${WORK_DIR}/other_alignment.cpp "#include <lasius/arm/robot.h>\nint main() {}\n")
     execute_process(COMMAND ${CXX} ${WORK_DIR}/other_alignment.cpp
         -DEIGEN_MAX_ALIGN_BYTES=64 -o ${WORK_DIR}/other_alignment ${flags} -std=c++20
       ERROR_VARIABLE err RESULT_VARIABLE failed)

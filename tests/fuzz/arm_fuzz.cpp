@@ -1,7 +1,7 @@
 // Robots and scenes: URDF and JSON. What is accepted is valid and can be used.
 #include <string>
 
-#include "lasius/arm_sensor.h"
+#include "lasius/arm/sensor.h"
 #include "tests/fuzz/reading.h"
 
 namespace lasius::fuzz {

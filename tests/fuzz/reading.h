@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/map_files/byte_reader.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::fuzz {
 

@@ -1,6 +1,6 @@
 // Polygon worlds in GeoJSON and WKT. What is read is valid, and stays the same when it is written
 // and read again; repaired worlds are valid too.
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 #include "tests/fuzz/reading.h"
 
 namespace lasius::fuzz {

@@ -3,8 +3,8 @@
 #include <iterator>
 #include <string>
 
-#include "lasius/error.h"
-#include "lasius/io_json.h"
+#include "lasius/base/error.h"
+#include "lasius/io/json.h"
 
 int main() {
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};

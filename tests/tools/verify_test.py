@@ -252,6 +252,7 @@ class Verify(ProgramTest):
         cases = [({"seed": -1}, '"seed"'), ({"seed": 1 << 60}, '"seed"'), ({"seed": 1.5}, '"seed"'),
                  ({"map": {"file": "fan.map"}}, '"map/hash"'), ({"start": "a"}, '"start"'),
                  ({"parameters": {**result["parameters"], "target_gap": -1}}, "target_gap"),
+                 ({"parameters": {**result["parameters"], "time_limit": -1}}, "time_limit"),
                  ({"parameters": {**result["parameters"], "ants": 0}}, "ants")]
         for change, word in cases:
             with self.subTest(change=change):

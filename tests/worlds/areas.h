@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "lasius/drive.h"
-#include "lasius/generate.h"
+#include "lasius/drive/drive.h"
+#include "lasius/grid/generate.h"
 
 namespace lasius {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/grid.h"
-#include "lasius/moves.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/moves.h"
 
 namespace lasius {
 

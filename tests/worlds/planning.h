@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/generate.h"
-#include "lasius/planner.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 

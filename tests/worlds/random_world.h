@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 #include "tests/worlds/areas.h"
 
 namespace lasius::polygon {

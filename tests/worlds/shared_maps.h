@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/grid.h"
-#include "lasius/map_io.h"
+#include "lasius/grid/grid.h"
+#include "lasius/grid/map_io.h"
 
 namespace lasius::bench_test {
 

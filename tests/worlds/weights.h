@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "lasius/cost_field.h"
-#include "lasius/grid.h"
-#include "lasius/planner.h"
+#include "lasius/cost/field.h"
+#include "lasius/grid/grid.h"
+#include "lasius/plan/planner.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {

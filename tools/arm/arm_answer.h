@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lasius/arm.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/arm/arm_command.h"
 
 namespace lasius::tool {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {

@@ -1,7 +1,7 @@
 // Joint values that reach goals, and whether they are free.
 #pragma once
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 #include "tools/arm/arm_answer.h"
 
 namespace lasius::tool {

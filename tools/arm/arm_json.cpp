@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 #include "tools/arm/arm_samples.h"
 #include "tools/arm/arm_tip.h"
 #include "tools/console/values.h"

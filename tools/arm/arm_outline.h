@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lasius/arm_robot.h"
-#include "lasius/geometry.h"
+#include "lasius/arm/robot.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::tool {
 

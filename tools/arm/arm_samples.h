@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 
 namespace lasius::tool {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lasius/arm_plan.h"
+#include "lasius/arm/plan.h"
 #include "tools/arm/arm_json.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lasius/error.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/base/error.h"
+#include "lasius/path/shortest_walk.h"
 #include "tools/console/crew.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"

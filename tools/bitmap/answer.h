@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "lasius/batch.h"
-#include "lasius/cost_planner.h"
-#include "lasius/planner.h"
+#include "lasius/cost/planner.h"
+#include "lasius/plan/batch.h"
+#include "lasius/plan/planner.h"
 #include "tools/bitmap/reasons.h"
 #include "tools/options/options.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/loop/batch_run.h"
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_file.h"

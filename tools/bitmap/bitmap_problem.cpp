@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lasius/io_json.h"
+#include "lasius/io/json.h"
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/cost_ground.h"
 #include "tools/bitmap/map_ends.h"

@@ -2,8 +2,8 @@
 
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/cost_proof.h"
-#include "lasius/io_json.h"
+#include "lasius/cost/proof.h"
+#include "lasius/io/json.h"
 #include "tools/bitmap/cost_layers.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/command_line/map_options.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "lasius/cost_field.h"
-#include "lasius/cost_proof.h"
+#include "lasius/cost/field.h"
+#include "lasius/cost/proof.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/draw/legend.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/cost_planner.h"
-#include "lasius/map_io.h"
+#include "lasius/cost/planner.h"
+#include "lasius/grid/map_io.h"
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
 

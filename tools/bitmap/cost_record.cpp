@@ -1,5 +1,5 @@
 // What results tell of costs, and whether they are still those.
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/bitmap/cost_layers.h"
 #include "tools/record/recorded.h"
 

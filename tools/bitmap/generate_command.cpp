@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/base/output.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "lasius/io.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"

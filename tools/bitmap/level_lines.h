@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "lasius/cost_proof.h"
+#include "lasius/cost/proof.h"
 
 namespace lasius::tool {
 

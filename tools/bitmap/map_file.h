@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "lasius/clearance.h"
-#include "lasius/map_io.h"
-#include "lasius/planner.h"
+#include "lasius/grid/clearance.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/plan/planner.h"
 #include "tools/bitmap/cost_layers.h"
 #include "tools/options/options.h"
 

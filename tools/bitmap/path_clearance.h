@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "lasius/clearance.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/clearance.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::tool {
 

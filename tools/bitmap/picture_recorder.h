@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/params.h"
-#include "lasius/planner.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/planner.h"
 #include "tools/draw/raster.h"
 
 namespace lasius::tool {

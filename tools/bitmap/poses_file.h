@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "lasius/poses.h"
+#include "lasius/path/poses.h"
 #include "tools/bitmap/answer.h"
 #include "tools/record/json_values.h"
 

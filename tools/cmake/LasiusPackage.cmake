@@ -8,13 +8,12 @@ set(LASIUS_COMPONENTS io polygon arm)  # beside lasius::lasius, which is always 
 set(LASIUS_MAPS_DESTINATION share/lasius/maps)
 set(LASIUS_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
-# lasius_package_library(TARGET [COMPONENT NAME] [HEADERS FILE...] [PC_REQUIRES MODULE...]
-#   [PC_PUBLIC_REQUIRES MODULE...])
-# Alias, version and install rules of one library. HEADERS are a component's own public headers,
-# whose names begin with the component's; all others belong to the main library. PC_REQUIRES are the
-# pkg-config modules that a static archive needs, PC_PUBLIC_REQUIRES those of the headers. A component's pkg-config file names lasius itself.
+# lasius_package_library(TARGET [COMPONENT NAME] [PC_REQUIRES MODULE...] [PC_PUBLIC_REQUIRES MODULE...])
+# Alias, version and install rules of one library. A component's own public headers are lasius/NAME.h and those in
+# lasius/NAME/; all others belong to the main library. PC_REQUIRES are the pkg-config modules that a static archive
+# needs, PC_PUBLIC_REQUIRES those of the headers. A component's pkg-config file names lasius itself.
 function(lasius_package_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "HEADERS;PC_REQUIRES;PC_PUBLIC_REQUIRES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "PC_REQUIRES;PC_PUBLIC_REQUIRES")
   set(name lasius)
   set(pc lasius)
   if(arg_COMPONENT)
@@ -45,7 +44,10 @@ function(lasius_package_library target)
   install(EXPORT ${pc}-targets NAMESPACE lasius::
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lasius COMPONENT dev)
   if(arg_COMPONENT)
-    install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
+    set(headers ${PROJECT_SOURCE_DIR}/core/lasius/${name})
+    install(FILES ${headers}.h ${PROJECT_BINARY_DIR}/core/lasius/${name}_export.h
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
+    install(DIRECTORY ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
   endif()
   lasius_pc_file(${pc} "${arg_COMPONENT}" "${arg_PC_REQUIRES}" "${arg_PC_PUBLIC_REQUIRES}")
 endfunction()
@@ -81,13 +83,10 @@ endfunction()
 
 # Headers, generated headers and the package's config files; called once, after all libraries.
 function(lasius_install_package)
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/lasius/*.h)
   list(JOIN LASIUS_COMPONENTS "|" components)
-  list(FILTER headers EXCLUDE REGEX "/(${components})(_[a-z_]+)?\\.h$")
-  install(FILES ${headers}
-    ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/lasius/tour ${PROJECT_SOURCE_DIR}/core/lasius/vehicle
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/lasius DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
+    REGEX "/lasius/(${components})(\\.h)?$" EXCLUDE)
+  install(FILES ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
 
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/command_line/cli.h"
 #include "tools/console/crew.h"
 #include "tools/console/exit_code.h"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <optional>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::tool {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius::tool {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/kinds.h"
 #include "tools/options/options.h"

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "core/base/printable.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::tool {
 void guard_standard_streams() {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::tool {
 

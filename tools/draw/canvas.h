@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/geometry.h"
-#include "lasius/path.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/path/path.h"
 #include "tools/draw/raster.h"
 
 namespace lasius::tool {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 

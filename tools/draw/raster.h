@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::tool {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lasius/status.h"
+#include "lasius/base/status.h"
 
 namespace lasius::tool {
 

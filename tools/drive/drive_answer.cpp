@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {

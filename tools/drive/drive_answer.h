@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/drive/driven_vehicle.h"
 #include "tools/options/options.h"

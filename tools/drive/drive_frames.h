@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "tools/drive/drive_recorder.h"
 #include "tools/drive/ground.h"
 #include "tools/record/json_values.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "lasius/error.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/base/error.h"
+#include "lasius/path/shortest_walk.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/bitmap_report.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 namespace lasius::tool {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "tools/draw/raster.h"
 
 namespace lasius::tool {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <iosfwd>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "tools/drive/drive_recorder.h"
 #include "tools/drive/ground.h"
 #include "tools/report/key_frames.h"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "tools/draw/raster.h"
 #include "tools/drive/drive_recorder.h"
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 

@@ -9,7 +9,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/stop_when.h"
 

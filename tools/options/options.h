@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/geometry.h"
-#include "lasius/params.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/params/params.h"
 #include "lasius/tour/ants.h"
 
 namespace lasius::tool {

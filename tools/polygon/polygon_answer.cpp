@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 #include "tools/options/options.h"
 #include "tools/record/problem.h"
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "core/io/json_values.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/console/crew.h"
 #include "tools/console/exit_code.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/batch_options.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/plan/batch_options.h"
 #include "tools/console/signals.h"
 #include "tools/record/outputs.h"
 #include "tools/record/record.h"

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {

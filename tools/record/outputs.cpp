@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/crew.h"
 #include "tools/console/streams.h"
 

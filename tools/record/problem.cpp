@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
@@ -105,7 +105,8 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
                                      : parameter_text(value_at(from.result, "parameters/" + name)));
   }
   options.target_gap = recorded_real(from.result, "parameters/target_gap", 0, kNoLimit);
-  options.time_limit = recorded_optional<double>(from.result, "parameters/time_limit");
+  if (recorded_optional<double>(from.result, "parameters/time_limit"))
+    options.time_limit = recorded_real(from.result, "parameters/time_limit", 0, kNoLimit);
   if (values.contains("goal_tolerance"))
     options.goal_tolerance = recorded_real(from.result, "parameters/goal_tolerance", 0, kNoLimit);
   options.with_optimum = from.result.contains("optimum");

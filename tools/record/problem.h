@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "lasius/params.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/params/params.h"
 #include "tools/options/options.h"
 #include "tools/record/outputs.h"
 #include "tools/record/record.h"

@@ -9,7 +9,7 @@
 
 #include "core/base/opening_pipe.h"
 #include "core/base/text_lines.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "lasius/geometry.h"
-#include "lasius/params.h"
-#include "lasius/search_result.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/search_result.h"
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
 

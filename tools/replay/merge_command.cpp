@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/threads.h"

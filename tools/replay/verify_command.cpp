@@ -9,7 +9,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/json_values.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"

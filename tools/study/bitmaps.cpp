@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
 #include "tools/console/values.h"
 #include "tools/study/map_source.h"
 

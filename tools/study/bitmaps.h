@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 
-#include "lasius/cost_planner.h"
+#include "lasius/cost/planner.h"
 #include "tools/study/runner.h"
 
 namespace lasius::study {

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::study {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tools/study/study.h"
 
 namespace lasius::study {

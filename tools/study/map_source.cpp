@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/io.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tools/bitmap/cost_layers.h"
 #include "tools/console/values.h"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
+#include "lasius/grid/generate.h"
+#include "lasius/grid/map_io.h"
 #include "tools/study/study.h"
 
 namespace lasius::study {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/record/json_values.h"
 #include "tools/study/files.h"

@@ -1,6 +1,6 @@
 #include "tools/study/portrait.h"
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/picture_recorder.h"

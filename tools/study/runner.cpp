@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/console/crew.h"
 #include "tools/record/json_values.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/cost_field.h"
-#include "lasius/geometry.h"
-#include "lasius/params.h"
+#include "lasius/cost/field.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/params/params.h"
 #include "tools/options/options.h"
 
 namespace lasius::study {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/tour/cover.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_problem.h"

@@ -2,8 +2,8 @@
 #include <memory>
 #include <utility>
 
-#include "lasius/polygon_plan.h"
-#include "lasius/tour.h"
+#include "lasius/polygon/plan.h"
+#include "lasius/tour/tour.h"
 #include "tools/console/values.h"
 #include "tools/draw/text.h"
 #include "tools/polygon/polygon_answer.h"

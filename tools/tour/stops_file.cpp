@@ -11,7 +11,7 @@
 #include "core/base/json_place.h"
 #include "core/base/text_lines.h"
 #include "core/tour/order/partial_order.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"

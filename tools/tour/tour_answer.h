@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tools/bitmap/map_file.h"
 
 namespace lasius::tool {

@@ -1,6 +1,6 @@
 #include "tools/tour/tsplib_problem.h"
 
-#include "lasius/tsplib.h"
+#include "lasius/tour/tsplib.h"
 #include "tools/console/elapsed.h"
 #include "tools/record/queries.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tools/options/options.h"
 #include "tools/record/problem.h"
 

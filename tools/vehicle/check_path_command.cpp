@@ -3,7 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/bitmap/map_ends.h"
 #include "tools/command_line/option_table.h"

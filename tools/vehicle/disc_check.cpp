@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 namespace lasius::tool {
 namespace {

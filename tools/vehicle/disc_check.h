@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "lasius/grid.h"
-#include "lasius/path.h"
+#include "lasius/grid/grid.h"
+#include "lasius/path/path.h"
 
 namespace lasius::tool {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/text_lines.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
 #include "tools/record/outputs.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "lasius/vehicle/motion.h"
 #include "tools/bitmap/map_file.h"
 

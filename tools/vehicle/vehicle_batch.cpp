@@ -5,7 +5,7 @@
 
 #include "core/base/text_lines.h"
 #include "core/loop/batch_run.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/bitmap/picture.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/values.h"
 #include "tools/record/json_values.h"
 #include "tools/vehicle/vehicle_json.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"

@@ -11,7 +11,7 @@
 #include "core/base/output.h"
 #include "core/base/text_lines.h"
 #include "core/base/yaml_documents.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {

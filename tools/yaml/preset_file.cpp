@@ -1,6 +1,6 @@
 #include "tools/yaml/preset_file.h"
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::tool {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 #include "tools/yaml/document.h"
 
 namespace lasius::tool {

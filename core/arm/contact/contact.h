@@ -8,7 +8,7 @@
 #include "core/arm/contact/joint_curve.h"
 #include "core/arm/contact/robot_shapes.h"
 #include "core/base/poller.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::arm {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

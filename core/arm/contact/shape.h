@@ -11,7 +11,7 @@
 
 #include "core/arm/contact/hull.h"
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/json_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 namespace {

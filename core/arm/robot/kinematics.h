@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/arm_robot.h"
-#include "lasius/error.h"
+#include "lasius/arm/robot.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 

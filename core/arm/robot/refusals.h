@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 

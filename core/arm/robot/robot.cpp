@@ -1,3 +1,5 @@
+#include "lasius/arm/robot.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,7 +14,6 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/base/did_you_mean.h"
 #include "core/base/file_kind.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm_robot.h"
-#include "lasius/error.h"
+#include "lasius/arm/robot.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

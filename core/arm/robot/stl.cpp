@@ -10,7 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/base/did_you_mean.h"
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/arm/robot/xml_text.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::arm {
 

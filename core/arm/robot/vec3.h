@@ -9,7 +9,7 @@
 #include <span>
 
 #include "kernels/base/sine.h"
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::arm {
 

@@ -7,9 +7,9 @@
 
 #include "core/exact/corner_graph.h"
 #include "core/exact/labels/label_builder.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/preparation.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
+#include "lasius/plan/preparation.h"
 
 namespace lasius::exact {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/exact/labels/taut_graph.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::exact {
 

@@ -3,8 +3,8 @@
 
 #include "core/exact/labels/corner_labels.h"
 #include "core/exact/labels/taut_graph.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::exact {
 

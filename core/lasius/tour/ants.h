@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lasius/export.h"
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 namespace lasius::tour {
 

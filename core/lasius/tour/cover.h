@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/geometry.h"
-#include "lasius/planner.h"
-#include "lasius/stop.h"
-#include "lasius/tour.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/plan/planner.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius {
 
@@ -32,8 +32,8 @@ struct CoverRequest {
 /// swath is a straight leg, the other legs are shortest paths. `tour.lower_bound` is of all tours
 /// over these swaths, not of other swaths.
 struct CoverResult {
-  TourResult tour;
-  std::vector<Point> stops;
+  TourResult tour;           ///< over the ends of swaths
+  std::vector<Point> stops;  ///< these ends; none lies outside of the map
   /// From +x towards +y, degrees from 0 to below 180: what most swaths are parallel to; those that
   /// cover what is left over may be across.
   double angle = 0;
@@ -46,6 +46,7 @@ struct CoverResult {
   double unreachable = 0;
   double covered = 0;  ///< of the free area that the tool can come to, within width / 2 of the tour
   double overlap = 0;  ///< of what swaths cover, what two or more do
+  /// How many swaths there are.
   int swaths() const noexcept { return static_cast<int>(stops.size()) / 2; }
 };
 

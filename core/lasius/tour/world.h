@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/geometry.h"
-#include "lasius/stop.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

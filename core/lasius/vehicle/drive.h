@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 #include "lasius/export.h"
 #include "lasius/vehicle/navigator.h"
 

@@ -8,22 +8,22 @@
 #include <span>
 #include <vector>
 
-#include "lasius/cost_field.h"
+#include "lasius/base/stop.h"
+#include "lasius/cost/field.h"
 #include "lasius/export.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {
 
 /// How a Navigator plans; as in Request.
 struct NavigatorOptions {
-  double goal_tolerance = 0;     ///< cells
-  double heading_tolerance = 0;  ///< radians
-  double weight = 1.5;           ///< of the estimate of what is left
-  bool smooth = true;            ///< shorten what the search finds
-  std::int64_t max_states = 20'000'000;
+  double goal_tolerance = 0;             ///< cells
+  double heading_tolerance = 0;          ///< radians
+  double weight = 1.5;                   ///< of the estimate of what is left
+  bool smooth = true;                    ///< shorten what the search finds
+  std::int64_t max_states = 20'000'000;  ///< a search gives up after so many
   /// Of the map's cells: then ways are the cheapest that are found, as those of a Planner over
   /// costs.
   std::optional<CostField> costs = {};

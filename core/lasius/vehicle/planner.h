@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "lasius/cost_field.h"
+#include "lasius/base/status.h"
+#include "lasius/base/stop.h"
+#include "lasius/cost/field.h"
 #include "lasius/export.h"
-#include "lasius/grid.h"
-#include "lasius/status.h"
-#include "lasius/stop.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/space.h"
 #include "lasius/vehicle/vehicle.h"

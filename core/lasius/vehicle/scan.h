@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "lasius/export.h"
-#include "lasius/geometry.h"
-#include "lasius/map_io.h"
-#include "lasius/poses.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/path/poses.h"
 
 namespace lasius::vehicle {
 

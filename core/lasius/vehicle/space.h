@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
+#include "lasius/base/stop.h"
 #include "lasius/export.h"
-#include "lasius/grid.h"
-#include "lasius/stop.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/vehicle.h"
 

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::vehicle {
 

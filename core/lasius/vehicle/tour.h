@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lasius/export.h"
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {

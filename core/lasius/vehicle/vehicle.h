@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lasius/export.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::vehicle {
 

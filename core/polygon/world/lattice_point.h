@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/grid/distance.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::polygon {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/polygon_world.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 

@@ -6,8 +6,8 @@
 #include "core/base/file_kind.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/error.h"
-#include "lasius/polygon_world.h"
+#include "lasius/base/error.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/polygon/world/geos.h"
 #include "core/polygon/world/repair.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::polygon {
 

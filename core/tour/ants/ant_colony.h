@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/tour/order/search.h"
-#include "lasius/search_result.h"
+#include "lasius/plan/search_result.h"
 #include "lasius/tour/ants.h"
 
 namespace lasius::tour {

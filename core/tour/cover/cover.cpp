@@ -15,7 +15,7 @@
 #include "core/tour/order/bound.h"
 #include "core/tour/route_tour.h"
 #include "core/tour/tour_steps.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

@@ -9,8 +9,8 @@
 
 #include "core/base/poller.h"
 #include "core/tour/cover/tool_lines.h"
-#include "lasius/geometry.h"
-#include "lasius/planner.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::tour {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/tour/cover/tool_lines.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::tour {
 

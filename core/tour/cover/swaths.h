@@ -10,9 +10,9 @@
 #include "core/tour/cover/cover_ground.h"
 #include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/tool_lines.h"
-#include "lasius/geometry.h"
-#include "lasius/planner.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius::tour {
 

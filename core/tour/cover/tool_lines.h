@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/grid/distance.h"
-#include "lasius/geometry.h"
-#include "lasius/grid.h"
+#include "lasius/grid/geometry.h"
+#include "lasius/grid/grid.h"
 
 namespace lasius::tour {
 

@@ -6,8 +6,8 @@
 
 #include "core/base/poller.h"
 #include "core/tour/order/costs.h"
-#include "lasius/geometry.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::tour {
 

@@ -9,7 +9,7 @@
 #include "core/tour/order/candidates.h"
 #include "core/tour/order/costs.h"
 #include "core/tour/order/partial_order.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::tour {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/tour/routes/routes.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::tour {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/tour/order/costs.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius::tour {
 

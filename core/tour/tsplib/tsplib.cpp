@@ -1,4 +1,4 @@
-#include "lasius/tsplib.h"
+#include "lasius/tour/tsplib.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "core/base/text_lines.h"
 #include "core/tour/order/costs.h"
 #include "core/tour/order/partial_order.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "lasius/cost_planner.h"
+#include "lasius/cost/planner.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
 #include "tests/worlds/changing_world.h"
 
 namespace lasius::peers {

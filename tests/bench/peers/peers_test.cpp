@@ -9,7 +9,7 @@
 #include "bench/peers/bucket_astar.h"
 #include "bench/peers/segment.h"
 #include "bench/peers/sight.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/grids.h"

@@ -1,8 +1,9 @@
+#include "lasius/arm/generate.h"
+
 #include <gtest/gtest.h>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/error.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {

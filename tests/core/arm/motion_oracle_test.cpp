@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/oracle/arm/urdf_oracle.h"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <stop_token>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/questions.h"
 
 namespace lasius::arm {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
 #include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "lasius/arm_sensor.h"
-#include "lasius/arm_trajectory.h"
-#include "lasius/error.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/arm/trajectory.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/arm/fcl_judge.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/arm/spline.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/arm/ways.h"
 #include "tests/core/base/counting_time.h"

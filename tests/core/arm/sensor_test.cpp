@@ -1,11 +1,12 @@
+#include "lasius/arm/sensor.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/arm_trajectory.h"
-#include "lasius/error.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/trajectory.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/oracle/arm/fcl_judge.h"
 

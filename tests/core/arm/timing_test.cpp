@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/arm/blends.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/arm/ways.h"
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "lasius/arm_plan.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/error.h"
+#include "lasius/arm/plan.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/counting_time.h"
 

@@ -1,3 +1,5 @@
+#include "lasius/arm/trajectory.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,8 +7,7 @@
 #include <utility>
 
 #include "core/arm/spline.h"
-#include "lasius/arm_trajectory.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/arm/ways.h"
 #include "tests/core/base/counting_time.h"

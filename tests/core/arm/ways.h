@@ -10,7 +10,7 @@
 
 #include "core/arm/blends.h"
 #include "core/arm/spline.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm/trajectory.h"
 #include "tests/core/arm/questions.h"
 
 namespace lasius::arm {

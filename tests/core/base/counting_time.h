@@ -5,7 +5,7 @@
 #include <chrono>
 #include <stop_token>
 
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 namespace lasius {
 

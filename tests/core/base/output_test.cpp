@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
 

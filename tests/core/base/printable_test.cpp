@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

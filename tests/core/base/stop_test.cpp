@@ -1,4 +1,4 @@
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <stop_token>
+#include <type_traits>
 
 #include "core/base/poller.h"
 #include "tests/core/base/counting_time.h"
@@ -69,6 +70,10 @@ TEST(StopCondition, TheTokenCountsBeforeTheClock) {
 }
 
 TEST(Callback, OfWhatAnswersOrReturnsNothing) {
+  static_assert(std::is_constructible_v<Callback<int>, Go (*)(int)>);
+  static_assert(!std::is_constructible_v<Callback<int>, int (*)(int)>, "no answer of ours");
+  static_assert(!std::is_constructible_v<Callback<int>, void (*)(int&&)>,
+                "called with what has a name");
   using Watch = Callback<int&, double>;
   EXPECT_FALSE(Watch());
   EXPECT_FALSE(Watch(std::function<void(int&, double)>()));

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/colony/grid_colony.h"
-#include "lasius/error.h"
-#include "lasius/own_rules.h"
+#include "lasius/base/error.h"
+#include "lasius/params/own_rules.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {

@@ -10,7 +10,7 @@
 #include "core/colony/terminal_index.h"
 #include "core/colony/update.h"
 #include "core/grid/move_rule.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/core/grid/centres.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"

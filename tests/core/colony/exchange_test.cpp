@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/colony/grid_colony.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/core/colony/archipelago.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/planning.h"

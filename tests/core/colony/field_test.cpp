@@ -10,7 +10,7 @@
 #include <random>
 
 #include "core/grid/move_rule.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/colony/walked_grid.h"
 #include "tests/worlds/grids.h"

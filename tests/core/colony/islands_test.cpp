@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/colony/grid_colony.h"
-#include "lasius/error.h"
-#include "lasius/navigator.h"
-#include "lasius/own_rules.h"
+#include "lasius/base/error.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/params/own_rules.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/colony/archipelago.h"
 #include "tests/core/loop/same_result.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kernels/base/power.h"
-#include "lasius/own_rules.h"
-#include "lasius/params.h"
+#include "lasius/params/own_rules.h"
+#include "lasius/params/params.h"
 
 namespace lasius {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/batch.h"
-#include "lasius/own_rules.h"
+#include "lasius/params/own_rules.h"
+#include "lasius/plan/batch.h"
 #include "tests/core/base/refusal.h"
 #include "tests/worlds/planning.h"
 

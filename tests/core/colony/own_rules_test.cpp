@@ -1,5 +1,5 @@
 // Colonies with a caller's own rules: what computes as a built-in rule gives its plan, bit for bit.
-#include "lasius/own_rules.h"
+#include "lasius/params/own_rules.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "core/colony/own_update.h"
 #include "core/grid/cell_distance.h"
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 #include "tests/core/colony/own_published.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/special_values.h"
-#include "lasius/error.h"
-#include "lasius/own_rules.h"
+#include "lasius/base/error.h"
+#include "lasius/params/own_rules.h"
 #include "tests/core/base/refusal.h"
 #include "tests/worlds/planning.h"
 

@@ -8,7 +8,7 @@
 #include "core/colony/colony.h"
 #include "core/colony/terminal_index.h"
 #include "core/grid/move_rule.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/planner.h"
-#include "lasius/schedule.h"
+#include "lasius/params/schedule.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/colony/walked_grid.h"
 #include "tests/worlds/grids.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/grid/move_rule.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/oracle/relaxed_walks.h"

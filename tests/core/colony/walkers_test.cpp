@@ -15,7 +15,7 @@
 #include "core/colony/field.h"
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
-#include "lasius/schedule.h"
+#include "lasius/params/schedule.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/kernels/base/instruction_sets.h"
 #include "tests/worlds/planning.h"

@@ -1,6 +1,4 @@
 // Weights: layers, inflation, what is refused; the cost of a polyline.
-#include "lasius/cost_field.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
+#include "lasius/cost/field.h"
 #include "tests/core/base/refusal.h"
 #include "tests/oracle/cost_paths.h"
 #include "tests/worlds/grids.h"

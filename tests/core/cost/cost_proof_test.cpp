@@ -1,6 +1,4 @@
 // Proofs of bounds: those of searches hold, those in which one number is changed do not.
-#include "lasius/cost_proof.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "core/cost/cost_search.h"
+#include "lasius/cost/proof.h"
 #include "tests/worlds/weights.h"
 
 namespace lasius {

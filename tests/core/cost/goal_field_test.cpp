@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/cost/eight_moves.h"
-#include "lasius/stop.h"
+#include "lasius/base/stop.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/weights.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "lasius/drive.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
+#include "lasius/drive/drive.h"
 #include "tests/core/base/refusal.h"
 
 namespace lasius {

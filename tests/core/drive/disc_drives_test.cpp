@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "lasius/drive.h"
-#include "lasius/map_io.h"
-#include "lasius/navigator.h"
-#include "lasius/path.h"
+#include "lasius/drive/drive.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/near_clearance.h"
 #include "tests/worlds/changing_world.h"

@@ -1,11 +1,11 @@
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/drive/drive_checker.h"
 #include "tests/worlds/changing_world.h"

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <span>
 
-#include "lasius/drive.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
+#include "lasius/drive/drive.h"
 #include "tests/oracle/drive/drive_checker.h"
 #include "tests/worlds/grids.h"
 

@@ -1,13 +1,13 @@
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
-#include "lasius/error.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"

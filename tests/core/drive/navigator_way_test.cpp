@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "lasius/drive.h"
-#include "lasius/error.h"
-#include "lasius/navigator.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/drive/drive.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"

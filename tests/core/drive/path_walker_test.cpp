@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/worlds/changing_world.h"
 
 namespace lasius {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "kernels/base/random_stream.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/drive.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/drive/kept_way.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/navigator.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/scan.h"
 
 namespace lasius::vehicle {

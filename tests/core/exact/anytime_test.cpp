@@ -10,9 +10,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "lasius/generate.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

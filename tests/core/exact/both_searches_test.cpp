@@ -3,7 +3,7 @@
 
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/worlds/shared_maps.h"

@@ -13,7 +13,7 @@
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/oracle/dense_dijkstra.h"

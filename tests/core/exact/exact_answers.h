@@ -10,7 +10,7 @@
 
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/grids.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/bucket_queue.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/exact/exact_answers.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/exact/exact_answers.h"
 
 namespace lasius {

@@ -7,7 +7,7 @@
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
 #include "core/grid/grid_view.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/worlds/grids.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/exact/exact.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/exact/exact_answers.h"
 
 namespace lasius {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/exact/exact.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/measures/count_allocations.h"

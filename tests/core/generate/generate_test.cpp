@@ -1,4 +1,4 @@
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

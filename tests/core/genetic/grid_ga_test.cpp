@@ -8,9 +8,9 @@
 
 #include "core/base/poller.h"
 #include "core/genetic/grid_ga_route.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/oracle/visibility_graph.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {

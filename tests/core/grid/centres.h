@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius {
 

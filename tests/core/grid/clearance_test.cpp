@@ -1,4 +1,4 @@
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

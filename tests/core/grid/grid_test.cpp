@@ -1,11 +1,11 @@
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/worlds/grids.h"
 

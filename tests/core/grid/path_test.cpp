@@ -1,4 +1,4 @@
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 
 #include <gtest/gtest.h>
 

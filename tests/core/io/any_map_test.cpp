@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/io/images.h"
 #include "tests/worlds/grids.h"

@@ -1,11 +1,12 @@
+#include "lasius/io/json.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "lasius/error.h"
-#include "lasius/io_json.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/loop/same_result.h"
 

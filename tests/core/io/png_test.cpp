@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/io/chunks.h"
 #include "tests/core/io/images.h"

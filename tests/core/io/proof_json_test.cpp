@@ -4,8 +4,8 @@
 #include <random>
 #include <string>
 
-#include "lasius/cost_planner.h"
-#include "lasius/io_json.h"
+#include "lasius/cost/planner.h"
+#include "lasius/io/json.h"
 #include "tests/core/base/refusal.h"
 #include "tests/worlds/weights.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/grey_image.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/io/images.h"
 #include "tests/worlds/grids.h"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lasius/result.h"
+#include "lasius/plan/result.h"
 
 namespace lasius {
 

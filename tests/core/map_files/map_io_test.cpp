@@ -1,4 +1,4 @@
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/other_locale.h"
 #include "tests/core/base/refusal.h"

@@ -13,8 +13,8 @@
 #include <string_view>
 
 #include "core/base/number_text.h"
-#include "lasius/error.h"
-#include "lasius/params.h"
+#include "lasius/base/error.h"
+#include "lasius/params/params.h"
 #include "tests/core/base/counting_time.h"
 
 namespace lasius {

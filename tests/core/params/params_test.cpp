@@ -1,4 +1,4 @@
-#include "lasius/params.h"
+#include "lasius/params/params.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/params/parameter_ends.h"
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "lasius/batch.h"
-#include "lasius/cost_planner.h"
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/cost/planner.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/batch.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/grids.h"

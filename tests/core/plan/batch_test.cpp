@@ -1,4 +1,4 @@
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/loop/same_result.h"

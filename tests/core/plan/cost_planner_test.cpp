@@ -1,6 +1,4 @@
 // Planning over costs from outside: what is refused, uniform weights, stops, observers.
-#include "lasius/cost_planner.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,8 +8,9 @@
 #include <vector>
 
 #include "core/plan/disc_path.h"
-#include "lasius/error.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/cost/planner.h"
+#include "lasius/path/path.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/base/poller.h"
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

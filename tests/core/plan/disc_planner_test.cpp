@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "lasius/batch.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/batch.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/disc/disc_worlds.h"

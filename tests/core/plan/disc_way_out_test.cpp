@@ -1,7 +1,7 @@
 // Where a robot stands nearer than its radius, and the clearance that a leg keeps.
 #include <gtest/gtest.h>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

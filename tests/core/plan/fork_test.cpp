@@ -3,7 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "lasius/batch.h"
+#include "lasius/plan/batch.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {

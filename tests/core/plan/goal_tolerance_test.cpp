@@ -5,9 +5,9 @@
 #include <optional>
 #include <tuple>
 
-#include "lasius/batch.h"
-#include "lasius/error.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/batch.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"

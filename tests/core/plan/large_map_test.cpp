@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/map_io.h"
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/made_files.h"
 #include "tests/worlds/planning.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "lasius/path.h"
-#include "lasius/planner.h"
+#include "lasius/path/path.h"
+#include "lasius/plan/planner.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/worlds/planning.h"
 

@@ -1,4 +1,4 @@
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "kernels/base/cpu.h"
-#include "lasius/error.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/environment_variable.h"
 #include "tests/core/loop/same_result.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "lasius/clearance.h"
-#include "lasius/path.h"
+#include "lasius/grid/clearance.h"
+#include "lasius/path/path.h"
 #include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"

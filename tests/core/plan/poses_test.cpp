@@ -1,13 +1,13 @@
 // Poses along paths and curves: how far apart, where, and which way they look.
-#include "lasius/poses.h"
+#include "lasius/path/poses.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "lasius/error.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/planner.h"
 
 namespace lasius {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "core/base/poller.h"
 #include "core/grid/components.h"
-#include "lasius/clearance.h"
-#include "lasius/generate.h"
-#include "lasius/planner.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/grid/clearance.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/shortest_walk.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

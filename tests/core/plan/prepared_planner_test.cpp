@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "lasius/batch.h"
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/batch.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/made_files.h"
 #include "tests/worlds/grids.h"

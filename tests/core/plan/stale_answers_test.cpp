@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "lasius/generate.h"
-#include "lasius/navigator.h"
-#include "lasius/planner.h"
+#include "lasius/drive/navigator.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/planner.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "lasius/planner.h"
+#include "lasius/plan/planner.h"
 #include "tests/measures/count_pages.h"
 
 namespace lasius {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "lasius/error.h"
-#include "lasius/params.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/params/params.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/worlds/planning.h"

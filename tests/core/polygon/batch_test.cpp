@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/base/error.h"
+#include "lasius/polygon/plan.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/loop/same_result.h"

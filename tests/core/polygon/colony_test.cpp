@@ -4,8 +4,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "lasius/error.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/core/polygon/known_world.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 #include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {

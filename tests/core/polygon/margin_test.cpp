@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/worlds/disc_bitmap.h"
 #include "tests/worlds/random_world.h"

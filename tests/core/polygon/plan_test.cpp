@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/polygon/known_world.h"

@@ -1,12 +1,12 @@
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lasius/error.h"
-#include "lasius/path.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
+#include "lasius/polygon/plan.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/least_tour.h"
 

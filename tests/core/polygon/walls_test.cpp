@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/polygon/world/rings.h"
-#include "lasius/planner.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/plan/planner.h"
+#include "lasius/polygon/plan.h"
 #include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {

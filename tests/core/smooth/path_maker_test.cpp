@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/grid/centres.h"
 #include "tests/oracle/visibility_graph.h"

@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "core/smooth/loop_cutter.h"
-#include "lasius/error.h"
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/grid/centres.h"
 #include "tests/measures/count_allocations.h"

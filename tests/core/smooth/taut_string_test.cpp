@@ -7,9 +7,9 @@
 
 #include "core/smooth/loop_cutter.h"
 #include "core/smooth/straighten.h"
-#include "lasius/error.h"
-#include "lasius/path.h"
-#include "lasius/smooth.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
+#include "lasius/path/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/grid/centres.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/tour/rooms.h"
 

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "lasius/error.h"
-#include "lasius/path.h"
-#include "lasius/tour.h"
+#include "lasius/base/error.h"
+#include "lasius/path/path.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/rooms.h"
 #include "tests/oracle/least_tour.h"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lasius/grid.h"
-#include "lasius/tour.h"
+#include "lasius/grid/grid.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/tour/rooms.h"
 #include "tests/oracle/least_tour.h"

@@ -1,4 +1,4 @@
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 
 #include "core/tour/map_pricer.h"
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/rooms.h"
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/vehicle/angle.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/planner.h"
 #include "lasius/vehicle/profile.h"
 #include "tests/core/base/counting_time.h"

@@ -10,7 +10,7 @@
 #include "core/vehicle/bound.h"
 #include "core/vehicle/flood.h"
 #include "core/vehicle/prices.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/core/vehicle/dense_check.h"
 

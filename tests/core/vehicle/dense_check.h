@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/grid.h"
+#include "lasius/grid/grid.h"
 #include "lasius/vehicle/planner.h"
 
 namespace lasius::vehicle {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/vehicle/angle.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/vehicle/footprint_judge.h"

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "lasius/map_io.h"
+#include "lasius/grid/map_io.h"
 #include "lasius/vehicle/planner.h"
 #include "tests/oracle/vehicle/footprint_judge.h"
 #include "tests/oracle/vehicle/motions.h"

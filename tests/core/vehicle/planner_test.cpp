@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/vehicle/angle.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/dense_check.h"
 #include "tests/worlds/grids.h"

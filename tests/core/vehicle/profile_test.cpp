@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::vehicle {
 namespace {

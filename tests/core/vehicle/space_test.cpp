@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/vehicle/dense_check.h"
 #include "tests/worlds/grids.h"

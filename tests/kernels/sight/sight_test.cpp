@@ -4,7 +4,7 @@
 
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight_cone.h"
-#include "lasius/path.h"
+#include "lasius/path/path.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/worlds/grids.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/arm_robot.h"
+#include "lasius/arm/robot.h"
 
 namespace lasius::oracle {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 namespace lasius {
 

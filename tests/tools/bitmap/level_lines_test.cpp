@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/cost/level_values.h"
-#include "lasius/cost_planner.h"
+#include "lasius/cost/planner.h"
 
 namespace lasius::tool {
 namespace {

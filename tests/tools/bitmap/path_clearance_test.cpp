@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lasius/clearance.h"
+#include "lasius/grid/clearance.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius::tool {

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/made_files.h"
 
 namespace lasius::tool {

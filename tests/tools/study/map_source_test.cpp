@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius::study {
 namespace {

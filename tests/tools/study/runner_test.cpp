@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/map_io.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
 #include "tools/console/crew.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
 #include "tests/tools/yaml/fault_line.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 
 namespace lasius {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "lasius/error.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/plan/planner.h"
 #include "tools/study/map_source.h"
 
 namespace lasius::study {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/did_you_mean.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/values.h"
 #include "tools/study/description/study_parts.h"
 #include "tools/study/map_source.h"

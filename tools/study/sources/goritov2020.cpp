@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "lasius/arm_generate.h"
-#include "lasius/error.h"
+#include "lasius/arm/generate.h"
+#include "lasius/base/error.h"
 
 namespace lasius::study {
 namespace {

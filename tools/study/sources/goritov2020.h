@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/plan.h"
 #include "tools/study/runner.h"
 
 namespace lasius::study {

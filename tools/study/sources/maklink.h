@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "lasius/polygon_plan.h"
+#include "lasius/polygon/plan.h"
 #include "tools/study/runner.h"
 
 namespace lasius::study {

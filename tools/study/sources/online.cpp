@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "bench/peers/dstar_pilot.h"
-#include "lasius/drive.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/drive/drive.h"
+#include "lasius/path/shortest_walk.h"
 #include "tools/study/sources/online_pilots.h"
 #include "tools/study/sources/online_worlds.h"
 

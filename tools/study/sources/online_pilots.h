@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "lasius/navigator.h"
+#include "lasius/drive/navigator.h"
 
 namespace lasius::study {
 

@@ -5,9 +5,9 @@
 #include <random>
 #include <sstream>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/plan/planner.h"
 #include "tools/study/map_source.h"
 
 namespace lasius::study {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "lasius/drive.h"
+#include "lasius/drive/drive.h"
 
 namespace lasius::study {
 

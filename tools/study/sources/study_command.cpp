@@ -5,7 +5,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/output.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/crew.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"

@@ -4,8 +4,8 @@
 #include <random>
 #include <sstream>
 
-#include "lasius/error.h"
-#include "lasius/tour.h"
+#include "lasius/base/error.h"
+#include "lasius/tour/tour.h"
 
 namespace lasius::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "lasius/tsplib.h"
+#include "lasius/tour/tsplib.h"
 #include "tools/study/runner.h"
 
 namespace lasius::study {

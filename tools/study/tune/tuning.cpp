@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tools/console/signals.h"
 #include "tools/console/values.h"
 #include "tools/study/bitmaps.h"

@@ -7,8 +7,8 @@
 
 #include "core/arm/contact/contact.h"
 #include "core/arm/contact/pair_tests.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_sensor.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/sensor.h"
 #include "tests/core/arm/contact/draw.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/counting_time.h"

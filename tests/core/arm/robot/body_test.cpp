@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lasius/arm_generate.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/error.h"
+#include "lasius/arm/generate.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/arm/robot/refusals.h"
 #include "tests/core/base/made_files.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/arm/robot/refusals.h"
 #include "tests/core/base/made_files.h"

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_sensor.h"
-#include "lasius/error.h"
+#include "lasius/arm/sensor.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/refusal.h"
 

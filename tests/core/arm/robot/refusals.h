@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "lasius/arm_robot.h"
-#include "lasius/error.h"
+#include "lasius/arm/robot.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/refusal.h"
 
 namespace lasius::arm {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/arm/robot/arms.h"
 #include "tests/core/arm/robot/refusals.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/exact/prepared_search.h"
 #include "core/grid/grid_view.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/core/exact/exact_answers.h"
 
 namespace lasius {

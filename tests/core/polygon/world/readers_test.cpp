@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/polygon_world.h"
+#include "lasius/base/error.h"
+#include "lasius/polygon/world.h"
 
 namespace lasius::polygon {
 namespace {

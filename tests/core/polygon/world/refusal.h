@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "lasius/error.h"
-#include "lasius/polygon_world.h"
+#include "lasius/base/error.h"
+#include "lasius/polygon/world.h"
 #include "tests/core/base/refusal.h"
 
 namespace lasius::polygon {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/polygon/world/refusal.h"
 
 namespace lasius::polygon {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/polygon_plan.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/polygon/plan.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/polygon/world/refusal.h"
 

@@ -9,7 +9,7 @@
 #include "core/tour/ants/improver.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"

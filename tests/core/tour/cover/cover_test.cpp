@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/path.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
+#include "lasius/path/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/rooms.h"
 #include "tests/oracle/disc_paths.h"

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "lasius/error.h"
-#include "lasius/generate.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/generate.h"
 #include "lasius/tour/cover.h"
 #include "tests/core/base/counting_time.h"
 

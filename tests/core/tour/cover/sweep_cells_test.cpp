@@ -8,7 +8,7 @@
 
 #include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/swath_order.h"
-#include "lasius/generate.h"
+#include "lasius/grid/generate.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/worlds/grids.h"
 

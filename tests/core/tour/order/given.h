@@ -10,7 +10,7 @@
 #include "core/tour/order/costs.h"
 #include "core/tour/order/partial_order.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/tour/order/instances.h"
 #include "tests/oracle/least_tour.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/tour/order/costs.h"
 #include "kernels/base/random_stream.h"
-#include "lasius/geometry.h"
+#include "lasius/grid/geometry.h"
 
 namespace lasius::tour {
 

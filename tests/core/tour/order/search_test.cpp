@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/tour/order/subset_dp.h"
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/given.h"
 #include "tests/core/tour/order/instances.h"

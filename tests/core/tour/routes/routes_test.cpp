@@ -9,7 +9,7 @@
 #include "core/tour/routes/route_bound.h"
 #include "core/tour/routes/route_state.h"
 #include "core/tour/routes/walk_bound.h"
-#include "lasius/tour.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
 #include "tests/oracle/least_tour.h"

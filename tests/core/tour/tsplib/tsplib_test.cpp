@@ -1,4 +1,4 @@
-#include "lasius/tsplib.h"
+#include "lasius/tour/tsplib.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/tour/order/search.h"
-#include "lasius/error.h"
-#include "lasius/tour.h"
+#include "lasius/base/error.h"
+#include "lasius/tour/tour.h"
 #include "tests/core/base/refusal.h"
 #include "tests/oracle/least_tour.h"
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "lasius/error.h"
+#include "lasius/base/error.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/vehicle/tour/least_tour.h"
 #include "tests/oracle/vehicle/footprint_judge.h"

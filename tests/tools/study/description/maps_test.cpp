@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "lasius/planner.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/path/shortest_walk.h"
+#include "lasius/plan/planner.h"
 #include "tests/worlds/grids.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/description/study_file.h"

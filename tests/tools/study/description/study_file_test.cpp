@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "lasius/error.h"
-#include "lasius/map_io.h"
-#include "lasius/planner.h"
+#include "lasius/base/error.h"
+#include "lasius/grid/map_io.h"
+#include "lasius/plan/planner.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
 #include "tests/tools/yaml/fault_line.h"

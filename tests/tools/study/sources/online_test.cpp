@@ -6,9 +6,9 @@
 #include <set>
 
 #include "bench/peers/dstar_pilot.h"
-#include "lasius/error.h"
-#include "lasius/planner.h"
-#include "lasius/shortest_walk.h"
+#include "lasius/base/error.h"
+#include "lasius/path/shortest_walk.h"
+#include "lasius/plan/planner.h"
 #include "tools/study/description/study_file.h"
 #include "tools/study/sources/online_pilots.h"
 #include "tools/study/sources/online_worlds.h"
