@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/json_place.h"
 #include "core/base/number_text.h"
@@ -22,13 +23,30 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-Json point(Point p) { return Json::array({number(p.x), number(p.y)}); }
+Json point(Point p) {
+  Json::array_t pair(2);
+  pair[0] = number(p.x);
+  pair[1] = number(p.y);
+  return pair;
+}
 
 Json points(const std::vector<Point>& path) {
   if (path.empty()) return nullptr;
-  Json list = Json::array();
+  Json::array_t list;
+  list.reserve(path.size());
   for (const Point p : path) list.push_back(point(p));
   return list;
+}
+
+Json roomy_object() {
+  constexpr std::size_t kMembers = 64;
+  Json::object_t object;
+  object.reserve(kMembers);
+  return object;
+}
+
+void append(Json& to, Json&& members) {
+  for (auto& [name, value] : members.get_ref<Json::object_t&>()) to[name] = std::move(value);
 }
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }

@@ -27,6 +27,12 @@ LASIUS_IO_EXPORT Json numbers(const std::vector<double>& values);
 LASIUS_IO_EXPORT Json point(Point p);
 LASIUS_IO_EXPORT Json points(const std::vector<Point>& path);
 
+/// An empty object with room for the members of an answer: one that grows copies all that it has,
+/// paths among them.
+LASIUS_IO_EXPORT Json roomy_object();
+/// Moves the members of an object to the end of another, over those of the same names.
+LASIUS_IO_EXPORT void append(Json& to, Json&& members);
+
 /// The text, or null where it is empty.
 LASIUS_IO_EXPORT Json text_or_null(const std::string& text);
 

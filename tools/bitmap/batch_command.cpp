@@ -167,7 +167,7 @@ int run_bitmap_batch(const PlanCommand& command) {
       Record record = record_of(map, run, answer);
       record.index = run.part.among_all(index);
       record.seed = found.seed;
-      take(record, end_texts(run, answer), found.result.path);
+      take(std::move(record), end_texts(run, answer), found.result.path);
     };
     in_metres_asked(map, run, [&] {
       if (map.costs)

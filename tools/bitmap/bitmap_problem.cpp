@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "lasius/io/json.h"
 #include "tools/bitmap/bitmap_report.h"
@@ -83,7 +84,7 @@ Json alternatives_json(const MapEnds& ends, const Answer& answer) {
 
 Json path_json(const MapEnds& ends, const Answer& answer, bool has_path) {
   const Result& result = answer.result;
-  Json json = Json::object();
+  Json json = json::roomy_object();
   if (ends.map.costs) {
     const auto& costs = answer.over_costs;
     json["cost"] = costs && has_path ? number(costs->cost) : Json(nullptr);
@@ -265,8 +266,8 @@ Record record_of(const LoadedMap& map, const RunOptions& run, const Answer& answ
     add_costs(record, findings, *map.costs, answer);
     if (!run.json && record.has_path()) record.remarks.push_back(cost_text(*answer.over_costs));
   }
-  record.answer =
-      answer_json(record, path_json(ends, answer, record.has_path()), Json::object(), findings);
+  record.answer = answer_json(record, path_json(ends, answer, record.has_path()), Json::object(),
+                              std::move(findings));
   return record;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
@@ -77,7 +78,7 @@ Record polygon_record(const LoadedWorld& world, const SearchOptions& options,
   const auto& end = found.goal_reached;
   if (options.goal_tolerance > 0) path["goal_reached"] = end ? point(*end) : Json();
   path["path"] = points(found.path);
-  record.answer = answer_json(record, path, Json::object(), findings_of(world, found));
+  record.answer = answer_json(record, std::move(path), Json::object(), findings_of(world, found));
   if (!found.note.empty()) record.remarks.push_back(found.note);
   if (!options.json && end && *end != answer.goal)
     record.remarks.push_back("the path ends at (" + to_text(end->x) + ", " + to_text(end->y) +
@@ -178,8 +179,8 @@ int run_polygon_batch(PolygonCommand plan) {
       record.index = plan.part.among_all(part.first + found.index);
       record.seed = found.seed;
       const auto [start, goal] = std::pair(one.start, one.goal);
-      take(record, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
-           one.result.path);
+      take(std::move(record),
+           {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)}, one.result.path);
     };
     polygon::plan_batch(world.planner, asked, parameters, how, receive);
   };

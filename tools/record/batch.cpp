@@ -113,14 +113,16 @@ class BatchOutput {
   }
 
   /// By any thread.
-  Told told(const Record& run, const std::vector<std::string>& ends,
+  Told told(Record&& run, const std::vector<std::string>& ends,
             const std::vector<Point>& path) const {
-    return {.line = json_line(run),
-            .row = csv_ ? row(run, ends) : "",
-            .status = run.result.status,
-            .code = exit_code(run),
-            .why = explain(run),
-            .path = paths_ && run.has_path() ? path : std::vector<Point>()};
+    Told told{.line = {},
+              .row = csv_ ? row(run, ends) : "",
+              .status = run.result.status,
+              .code = exit_code(run),
+              .why = explain(run),
+              .path = paths_ && run.has_path() ? path : std::vector<Point>()};
+    told.line = json_line(std::move(run));
+    return told;
   }
 
   void add(Told&& told) {
@@ -237,7 +239,9 @@ class SharedBatch {
     batch_.answer({.first = first,
                    .count = std::min(chunk_, batch_.queries - first),
                    .seed = batch_.options.seed + seed},
-                  how, [&](const auto&... answer) { text += text_of(output_.told(answer...)); });
+                  how, [&](Record&& run, const auto&... shown) {
+                    text += text_of(output_.told(std::move(run), shown...));
+                  });
     return how_.token.stop_requested() ? std::string() : text;
   }
 
@@ -296,7 +300,9 @@ int run_batch(const Batch& batch, const SignalWatcher& signals, Delivery& delive
     whole = shared.emplace(*crew(), batch, how, output).run();
   else
     batch.answer({.count = batch.queries, .seed = options.seed}, how,
-                 [&](const auto&... answer) { output.add(output.told(answer...)); });
+                 [&](Record&& run, const auto&... shown) {
+                   output.add(output.told(std::move(run), shown...));
+                 });
   output.write_files();
   const bool interrupted = signals.interrupted() || !whole;
   if (shared && !interrupted) shared->end();

@@ -19,7 +19,7 @@ namespace lasius::tool {
 /// What a kind plugs into run_batch.
 struct Batch {
   /// Takes an answer: start and goal as texts, and its path as pictures have it.
-  using Take = std::function<void(const Record&, const std::vector<std::string>& ends,
+  using Take = std::function<void(Record&&, const std::vector<std::string>& ends,
                                   const std::vector<Point>& path)>;
 
   const SearchOptions& options;

@@ -1,6 +1,7 @@
 #include "tools/record/problem.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lasius/base/error.h"
 #include "tools/console/elapsed.h"
@@ -119,7 +120,7 @@ Json replay(Problem& problem, const Recorded& from) {
   problem.plan({}, {});
   Record run = problem.record();
   if (from.result.contains("index")) run.index = recorded<std::size_t>(from.result, "index");
-  return result_json(run);
+  return result_json(std::move(run));
 }
 
 }  // namespace lasius::tool

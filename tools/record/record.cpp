@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "lasius/version.h"
 #include "tools/console/exit_code.h"
@@ -76,11 +77,12 @@ bool wants_json(const SearchOptions& options) {
          });
 }
 
-Json answer_json(const Record& run, const Json& path, const Json& effort, const Json& findings) {
-  Json json = {{"length", number(run.result.length)}};
-  json.update(path);
+Json answer_json(const Record& run, Json path, Json effort, Json findings) {
+  Json json = json::roomy_object();
+  json["length"] = number(run.result.length);
+  json::append(json, std::move(path));
   add_convergence(json, run.result.curves);
-  json.update(effort);
+  json::append(json, std::move(effort));
   add_proof(json, run.result);
   json["gap"] = optional_number(run.gap);
   if (run.options.with_optimum) {
@@ -88,12 +90,14 @@ Json answer_json(const Record& run, const Json& path, const Json& effort, const 
     json["optimum_gap"] =
         optional_number(gap_to(run.optimum, run.cost.value_or(run.result.length)));
   }
-  json.update(findings);
+  json::append(json, std::move(findings));
   return json;
 }
 
-Json result_json(const Record& run) {
-  Json json = {{"format", run.format}, {"version", LASIUS_VERSION}};
+Json result_json(Record run) {
+  Json json = json::roomy_object();
+  json["format"] = run.format;
+  json["version"] = LASIUS_VERSION;
   if (run.index) json["index"] = *run.index;
   if (const Part& part = run.options.part; part.divided())
     json["part"] = {{"number", part.number},
@@ -101,21 +105,21 @@ Json result_json(const Record& run) {
                     {"queries", part.whole},
                     {"hash", part.queries},
                     {"seeds", {run.options.seed, run.options.seeds}}};
-  json.update(run.inputs);
+  json::append(json, std::move(run.inputs));
   json["algorithm"] = run.algorithm.name;
-  json["start"] = run.start;
-  json["goal"] = run.goal;
+  json["start"] = std::move(run.start);
+  json["goal"] = std::move(run.goal);
   json["seed"] = run.seed;
   json["threads"] = run.options.threads;
-  json["parameters"] = run.parameters;
+  json["parameters"] = std::move(run.parameters);
   json["status"] = to_string(run.result.status);
   json["error"] = text_or_null(run.error);
-  json.update(run.answer);
+  json::append(json, std::move(run.answer));
   json["elapsed_ms"] = number(run.elapsed_ms);
   return json;
 }
 
-std::string json_line(const Record& run) { return line(result_json(run)); }
+std::string json_line(Record run) { return line(result_json(std::move(run))); }
 
 std::string plain_text(const Record& run) {
   std::ostringstream out;

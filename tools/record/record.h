@@ -74,12 +74,12 @@ bool wants_json(const SearchOptions& options);
 
 /// An answer's keys in the order of the contract, with those of a kind: "path" and what goes with
 /// it; what the search took; what else was found.
-Json answer_json(const Record& run, const Json& path, const Json& effort = Json::object(),
-                 const Json& findings = Json::object());
+Json answer_json(const Record& run, Json path, Json effort = Json::object(),
+                 Json findings = Json::object());
 
 /// A result, keys in the order of the contract; and as a line of text.
-Json result_json(const Record& run);
-std::string json_line(const Record& run);
+Json result_json(Record run);
+std::string json_line(Record run);
 
 /// Status, length and path, a point a line; of other ways an empty line, length and path.
 std::string plain_text(const Record& run);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_ends.h"
@@ -63,7 +64,7 @@ Json parameters_of(const VehicleMap& on, const VehicleCommand& command) {
 }
 
 Json path_json(const VehicleMap& on, const VehicleCommand& command, const VehicleAnswer& answer) {
-  Json json = Json::object();
+  Json json = json::roomy_object();
   const bool metres = in_metres(command), found = answer.has_path();
   const auto& segments = answer.result.segments;
   std::vector<Point> path, path_world;
@@ -328,7 +329,7 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
   }
   if (!command.run.json && answer.has_path()) record.remarks.push_back(summary(record, answer));
   record.answer =
-      answer_json(record, path_json(on, command, answer), effort_json(answer), findings);
+      answer_json(record, path_json(on, command, answer), effort_json(answer), std::move(findings));
   return record;
 }
 

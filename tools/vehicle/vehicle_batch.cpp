@@ -2,6 +2,7 @@
 #include <array>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "core/base/text_lines.h"
 #include "core/loop/batch_run.h"
@@ -113,7 +114,7 @@ int run_vehicle_batch(VehicleCommand command) {
       std::vector<Point> path;
       for (const auto& timed : timed_poses(on, command, answer))
         path.push_back({timed.at.pose.x, timed.at.pose.y});
-      take(record, end_texts(answer), path);
+      take(std::move(record), end_texts(answer), path);
     };
     const auto asked = std::span<const PoseQuery>(queries).subspan(part.first, part.count);
     run_batch<VehicleAnswer>(asked, part.seed, how, receive, [&] {
