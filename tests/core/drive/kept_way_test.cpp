@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lasius/vehicle/navigator.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::vehicle {
 namespace {
@@ -39,6 +40,16 @@ TEST(KeptWay, MeetsWhatATurnSweeps) {
   EXPECT_TRUE(met({45, 50}));   // and near its end
   EXPECT_FALSE(met({50, 45}));  // on the other side
   EXPECT_FALSE(met({44, 44}));
+}
+
+// Straight on something is in the way: it turns away from what it meets.
+TEST(KeptWay, LeadsOutByATurn) {
+  const Grid grid = with_blocked(60, 60, {{33, 31}, {37, 30}});
+  const auto out = ways_out(differential(kBox), grid, {30, 30, 0});
+  ASSERT_FALSE(out.empty());
+  EXPECT_EQ(out[0].gear, 0);
+  EXPECT_GT(out[0].angle, -0.6);  // at -0.39 the side is past the corner (3, 1)
+  EXPECT_LT(out[0].angle, -0.3);
 }
 
 TEST(KeptWay, LeadsBackWhereBackwardsIsDear) {
