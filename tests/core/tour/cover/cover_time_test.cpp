@@ -44,6 +44,17 @@ TEST(Cover, IsNotLongerTheLaterItIsCut) {
   EXPECT_GT(cut, 10);
 }
 
+// The time for plans is up, that of the tour is not.
+TEST(Cover, TellsThatPlansWereCut) {
+  CoverRequest request;
+  request.width = 2;
+  const CountingTime time(2);  // whose shares are taken
+  request.stop = time.is_up();
+  request.stop.deadline += std::chrono::hours(1);
+  const Planner planner(Grid(12, 4), Disc{0.5});
+  EXPECT_EQ(plan_cover(planner, request).tour.status, Status::limit);
+}
+
 // Between pillars one swath each is laid that others cut back: too many in want of time, which is
 // no fault of the width's.
 TEST(Cover, RefusesNoWidthForWantOfTime) {
