@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tour/order/path_exchange.h"
 #include "core/tour/order/search.h"
 #include "core/tour/order/subset_dp.h"
 #include "core/tour/order/window_search.h"
@@ -117,6 +118,24 @@ TEST(PartialOrder, OfAsymmetricCostsIsThatOfSubsets) {
     equal += best.empty() || found.cost == cost_of(stops.costs(), best, true);
   }
   EXPECT_GE(equal, 19);
+}
+
+// Also where that stop must come before what follows the piece.
+TEST(PathExchange, PutsAPieceBeforeAStop) {
+  const std::vector<Cost> matrix = {0,  5,  10, 99, 99,  //
+                                    99, 0,  10, 0,  99,  //
+                                    99, 5,  0,  5,  99,  //
+                                    99, 99, 99, 0,  0,   //
+                                    99, 99, 99, 99, 0};
+  const Costs costs(5, matrix.data());
+  const PartialOrder given(5, std::vector<Before>{{1, 3}});
+  Poller poller(kNeverStops);
+  const StopPath path(costs, {true, 0, 4}, given, poller);
+  PathExchange exchange(path);
+  exchange.set({0, 1, 2, 3, 4});
+  exchange.wake_all();
+  EXPECT_TRUE(exchange.improve(poller));
+  EXPECT_EQ(exchange.now().nodes, (std::vector<int>{0, 2, 1, 3, 4}));
 }
 
 TEST(PartialOrder, StoppedGivesTheBestSoFar) {
