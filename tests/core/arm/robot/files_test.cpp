@@ -60,9 +60,10 @@ TEST(ShortRobot, BadFields) {
       {"{\r\"a\": 1,\r\"a\": 2}", "line 3, byte 12: \"a\" is given again"},
   };
   for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
-  expect_error(
-      R"({"format": "lasius-arm/1", "joints": [{)" + good + R"(}], "may_touch": [[0, 9]]})",
-      ErrorCode::file_broken, "may_touch");
+  for (const std::string pair : {"[0, 9]", "[0.5, 1]"})
+    expect_error(
+        R"({"format": "lasius-arm/1", "joints": [{)" + good + R"(}], "may_touch": [)" + pair + "]}",
+        ErrorCode::file_broken, "may_touch");
 }
 
 std::string binary_stl(std::uint32_t claimed, const std::vector<float>& corners) {
