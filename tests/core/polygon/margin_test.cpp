@@ -180,6 +180,20 @@ TEST(Margin, RoomBetweenACornerAndABoundaryThatIsKept) {
   }
 }
 
+// Squares outside of it, 1 from each side.
+TEST(Margin, LinesKeepItOfWhatIsBeyondABoundaryThatIsKept) {
+  World world = empty_world(10, 10);
+  for (const auto& [x, y] : {Point{4, -3}, {4, 11}, {-3, 4}, {11, 4}})
+    world.obstacles.push_back({{{x, y}, {x + 2, y}, {x + 2, y + 2}, {x, y + 2}}, {}});
+  const Planner planner(world, {.margin = 2, .boundary = Boundary::keep});
+  const Point ends[][2] = {
+      {{1, 0.5}, {9, 0.5}}, {{1, 9.5}, {9, 9.5}}, {{0.5, 1}, {0.5, 9}}, {{9.5, 1}, {9.5, 9}}};
+  for (const auto& [start, goal] : ends) {
+    const Result r = planner.plan({.start = start, .goal = goal}, Params("maklink-acs"));
+    EXPECT_GE(r.length, (1 - 1e-9) * r.optimum.value()) << start.x << ' ' << start.y;
+  }
+}
+
 TEST(Margin, NothingIsUnreachableThatADiscReaches) {
   int reached = 0;
   for (int i = 0; i < 12; ++i) {
