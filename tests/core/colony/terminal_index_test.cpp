@@ -111,6 +111,15 @@ TEST(TerminalIndex, Figure3JoinsTwoLongPathsToTheOptimum) {
   EXPECT_NEAR(answer(index), 30.97, 0.005);
 }
 
+// So far off that rounding hides a step.
+TEST(TerminalIndex, CellsWithoutAWayDoNotHoldUpEachOther) {
+  WalkedGrid index(Params("terminal-index"), 1 << 22);
+  for (const int x : {4, 5}) index.rows.field.set_tau({x, 2}, 0, 1 << 21);
+  forget_lost_ways(index.rows.field, index.grid, index.params.corners, index.rows.moves, index.goal,
+                   {4, 2, 2, 1});
+  for (const int x : {4, 5}) EXPECT_EQ(index.tau(x, 2), 1 << 22);
+}
+
 TEST(TerminalIndex, WeightsAreEquations8And9) {
   // At (3, 2), goal (10, 2): K(4, 2) = 0 is Kmin, so K' = K; unknown 99. East: the least weight.
   // Rows hold one over it.
