@@ -167,5 +167,13 @@ TEST(Robot, WhatIsOutOfItsRangeIsRefusedByName) {
   refused("links[0].parent is 1", [](auto& r, auto&, auto&) { r.links[0].parent = 1; });
 }
 
+TEST(Robot, HasAsManyJointsAsItMayHave) {
+  Robot robot = two_links();
+  robot.joints.resize(Robot::kMaxJoints, robot.joints[1]);
+  EXPECT_NO_THROW(validate(robot));
+  robot.joints.push_back(robot.joints[1]);
+  expect_says(error_of([&] { validate(robot); }), "17 joints");
+}
+
 }  // namespace
 }  // namespace lasius::arm
