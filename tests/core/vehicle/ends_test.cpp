@@ -52,6 +52,7 @@ TEST(VehicleEnds, BesideTheBorder) {
       for (const auto& [start, goal] : {std::pair(beside, inside), std::pair(before, parked)}) {
         const Result result = planner.plan({.start = start, .goals = {goal}});
         EXPECT_EQ(result.status, Status::solved) << kind.name << " " << room << " " << result.error;
+        EXPECT_LT(result.cost, room < 0.1 ? 220 : 140) << kind.name << " " << room;
         EXPECT_FALSE(
             oracle::FootprintJudge(grid, kind.vehicle.footprint).first_touch(path_of(result)));
       }
