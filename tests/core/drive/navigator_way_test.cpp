@@ -101,6 +101,8 @@ TEST(NavigatorWay, LeadsOutOfWhereTheRobotMayNotBe) {
     EXPECT_EQ(first.status, Status::solved);
     EXPECT_EQ(first.path.front(), centre(robot));
     EXPECT_FALSE(first.optimal);
+    EXPECT_TRUE(first.curve.empty());
+    EXPECT_NEAR(first.length, path_length(first.path), 1e-9);
     int plans = 0;
     for (int moves = 0; robot != navigator.goal() && moves < 200; ++moves) {
       const Way& way = navigator.step(robot);
