@@ -244,6 +244,15 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
   }
 }
 
+// Told by a sixth of the corners.
+TEST(CornerGraph, ExpectsAboutWhatItHolds) {
+  std::mt19937 random(7);
+  const Grid grid = random_grid(36, 36, 10, random);
+  const Graph graph = graph_of(grid);
+  const auto held = static_cast<double>(graph->bytes());
+  EXPECT_NEAR(static_cast<double>(CornerGraph::expected_bytes(grid, {})), held, 0.2 * held);
+}
+
 int polls_of_making(const Grid& grid) {
   const CountingTime counted(1 << 30);
   EXPECT_NE(graph_of(grid, {.threads = 1, .stop = counted.is_up()}), nullptr);
