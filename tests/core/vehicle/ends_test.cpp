@@ -141,6 +141,11 @@ TEST(VehicleEnds, TurnedOften) {
     EXPECT_NEAR(often.segments[0].begin.yaw, 0.3, 1e-10);
     EXPECT_NEAR(often.length, once.length, 1e-6);
   }
+  const auto stand = [&](double yaw) {
+    return planner.plan({.start = {20, 20, yaw}, .goals = {{20, 20, yaw}}}).status;
+  };
+  EXPECT_EQ(stand(1e5), Status::solved);
+  EXPECT_THROW(stand(1e5 + 1e-9), Error);
   // To the last digit: 2 pi is 6.28318530717958647692...
   EXPECT_NEAR(half_turned(1e5), 3.10583623688121974, 1e-15);
   EXPECT_NEAR(kernels::sine_cosine(half_turned(1e5)).sine, kernels::sine_cosine(1e5).sine, 1e-15);
