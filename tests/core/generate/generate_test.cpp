@@ -62,6 +62,7 @@ TEST(Generate, MakesTheSameBitsEverywhere) {
       {MapKind::rooms, {500, 333, 0.3, 7}, 0xb784852bb7f41a51},
       {MapKind::city, {200, 150}, 0x2aa21cf8bee7fa22},
       {MapKind::city, {3000, 2000, 0.2, 7}, 0x6fc0a271294b6465},
+      {MapKind::city, {65, 2}, 0xef462f6dc3b52d0d},
       {MapKind::random, {200, 150}, 0x6912833ccaa0da40},
       {MapKind::random, {65, 3, 0.5, 7}, 0xe35d6cf4a1d60106},
       {MapKind::open, {200, 150}, 0xdb49e6793e212af4},
