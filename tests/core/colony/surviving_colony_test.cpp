@@ -167,6 +167,19 @@ TEST(SurvivingColony, DropsABestWayThatIsBlocked) {
   EXPECT_GE(colony.run({0, 1}, 30).length, shorter);
 }
 
+// Pockets on both sides of the way, in which ants die.
+TEST(SurvivingColony, KeepsItsTrailWhereNoAntHasArrived) {
+  const Grid grid = grid_of(41, 5, [](int x, int y) { return y != 2 && x % 2 == 1; });
+  Params params = few_ants("as");
+  params.dead_end = DeadEnd::kill;
+  params.trail = Trail::cells;
+  SurvivingColony colony(grid, {40, 2}, params), other(grid, {40, 2}, params);
+  EXPECT_EQ(colony.run({0, 2}, 1).curves.arrived, std::vector{0});
+  (void)other.run({0, 2}, 1);
+  other.changed({1, 2, 1, 1});
+  EXPECT_EQ(other.run({0, 2}, 40).curves.steps, colony.run({0, 2}, 40).curves.steps);
+}
+
 /// Cells whose index some way holds up, found by sweeps over the whole map.
 std::vector<bool> held_up(const Field& field, const Grid& grid, const Params& params, Cell goal) {
   const auto moves = moves_of(params.neighbours);
