@@ -229,6 +229,12 @@ TEST(Components, AnUpdateThatWasStoppedIsDoneByTheNext) {
   EXPECT_GT(stops, 2);
 }
 
+TEST(Components, PollWhileTheyAreLabelledAndJoined) {
+  const CountingTime counted(1 << 30);
+  EXPECT_TRUE(Components::make(Grid(2048, 2048), Connectivity::four, counted.is_up()));
+  EXPECT_GE(counted.polls(), 2 * 64 / 8);  // of 64 tiles
+}
+
 TEST(Components, StaySmallOnTheWorstMaps) {
   std::mt19937 random(4);
   const std::vector<Grid> grids{
