@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
 #include "core/arm/contact/contact.h"
+#include "core/arm/contact/inner_balls.h"
 #include "core/arm/contact/pair_tests.h"
 #include "lasius/arm/generate.h"
 #include "lasius/arm/sensor.h"
@@ -219,6 +221,18 @@ TEST(PairTable, DoubtsAllThatComesNear) {
   }
   EXPECT_GT(sure, 20);
   EXPECT_GT(doubtful, 2);
+}
+
+TEST(InnerBalls, FillABarOfTriangles) {
+  Triangles bar = cube(0.1);
+  for (auto& triangle : bar)
+    for (Eigen::Vector3d& corner : triangle) corner.x() *= 5;
+  const auto balls = inner_balls(mesh_of(bar));
+  EXPECT_GE(balls.size(), 4u);
+  for (const InnerBall& ball : balls) {
+    EXPECT_LE(std::abs(ball.centre.x) + ball.radius, 0.5);
+    EXPECT_LE(std::max(std::abs(ball.centre.y), std::abs(ball.centre.z)) + ball.radius, 0.1);
+  }
 }
 
 TEST(PairTable, ALookThatIsCutIsNotKept) {
