@@ -189,6 +189,15 @@ TEST(DiscPlanner, AnswersDependOnNoThreads) {
   }
 }
 
+TEST(DiscPlanner, AGraphThatWouldTakeTooMuchIsGivenUp) {
+  const Planner planner(with_blocked(30, 20, {{10, 8}, {20, 12}}), Disc{0.8});
+  const Preparation whole = planner.prepared({}).preparation();
+  EXPECT_EQ(planner.prepared({.max_bytes = whole.bytes}).preparation().edges, whole.edges);
+  const Preparation less = planner.prepared({.max_bytes = whole.bytes - 1}).preparation();
+  EXPECT_EQ(less.state, Preparation::State::too_large);
+  EXPECT_EQ(less.bytes, 0);
+}
+
 TEST(DiscPlanner, RadiiThatItIsNotMadeFor) {
   for (const double radius : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(Planner(Grid(9, 9), Disc{radius}), Error) << radius;
