@@ -75,6 +75,25 @@ TEST(EdgeField, GoesOnAsIfItHadNotStopped) {
   }
 }
 
+// A power of two: nothing is rounded otherwise.
+TEST(EdgeField, ReachesCellsInTheSameOrderInAnotherUnit) {
+  std::mt19937 random(41);
+  const WeightedWorld world = random_weights(random, 30, 60);
+  const CellChords chords(4);
+  const auto marched = [&](double unit) {
+    std::vector<double> weights;
+    for (const double w : world.costs.weights()) weights.push_back(w * unit);
+    const Terrain terrain(world.grid, {world.grid.width(), world.grid.height(), weights});
+    const StraightBound rest(terrain, centre(world.goal));
+    Poller poller(kNeverStops);
+    EdgeField field(terrain);
+    field.begin(chords, world.start, 0.01, nullptr);
+    EXPECT_TRUE(field.march(rest, 1000 * unit, poller));
+    return field.cells();
+  };
+  EXPECT_EQ(marched(0x1p-16), marched(1));
+}
+
 // What lies beyond the limit costs time, too: it is dealt out, and put by. Of a march that spreads
 // next to nothing a stop is seen all the same.
 TEST(EdgeField, StopsAmongWhatLiesBeyondTheLimit) {
