@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <span>
 
+#include "core/tour/order/recombine.h"
 #include "core/tour/order/search.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/tour/order/instances.h"
@@ -101,6 +102,23 @@ TEST(TourLocalSearch, KicksKeepATourAndNeverMakeItDearer) {
       for (int v = 0; v < size; ++v) ASSERT_EQ(sorted[v], v);
     }
   }
+}
+
+TEST(TourRecombiner, TakesOverWhatIsCheaper) {
+  const Instance stops = random_instance(40, 3);
+  const Costs costs = stops.costs();
+  const Candidates candidates(costs, stops.places, 8);
+  Poller poller(kNeverStops);
+  kernels::RandomStream random(1, 0, 0);
+  ArrayTour tour(costs, random_order(costs, candidates, random));
+  const ArrayTour better(costs, savings_order(costs, candidates));
+  Recombiner recombiner(costs, candidates);
+  for (int i = 0; i < 20; ++i) {
+    const std::int64_t before = tour.cost();
+    EXPECT_EQ(recombiner.improve(tour, better, random, poller), tour.cost() < before);
+    EXPECT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
+  }
+  EXPECT_LE(tour.cost(), better.cost());
 }
 
 // In corridors that branch a tour passes each twice, and no tour is shorter.
