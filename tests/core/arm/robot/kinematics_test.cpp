@@ -54,6 +54,16 @@ TEST(Kinematics, LinksMoveWithTheirJoints) {
   EXPECT_LT(distance(lower.pose * lower.size, {0.4, 0.5, 0}), 1e-15);
 }
 
+TEST(Kinematics, HalfATurnIsAboutItsAxis) {
+  for (const Vec3 axis : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2 / 3.0, -2 / 3.0, 1 / 3.0}}) {
+    const Eigen::Vector3d along(axis.x, axis.y, axis.z);
+    const Pose half(Eigen::AngleAxisd(2 * kQuarter, along));
+    const Vec3 turn = turn_between(kNoRotation, from_eigen(half).rotation);
+    EXPECT_NEAR(length(turn), 2 * kQuarter, 1e-12);
+    EXPECT_NEAR(std::abs(dot(turn, axis)), 2 * kQuarter, 1e-12);
+  }
+}
+
 TEST(Kinematics, RefusesValuesThatAreNotTheJoints) {
   const Robot robot = two_links();
   const SceneSensor sensor(robot, {});
