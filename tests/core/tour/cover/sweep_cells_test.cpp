@@ -8,6 +8,7 @@
 
 #include "core/tour/cover/near_ends.h"
 #include "core/tour/cover/swath_order.h"
+#include "core/tour/cover/swaths.h"
 #include "lasius/grid/generate.h"
 #include "tests/oracle/disc_paths.h"
 #include "tests/worlds/grids.h"
@@ -110,6 +111,13 @@ TEST(NearEnds, ChainToAndFro) {
   EXPECT_DOUBLE_EQ(chain.length, 5 * 2 + 10);
   EXPECT_DOUBLE_EQ(chained(6, stops, {}).length, 5 * 2 + 10);  // by straight ways alone
   EXPECT_EQ(chained(0, {}, {}).length, 0);
+}
+
+TEST(WaysBetween, ReachFromEachEndToTheNearestOfAnotherSwath) {
+  const std::vector<Swath> swaths{{{0, 0}, {10, 0}}, {{1, 0}, {12, 0}}};
+  EXPECT_EQ(ways_between(swaths), (1 + 1 + 2 + 2) / 2.0);
+  EXPECT_EQ(ways_between(swaths, true), (1 + 1) / 2.0);
+  EXPECT_EQ(ways_between({swaths[0]}), 0);
 }
 
 TEST(SwathOrder, KeepsTheEndsOfASwathTogether) {
