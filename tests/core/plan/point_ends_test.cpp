@@ -224,6 +224,15 @@ TEST(Via, JoinsTheLegs) {
   }
 }
 
+TEST(Via, ALegWithoutAPathHasNoBoundOfAll) {
+  FarApart far{Planner(blobs(900, 900))};
+  far.request.stop.deadline = Clock::now();
+  const Result leg = far.plan();
+  EXPECT_TRUE(leg.path.empty() && leg.lower_bound);
+  far.request.via = {centre(far.request.goal)};
+  EXPECT_EQ(far.plan().lower_bound, std::nullopt);
+}
+
 TEST(Via, TellsWhichCannotBeReached) {
   const Grid grid = drawn({"..#.", "..#.", "###.", "...."});
   struct Case {
