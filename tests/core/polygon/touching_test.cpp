@@ -142,6 +142,14 @@ TEST(Repair, TellsWhatHasNoWidth) {
   EXPECT_EQ(repaired(geos, {{{3, 3}, {5, 5}, {3, 3}}, {}}, false).lines.size(), 1u);
 }
 
+// Of the same area their order and where they begin: recorded results depend on it.
+TEST(Repair, TakesTheRingsOfGeosWhereTheyMeanTheSame) {
+  const Geos geos;
+  const Polygon bow{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}};
+  const auto valid = geos.own(GEOSMakeValid_r(geos.context(), geos.polygon(bow).get()));
+  EXPECT_EQ(repaired(geos, bow, false).areas, geos.polygons(valid.get()));
+}
+
 TEST(Touching, RandomWorldsAreJudgedWhereverTheyLie) {
   const char* const asked = std::getenv("LASIUS_POLYGON_WORLDS");
   const std::uint64_t worlds = asked == nullptr ? 40 : std::strtoull(asked, nullptr, 10);
