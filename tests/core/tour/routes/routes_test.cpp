@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -195,6 +196,26 @@ TEST(Routes, AreFoundBySearch) {
   EXPECT_EQ(cases, 30);
   EXPECT_GE(near, 22);
   EXPECT_GE(best, 56);
+}
+
+// Thirteen tasks along a line from the start, one more between them or, dearer, beside the start.
+TEST(Routes, ATaskIsPutBetweenNearOnes) {
+  std::vector<int> x{65, 5, 0};  // between, beside, the start
+  RouteProblem problem{.tasks = {{0, 1}}, .routes = {Ends{true, 2}}};
+  for (int v = 3; v < 16; ++v) {
+    x.push_back(10 * (v - 2));
+    problem.tasks.push_back({v});
+  }
+  std::vector<Cost> matrix;
+  for (int a = 0; a < 16; ++a)
+    for (int b = 0; b < 16; ++b)
+      matrix.push_back(std::abs(x[a] - x[b]) + (a != b && (a == 1 || b == 1) ? 3 : 0));
+  int best = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const RouteOptions options{.seed = seed, .generations = 0};
+    best += find_routes(problem, {16, matrix.data()}, options).cost == 130;
+  }
+  EXPECT_GE(best, 8);
 }
 
 // Three stops of each task far from each other: trees join tasks at one stop and leave at another.
