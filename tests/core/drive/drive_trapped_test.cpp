@@ -21,6 +21,7 @@ TEST(Drive, TrappedByWhatNeverGoesAway) {
   EXPECT_EQ(r.fault, Fault::trapped);
   EXPECT_EQ(r.error, "trapped: moving obstacles stand in the way for good");
   EXPECT_EQ(r.track.size(), static_cast<std::size_t>(r.ticks) + 1);
+  EXPECT_EQ(r.ticks, 65 * 16 - 1) << "goes aside every 16th tick, 64 times";
 }
 
 // Each corridor has an obstacle in it always, so none can be passed; out of sight it is forgotten.
