@@ -125,6 +125,17 @@ TEST(CornerGraph, AFileThatNamesOtherCornersIsRefused) {
   EXPECT_THROW(load(), Error);
 }
 
+TEST(CornerGraph, AFileMayNameTheOutermostCorners) {
+  const Grid grid = with_blocked(9, 9, {{0, 0}, {8, 8}});
+  ArrayWriter to;
+  graph_of(grid)->save(to);
+  ArrayReader from(to.text(), "file", 0);
+  const auto loaded = CornerGraph::load(grid, from);
+  ASSERT_EQ(loaded->size(), 2u);
+  EXPECT_EQ(loaded->index(1, 1), 0u);
+  EXPECT_EQ(loaded->index(8, 8), 1u);
+}
+
 // Distances from one landmark to all corners, by brute force.
 std::vector<double> distances(const Grid& grid, const CornerGraph& graph, Cell landmark) {
   const auto map = view_of(grid);
