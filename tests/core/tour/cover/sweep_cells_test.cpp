@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -111,6 +112,13 @@ TEST(NearEnds, ChainToAndFro) {
   EXPECT_DOUBLE_EQ(chain.length, 5 * 2 + 10);
   EXPECT_DOUBLE_EQ(chained(6, stops, {}).length, 5 * 2 + 10);  // by straight ways alone
   EXPECT_EQ(chained(0, {}, {}).length, 0);
+}
+
+// The third swath is linked to an end that is joined by then: it is reached along the second.
+TEST(NearEnds, ChainAlongSwaths) {
+  const std::vector<Point> stops{{0, 0}, {10, 0}, {11, 0}, {21, 0}, {11, 5}, {21, 5}};
+  const std::vector<EndLink> links{{1, 2, 1}, {2, 4, 5}};
+  EXPECT_DOUBLE_EQ(chained(3, stops, links).length, 1 + (10 + 5) + std::hypot(21, 5));
 }
 
 TEST(WaysBetween, ReachFromEachEndToTheNearestOfAnotherSwath) {
