@@ -233,6 +233,17 @@ TEST(Routes, WalksBoundScatteredGroups) {
   EXPECT_EQ(walk_bound(problem, instance.costs(), found.cost, late), 0);
 }
 
+// Its first tree, before any price: from 0 to 100, and from there the second nearest, at 1.
+TEST(Routes, BoundClosesARingAtTheDearestLeaf) {
+  std::vector<Cost> matrix;
+  for (const int a : {100, 0, 1, 2})
+    for (const int b : {100, 0, 1, 2}) matrix.push_back(std::abs(a - b));
+  const RouteProblem ring{.tasks = {{0}, {1}, {2}, {3}}, .routes = {{}}};
+  const StopCondition past{.deadline = Clock::time_point::min()};
+  Poller late(past, 1);
+  EXPECT_EQ(routes_bound(ring, {4, matrix.data()}, 1000, late), 100 + 99);
+}
+
 // Four tasks far from the depot, three a route at most: there are two routes.
 TEST(Routes, BoundCountsTheRoutesThatTheRoomAsksFor) {
   std::vector<Cost> costs(25, 1);
