@@ -242,6 +242,22 @@ TEST(VehicleTour, NamesWhatItLeavesOut) {
   EXPECT_TRUE(none.order.empty());
 }
 
+// Of two ends that are dead for what cannot reverse one can be left alone, one be reached alone.
+TEST(VehicleTour, BeginsWhereNothingLeads) {
+  Grid grid(60, 40);
+  for (const int y : {10, 14, 30, 34}) grid.fill({0, y, 10, 1}, true);
+  const Planner planner(grid, truck());
+  TourRequest request;
+  request.points = {{20, 10}, {5, 32.5}, {30, 30}, {5, 12.5}, {50, 10}};
+  request.yaws = {0.0, std::numbers::pi, std::nullopt, 0.0, 0.0};
+  request.open = true;
+  request.goal = 4;
+  const TourResult tour = plan_tour(planner, request);
+  ASSERT_EQ(tour.left_out.size(), 1U);
+  EXPECT_EQ(tour.left_out[0].stop, 1);
+  EXPECT_EQ(tour.order.front(), 3);
+}
+
 // Two poses that touch a cell to within rounding: no motion from there is certified.
 TEST(VehicleTour, LeavesOutTheTrappedWhateverTheSeed) {
   Grid grid(60, 40);
