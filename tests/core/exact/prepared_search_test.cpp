@@ -173,5 +173,22 @@ TEST(PreparedSearch, TellsNoPathOfTwo) {
   EXPECT_EQ(answer.path.size(), 2U);
 }
 
+// On both sides of a block ways lead to a corner behind it, as short; no search keeps those.
+TEST(PreparedSearch, ForgetsTheWaysOfEarlierSearches) {
+  Grid grid(200, 200);
+  grid.set_blocked({50, 50});
+  grid.fill({150, 140, 1, 10}, true);
+  const Graph graph = graph_of(grid);
+  ASSERT_LT(graph->detour(), 1.01);
+  PreparedSearch search;
+  ExactAnswer answer;
+  std::int64_t bytes = 0;
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_FALSE(search.search_only(grid, *graph, centre({10, 10}), centre({151, 149}), {}, answer));
+    if (i == 0) bytes = search.bytes();
+  }
+  EXPECT_EQ(search.bytes(), bytes);
+}
+
 }  // namespace
 }  // namespace lasius
