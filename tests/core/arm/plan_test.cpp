@@ -160,6 +160,19 @@ TEST(ArmPlan, NeverBeatsTheOptimumAndTheBoundNeverExceedsIt) {
   EXPECT_GE(optimal, solved * 9 / 10);
 }
 
+// A target gap has it computed with each shorter tour, and not only then.
+TEST(ArmPlan, TheBoundIsOfAllThatWasLearned) {
+  Case c = make_case("industrial6", 14, 12, 0.8, 9);
+  c.parameters.ants = 1;
+  c.parameters.iterations = 30;
+  const SceneSensor sensor(c.robot, c.scene);
+  const Result plain = plan(c.robot, sensor, c.request, c.parameters);
+  c.request.target_gap = 1e-9;
+  const Result asked = plan(c.robot, sensor, c.request, c.parameters);
+  EXPECT_EQ(asked.questions, plain.questions);
+  EXPECT_EQ(asked.lower_bound, plain.lower_bound);
+}
+
 TEST(ArmPlan, ThePathIsWhatItSays) {
   const Case c = make_case("redundant7", 4, 15, 0, 10);
   const SceneSensor sensor(c.robot, c.scene);
