@@ -71,6 +71,10 @@ TEST(SweepCells, PartAndJoinAroundAnObstacle) {
   ASSERT_EQ(through.size(), 3u);
   EXPECT_TRUE(through[0].wall_behind && through[2].wall_before);
   EXPECT_FALSE(through[1].wall_before || through[1].wall_behind);
+  // A step as long as the width is no leap yet.
+  const ToolLines step(walled(4, 12, {{0, 0, 2, 6}}), 0);
+  EXPECT_EQ(sweep_cells(step, headings()[0], 2, poller).size(), 1u);
+  EXPECT_EQ(sweep_cells(step, headings()[0], 1.9, poller).size(), 2u);
 }
 
 // A wall with a door: ends on both sides of it are far from each other.
