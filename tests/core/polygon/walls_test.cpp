@@ -10,6 +10,7 @@
 #include "core/polygon/world/rings.h"
 #include "lasius/plan/planner.h"
 #include "lasius/polygon/plan.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {
@@ -137,6 +138,12 @@ TEST(Walls, BlockTheCellsThatTheyPass) {
   EXPECT_EQ(planner.plan({.start = {0, 10}, .goal = {39, 10}}).status, Status::unreachable);
   EXPECT_LT(map.grid.width() + map.grid.height(), 61);
   EXPECT_TRUE(map.grid.free({0, 0}));
+  World small = empty_world(6, 4, Point{1, 1}, Point{5, 1});
+  small.walls = {{{1.5, 1.2}, {4.5, 2.2}}};
+  EXPECT_EQ(to_grid(small, 1).grid, drawn({"......",  //
+                                           "...##.",  //
+                                           ".###..",  //
+                                           "......"}));
 }
 
 /// Walls made into thin areas, which reach a hair beyond their ends.
