@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "core/cost/eight_moves.h"
@@ -54,6 +55,25 @@ TEST(GoalField, KeepsUpWithEditsAndMoves) {
   }
   EXPECT_GT(walks, 1000);
   EXPECT_GT(apart, 100);
+}
+
+// From (0, 0) the upper door is hardly worse than the middle one, and waits; after a long move,
+// once that is closed, it is better than the lower one.
+TEST(GoalField, GoesByADoorThatWaitedOnceAnotherCloses) {
+  Grid grid(71, 61);
+  grid.fill({60, 0, 1, 61}, true);
+  Terrain terrain(grid, CostField(71, 61));
+  const Cell middle{60, 30};
+  terrain.set({60, 0}, 1);
+  terrain.set(middle, 12.2);
+  terrain.set({60, 60}, 3);
+  GoalField field(terrain, {70, 30}, 1, true);
+  Poller poller(kNeverStops);
+  ASSERT_TRUE(field.update({0, 0}, poller));
+  terrain.set(middle, kInfinity);
+  field.changed({&middle, 1});
+  ASSERT_TRUE(field.update({30, 30}, poller));
+  EXPECT_NEAR(cost_of_walk(terrain, field.walk()), 20 + 40 * std::sqrt(2), 1e-9);
 }
 
 TEST(GoalField, GoesOnWhereItWasStopped) {
