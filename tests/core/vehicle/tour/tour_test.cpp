@@ -205,6 +205,18 @@ TEST(VehicleTour, BoundHasAllDigits) {
   }
 }
 
+TEST(VehicleTour, BoundIsOfTurnsAndOfWalls) {
+  Grid grid(60, 40);
+  const Vehicle vehicle = car(rectangle(2, 2, 1.25), 3);
+  TourRequest request;
+  request.open = true;
+  request.points = {{10, 5}, {50, 5}};
+  request.yaws = {0.0, std::numbers::pi};
+  EXPECT_GT(plan_tour(Planner(grid, vehicle), request).lower_bound, 42);
+  grid.fill({30, 0, 1, 30}, true);
+  EXPECT_GT(plan_tour(Planner(grid, vehicle), request).lower_bound, 64);
+}
+
 TEST(VehicleTour, NamesWhatItLeavesOut) {
   Grid grid(60, 40);
   grid.fill({40, 0, 1, 20}, true);  // a room of its own
