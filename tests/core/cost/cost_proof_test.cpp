@@ -1,6 +1,7 @@
 // Proofs of bounds: those of searches hold, those in which one number is changed do not.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -106,6 +107,21 @@ TEST(CostProof, CheaperCellsAreRefusedByTheirChords) {
     const std::string fault = proof.levels.empty() ? "the bound is " : "level 0: ";
     EXPECT_EQ(fault_of(world, proof).substr(0, fault.size()), fault);
   }
+}
+
+// A level of the row above a wall alone: the cheapest path leaves it at the wall's corner.
+TEST(CostProof, AWayOutAtACornerCounts) {
+  const Grid grid = drawn({".......", "####...", "####...", "......."});
+  const WeightedWorld world{grid, CostField(7, 4), {0, 0}, {0, 3}};
+  CostProof proof = proof_of(world);
+  if (!proof.levels.back().from_start) proof.levels.pop_back();
+  ASSERT_GT(proof.levels.size(), 2U);
+  CostProof::Level& level = proof.levels.back();
+  const int k = level.intervals;
+  level.runs.resize(3);
+  level.values.resize(4 * k + (level.runs[2] - 1) * (3 * k - 1));
+  proof.lower_bound = 1.001 * (2 * std::hypot(3.5, 0.5) + 2);
+  EXPECT_EQ(fault_of(world, proof).find("the bound is "), 0U) << fault_of(world, proof);
 }
 
 TEST(CostProof, WithoutLevelsTheStraightWayIsProven) {
