@@ -185,6 +185,10 @@ TEST(LatticeFlood, TellsThatItsLevelsRanOut) {
   LatticeFlood dry(*planes, lattice, grid.width(), grid.height(), memory);
   EXPECT_EQ(dry.run(starts, {}, poller), -1);
   EXPECT_FALSE(dry.ran_out());
+  // Nor is it over at the nearer end, the dearer one.
+  const std::vector<Connector> two{{.x = 15, .y = 20, .cost = 100, .motions = {}}, ends[0]};
+  LatticeFlood further(*planes, lattice, grid.width(), grid.height(), memory);
+  EXPECT_EQ(further.run(starts, two, poller), 1);
 }
 
 // Longer than levels of 16 bits tell.
