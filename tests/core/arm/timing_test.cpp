@@ -93,6 +93,9 @@ TEST(Smoothed, AnEdgeIsADoubleS) {
   EXPECT_EQ(made.trajectory.at(1e9).q, joints({2, 1}));
   // j t^3 / 6 at first.
   EXPECT_NEAR(made.trajectory.at(0.05).q[0], 50 * 0.05 * 0.05 * 0.05 / 6, 1e-9);
+  // Nothing jumps: no two knots stand at one time.
+  const auto& knots = made.trajectory.knots();
+  for (std::size_t i = 1; i < knots.size(); ++i) EXPECT_GT(knots[i].time, knots[i - 1].time);
   // Where jerk is small a shorter mean of a slower motion is quicker: no more than a fifth above
   // the least time 4 (way / 2 j)^(1/3) of a joint without other limits.
   for (Joint& joint : robot.joints) joint.velocity = joint.acceleration = 1e3, joint.jerk = 2;
