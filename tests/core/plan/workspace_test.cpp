@@ -104,6 +104,16 @@ std::int64_t heap_in_use() {
   return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
 }
 
+TEST(Planner, TellsWhatADiscHolds) {
+  const auto before = heap_in_use();
+  const Planner disc(Grid(900, 900), Disc{2});
+  const auto held = static_cast<double>(heap_in_use() - before);
+  if (held == 0) GTEST_SKIP() << "the allocator does not count";
+  const Planner::Footprint told = disc.footprint();
+  const std::int64_t sum = told.bitmap + told.components + told.disc;
+  EXPECT_NEAR(static_cast<double>(sum), held, 0.01 * held);
+}
+
 TEST(Workspace, TellsWhatItHoldsAndGivesItBack) {
   const Planner plain(blobs(150, 100));
   const Planner prepared = plain.prepared({.threads = 1});
