@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/tour/map_pricer.h"
 #include "lasius/base/error.h"
 #include "lasius/path/path.h"
 #include "lasius/tour/tour.h"
@@ -146,6 +147,15 @@ TEST(Tours, OverCostsAreTheCheapestOfAllOrders) {
     EXPECT_TRUE(from.x == to.x || from.y == to.y);
   }
   EXPECT_THROW(plan_tour(planner, ask(some_stops(grid, 201))), Error);
+}
+
+TEST(Tours, OfManyStopsArePricedAtOnceOnPreparedMaps) {
+  const Planner plain(rooms()), prepared = plain.prepared({});
+  EXPECT_TRUE(tour::priced_at_once(plain, 100));
+  EXPECT_FALSE(tour::priced_at_once(plain, 101));
+  EXPECT_TRUE(tour::priced_at_once(prepared, 1500));
+  EXPECT_FALSE(tour::priced_at_once(prepared, 1501));
+  EXPECT_FALSE(tour::priced_at_once(Planner(rooms(), PrepareOptions{}, Disc{1}), 101));
 }
 
 }  // namespace

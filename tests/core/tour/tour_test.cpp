@@ -104,15 +104,6 @@ TEST(Distances, ThatArePricedNearByAreTheSame) {
   }
 }
 
-TEST(Tours, OfManyStopsArePricedAtOnceOnPreparedMaps) {
-  const Planner plain(rooms()), prepared = plain.prepared({});
-  EXPECT_TRUE(tour::priced_at_once(plain, 100));
-  EXPECT_FALSE(tour::priced_at_once(plain, 101));
-  EXPECT_TRUE(tour::priced_at_once(prepared, 1500));
-  EXPECT_FALSE(tour::priced_at_once(prepared, 1501));
-  EXPECT_FALSE(tour::priced_at_once(Planner(rooms(), PrepareOptions{}, Disc{1}), 101));
-}
-
 TEST(Tours, VisitEveryStopOnceByShortestLegs) {
   const Planner planner(rooms());
   int cases = 0;

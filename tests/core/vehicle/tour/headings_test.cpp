@@ -1,7 +1,10 @@
-// What tours of vehicles take of groups and headings, where most have no way.
+// What tours of vehicles take of groups and headings, where most have no way; their bounds.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
+#include <utility>
 
 #include "tests/core/vehicle/tour/least_tour.h"
 #include "tests/worlds/grids.h"
@@ -79,6 +82,39 @@ TEST(VehicleTour, BoundIsAtMostToursOverAnyMember) {
     EXPECT_LE(*tour.lower_bound, other.length);
     EXPECT_LE(tour.length, other.length + 0.01);
   }
+}
+
+TEST(VehicleTour, BoundHasAllDigits) {
+  const Vehicle robot = differential(rectangle(1, 1, 1));
+  const Planner planner(Grid(160, 12), robot);
+  for (const int count : {4, 14}) {
+    TourRequest request;
+    request.open = true;
+    request.start = 0;
+    for (int i = 0; i < count; ++i) {
+      request.points.push_back({3 + 10 * std::sqrt(i), 6.0});
+      request.yaws.emplace_back(0.0);
+    }
+    std::swap(request.points[1], request.points[3]);
+    const TourResult tour = plan_tour(planner, request);
+    ASSERT_TRUE(tour.lower_bound) << tour.error;
+    EXPECT_LE(*tour.lower_bound, 10 * std::sqrt(count - 1));
+    EXPECT_NEAR(tour.length, 10 * std::sqrt(count - 1), 1e-9);
+    EXPECT_NEAR(*tour.lower_bound, tour.length, count <= 12 ? 1e-11 : 1e-5);
+    EXPECT_EQ(tour.optimal, count <= 12);
+  }
+}
+
+TEST(VehicleTour, BoundIsOfTurnsAndOfWalls) {
+  Grid grid(60, 40);
+  const Vehicle vehicle = car(rectangle(2, 2, 1.25), 3);
+  TourRequest request;
+  request.open = true;
+  request.points = {{10, 5}, {50, 5}};
+  request.yaws = {0.0, std::numbers::pi};
+  EXPECT_GT(plan_tour(Planner(grid, vehicle), request).lower_bound, 42);
+  grid.fill({30, 0, 1, 30}, true);
+  EXPECT_GT(plan_tour(Planner(grid, vehicle), request).lower_bound, 64);
 }
 
 }  // namespace
