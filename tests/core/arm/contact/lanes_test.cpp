@@ -139,6 +139,7 @@ TEST(Lanes, SayWhatAllPosturesSayAndTheSameOnEveryMachine) {
   EXPECT_GT(touching, 10);
   EXPECT_GT(passed, 100000);
   EXPECT_GT(open, 1000);
+  EXPECT_LT(open, 3000);  // bounds are tight
 }
 
 TEST(Lanes, WhatIsWhollyInsideOfAMeshDoesNotTouchIt) {
