@@ -138,6 +138,13 @@ TEST(PathExchange, PutsAPieceBeforeAStop) {
   EXPECT_EQ(exchange.now().nodes, (std::vector<int>{0, 2, 1, 3, 4}));
 }
 
+TEST(PartialOrder, TheFirstOrderGoesToTheNearestStop) {
+  const std::vector<Cost> matrix = {0, 9, 1, 9, 0, 9, 1, 9, 0};
+  const PartialOrder given(3, std::vector<Before>{});
+  EXPECT_EQ(first_order(Costs(3, matrix.data()), {true, 0}, given).order,
+            (std::vector<int>{0, 2, 1}));
+}
+
 TEST(PartialOrder, StoppedGivesTheBestSoFar) {
   const Instance stops = random_instance(120, 7);
   const Given given = random_given(120, 7, {});
