@@ -184,9 +184,8 @@ TEST(PreparedSearch, ForgetsTheWaysOfEarlierSearches) {
   ExactAnswer answer;
   std::int64_t bytes = 0;
   for (int i = 0; i < 9; ++i) {
-        search.search_only(grid, *graph, centre({10, 10}), centre({151, 149}), {}, answer));
     EXPECT_FALSE(
-    EXPECT_FALSE(search.search_only(grid, *graph, centre({10, 10}), centre({151, 149}), {}, answer));
+        search.search_only(grid, *graph, centre({10, 10}), centre({151, 149}), {}, answer));
     if (i == 0) bytes = search.bytes();
   }
   EXPECT_EQ(search.bytes(), bytes);
