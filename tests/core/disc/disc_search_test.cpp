@@ -9,6 +9,8 @@
 #include <random>
 
 #include "core/disc/disc_graph.h"
+#include "core/disc/scan_limits.h"
+#include "core/grid/grid_view.h"
 #include "tests/core/disc/disc_worlds.h"
 #include "tests/oracle/disc_paths.h"
 
@@ -75,6 +77,16 @@ std::optional<Point> random_border(const DiscSpace& space, std::mt19937& random)
   const StopCondition never;
   Poller poller(never);
   return space.way_out({below(map.width()), below(map.height())}, poller);
+}
+
+// Where the other end is nearly level its edges would pass all numbers: then there is none.
+TEST(DiscSearch, LooksInNoStripThatDoesNotFit) {
+  const Grid grid(40, 12);
+  const kernels::ConeLimits limits =
+      limits_around<1>(view_of(grid), {2.5, 5.5}, {30.5, 5.5 + 1e-12}, 40, 1, 6);
+  EXPECT_EQ(limits.slope, 0);
+  EXPECT_EQ(limits.left0, -kernels::fixed(kernels::kAllColumns));
+  EXPECT_EQ(limits.right0, kernels::fixed(kernels::kAllColumns));
 }
 
 // There and back are as long, by scan and by graph.
