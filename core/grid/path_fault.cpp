@@ -17,10 +17,6 @@ using kernels::HalfPoint;
 
 std::string text(Cell c) { return pair_text(c.x, c.y); }
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
-  return a / b - (a % b != 0 && a < 0);
-}
-
 int sign(int v) noexcept { return v > 0 ? 1 : -1; }
 
 // Cells that the open interval (a, b) of half cells meets, in the order of travel from a to b.
@@ -66,8 +62,8 @@ std::string cells_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool sq
     if (dy == 0) return ahead ? span_of(a.x, b.x).first : span_of(a.x, b.x).last;
     const std::int64_t n = (a.x * dy + dx * (y - a.y)) * sign(static_cast<int>(dy));
     const std::int64_t d = 2 * std::abs(dy);
-    const bool right = ahead == (step_x > 0);  // of where it crosses the height
-    return static_cast<int>(right ? floor_div(n, d) : floor_div(n + d - 1, d) - 1);
+    const bool right = ahead == (step_x > 0);                      // of where it crosses the height
+    return static_cast<int>(right ? n / d : (n + d - 1) / d - 1);  // in the map, so never below 0
   };
   const auto ahead = [&](int y) { return column(y, true); };
   const auto behind = [&](int y) { return column(y, false); };
