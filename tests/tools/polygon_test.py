@@ -160,6 +160,9 @@ class PolygonTest(WorldTest):
             (["--margin", "-1"], "--margin"),
             (["--start", "1"], "--start"),
             (["--radius", "1"], "--margin"),
+            (["--via", "1,9", "-q"], "--via is for bitmaps, and world.geojson is a polygon world; leave it out"),
+            (["--alternatives", "2"], "--alternatives is for bitmaps"),
+            (["--spacing", "1"], "--spacing is for bitmaps"),
             (["--frame", "world"], "--frame world: world.geojson gives no frame"),
             (["--frame", "wrold"], "did you mean \"world\"?"),
             (["--margin", "1e308"], "--margin"),
@@ -173,6 +176,9 @@ class PolygonTest(WorldTest):
                 run = self.plan_world(*arguments)
                 self.assertEqual((run.code, run.out), (2, ""))
                 self.assertIn(part, run.err)
+        self.write("q.tsv", "sx sy gx gy\n20 180 160 90\n")
+        for option in (["--via", "1,9"], ["--alternatives", "2"], ["--spacing", "1"]):
+            self.refused(self.run_program("batch", "world.geojson", "q.tsv", *option, "-q"), 2, option[0] + " is for bitmaps")
         self.ended(self.plan_world(world="open.geojson"), 2, "--start is required")
         run = self.plan("--algorithm", "maklink-acs")
         self.refused(run, 2, "maklink-acs plans among polygons")

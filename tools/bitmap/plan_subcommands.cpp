@@ -247,12 +247,12 @@ PolygonCommand polygon_command(const OptionTable& table, const PlanText& text) {
     throw UsageError("--frame world: " + command.world.file +
                      " gives no frame, a polygon world is in its own coordinates; leave it out");
   refuse_radius(table);
-  table.refuse({"--cost", "--inflation", "--moves"}, " is for bitmaps");
+  table.refuse({"--cost", "--inflation", "--moves", "--via", "--alternatives", "--spacing"},
+               " is for bitmaps, and " + command.world.file + " is a polygon world; leave it out");
   if (const auto file = std::ranges::find_if(command.outputs, is_yaml);
       file != command.outputs.end())
     throw UsageError("-o " + *file + ": poses are for paths on bitmaps; write .json or .csv");
-  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--prepared", "--tracks",
-                             "--spacing", "--via", "--alternatives"})
+  for (const char* option : {"--frame", "--unknown-free", "--prepare", "--prepared", "--tracks"})
     if (table.given(option))
       command.notes.push_back(option + std::string(" has no effect") +
                               (option == std::string_view("--unknown-free")
