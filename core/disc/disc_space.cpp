@@ -130,8 +130,10 @@ double DiscSpace::clearance(Point p, double most) const noexcept {
 bool DiscSpace::clear(Point p) const noexcept { return clearance(p, radius_) >= radius_ - kSlack; }
 
 Cell DiscSpace::cell_at(Point p) const noexcept {
-  return {std::clamp(static_cast<int>(p.x), 0, map_.width() - 1),
-          std::clamp(static_cast<int>(p.y), 0, map_.height() - 1)};
+  const auto part = [](double v, int side) {
+    return static_cast<int>(std::max(0.0, std::min(v, side - 1.0)));
+  };
+  return {part(p.x, map_.width()), part(p.y, map_.height())};
 }
 
 bool DiscSpace::joined(Point a, Point b) const noexcept {

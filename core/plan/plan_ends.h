@@ -41,7 +41,7 @@ struct Asked {
     const auto part = [](double v, int side) {
       constexpr double kFar = 1 << 30;
       if (v == side) return side - 1;
-      return v > -kFar && v < kFar ? static_cast<int>(std::floor(v)) : -(1 << 30);
+      return static_cast<int>(std::floor(std::max(-kFar, std::min(v, kFar))));  // of NaN -kFar
     };
     return {part(p.x, map.width()), part(p.y, map.height())};
   }

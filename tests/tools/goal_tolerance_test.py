@@ -42,6 +42,16 @@ class GoalTolerance(ProgramTest):
         self.assertIn("the nearest cell that can be reached, (13, 4), is 4 cells from the goal, the tolerance is 2.5 cells",
                       run.json["error"])
 
+    def test_from_the_farthest_goals(self):
+        for goal, reached in (("2e9,8", [19, 8]), ("8,1e150", [8, 15]), ("-2e9,-1e150", [0, 0]), ("2000000000,8", [19, 8])):
+            for algorithm in ("exact", "acs"):
+                run = self.shelf("--goal-tolerance", "1e200", "--algorithm", algorithm, "--json", "-q", goal=goal)
+                self.assertEqual((run.code, run.json["goal_reached"]), (0, reached), goal)
+        disc = self.shelf("--goal-tolerance", "1e20", "--radius", "0.4", "--algorithm", "exact", "--json", "-q", goal="1e17,8")
+        self.assertAlmostEqual(disc.json["goal_reached"][0], 19.6)
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n2\t2\t2e9\t8\n")
+        self.assertIn("free cell is (19, 8)", self.run_program("batch", "shelf.map", "q.tsv").lines[0]["error"])
+
     def test_without_one_nothing_is_added(self):
         result = self.shelf("--json", goal="3,3").json
         self.assertNotIn("goal_reached", result)
