@@ -176,8 +176,10 @@ class OwnStudy(ProgramTest):
         self.refused(self.run_program("study", "run", "small.map", *world, "--algorithm", "as"), 3, "gives no frame")
         self.refused(self.run_program("study", "run", "m.yaml", *cells[:2], "--radius=-1", "--algorithm", "as"), 2, "--radius")
         self.refused(self.run_program("study", "fan2004", "--radius", "1"), 2, "--radius is for")
-        self.refused(self.run_program("study", "run", "m.yaml", "--start", "0.5,4", "--goal", "9,5", "--algorithm", "as"),
-                     2, "add --frame world")
+        # Of a point the cell that holds it, as drives have it.
+        self.ended(self.run_program("study", "run", "m.yaml", "--start=3.75,5.0", "--goal=16.5,4.5", *cells[2:],
+                                    "--algorithm", "exact", "--seeds", "1", "-o", "p"), 0)
+        self.assertEqual(self.read("p/study.yaml"), self.read("c/study.yaml"))
 
     TWO = """
 seeds: 2..2

@@ -35,6 +35,12 @@ class Reasons(ProgramTest):
     def info(self, *arguments):
         return self.ended(self.run_program("info", "map.yaml", *arguments), 0)
 
+    def test_info_takes_the_cells_that_hold_points(self):
+        cells = self.info("--start", "3,4", "--goal", "13,4", "--json").json
+        points = self.info("--start", "3.25,4.0", "--goal", "13.5,4.75", "--json").json
+        for key in ("start", "goal", "joined", "widest_radius"):
+            self.assertEqual(points[key], cells[key])
+
     def test_what_blocks_a_start(self):
         for arguments, start, by, text in (
                 ([], "11,0", "obstacle", "start (11, 0) is blocked by an obstacle; the nearest"),

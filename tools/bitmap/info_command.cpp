@@ -229,8 +229,8 @@ Subcommand add_info(CLI::App& app) {
         if (text->start_text.empty() != text->goal_text.empty())
           throw UsageError("info takes --start and --goal together");
         if (!text->start_text.empty()) {
-          info.start = end_value("--start", text->start_text, info.frame, file);
-          info.goal = end_value("--goal", text->goal_text, info.frame, file);
+          info.start = end_value("--start", text->start_text, info.frame);
+          info.goal = end_value("--goal", text->goal_text, info.frame);
         }
         LoadedMap map = load_map(info.map, info.frame, Corners::forbid, thread_count(""));
         Json json = info_json(map, info.corners);

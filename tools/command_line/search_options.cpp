@@ -1,6 +1,7 @@
 #include "tools/command_line/search_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <tuple>
 
@@ -184,17 +185,9 @@ PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame
   return {point_value(option, text.substr(0, comma), frame), yaw};
 }
 
-Point end_value(std::string_view option, const std::string& text, Frame frame,
-                const std::string& map) {
-  if (frame == Frame::world) return pair_value(option, text, false);
-  try {
-    return pair_value(option, text, true);
-  } catch (const UsageError& error) {
-    if (!is_document(map)) throw;
-    (void)pair_value(option, text, false);
-    throw UsageError(std::string(error.what()) +
-                     "; for metres of the map's frame add --frame world");
-  }
+Point end_value(std::string_view option, const std::string& text, Frame frame) {
+  const End end = point_value(option, text, frame);
+  return frame == Frame::world ? Point(end) : Point{std::floor(end.x), std::floor(end.y)};
 }
 
 void require(const std::string& command, const char* option, const std::string& text) {

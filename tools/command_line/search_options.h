@@ -60,9 +60,8 @@ End point_value(std::string_view option, const std::string& text, Frame frame);
 double angle_value(std::string_view option, std::string_view text, double low, double high);
 /// "X,Y,YAW": a point as above, and an angle of at most 100000 radians. @throws UsageError
 PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame);
-/// The same of what knows cells alone: a cell, or metres in it. @throws UsageError
-Point end_value(std::string_view option, const std::string& text, Frame frame,
-                const std::string& map);
+/// The same of what knows cells alone: the cell that holds it, or metres in it. @throws UsageError
+Point end_value(std::string_view option, const std::string& text, Frame frame);
 /// Options that must be there though CLI11 does not say so. @throws UsageError
 void require(const std::string& command, const char* option, const std::string& text);
 

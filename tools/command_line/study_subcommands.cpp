@@ -63,7 +63,7 @@ void finish_run(ShortStudy& run, const ShortText& text) {
   require("study run: ", "--start", text.start);
   require("study run: ", "--goal", text.goal);
   const auto end = [&](const char* option, const std::string& value) {
-    const Point p = end_value(option, value, run.frame, run.map);
+    const Point p = end_value(option, value, run.frame);
     constexpr double kOutside = 1e9;  // outside of every map
     return Point{std::clamp(p.x, -kOutside, kOutside), std::clamp(p.y, -kOutside, kOutside)};
   };

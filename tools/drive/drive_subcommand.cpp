@@ -1,5 +1,4 @@
 // lasius drive.
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -133,10 +132,8 @@ DriveCommand drive_asked(const OptionTable& table, const DriveText& text, const 
       throw UsageError("--goal is given more than once; several goals are for --vehicle");
     table.refuse({"--heading-tolerance"}, " is for --vehicle; leave it out");
     static_cast<PlanCommand&>(drive) = plan_command(run, text.start_text, goal);
-    for (End* end : {&drive.start, &drive.goal}) {  // such a drive goes from cell to cell
-      if (run.frame == Frame::cell) *end = {{std::floor(end->x), std::floor(end->y)}};
-      end->point = false;
-    }
+    drive.start = {end_value("--start", text.start_text, run.frame)};  // it goes from cell to cell
+    drive.goal = {end_value("--goal", goal, run.frame)};
   }
   if (run.ranged) table.refuse({"--seed"}, ": one drive has one seed; a range is for plan");
   if (run.with_optimum)
