@@ -124,6 +124,8 @@ class OwnStudy(ProgramTest):
                 ("map: own", "map: onw", 22, "'map'", '"own"'),
                 ("goal: [9, 5]", "goal: [9, 6]", 22, "outside", "9,5"),
                 ("test: less", "test: les", 24, "'test'", '"less"'),
+                ("seeds: 1", "compare: []\nseeds: 1", 3, "'compare' is empty", "name contenders"),
+                ("seeds: 1", "compare: [exact, exact]\nseeds: 1", 3, "'compare' has \"exact\" twice", "name it once"),
                 ("[0.5, 0.9]", "[0.5, 0.9", 15, "neither YAML nor JSON", "correct")):
             self.assertIn(old, good)
             self.write("bad.yaml", good.replace(old, new, 1))

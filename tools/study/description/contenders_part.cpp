@@ -204,12 +204,18 @@ std::vector<Contender> contenders_of(const Node& study, const Node* compare, con
   const Reader reader(study, words, folder, checked);
   std::vector<Contender> contenders;
   if (compare == nullptr) compare = study.find("compare");
-  if (compare != nullptr)
-    for (const Node& name : compare->items())
+  if (compare != nullptr) {
+    const auto asked = compare->texts();
+    if (asked.empty()) compare->fail("is empty", "name contenders, or leave it out");
+    for (const Node& name : compare->items()) {
+      if (std::ranges::count(asked, name.text()) > 1)
+        compare->fail("has \"" + name.text() + "\" twice", "name it once");
       add_swept(reader, study, reader.described(name.text(), name), contenders);
-  else
+    }
+  } else {
     for (const Node& node : all.items())
       add_swept(reader, study, reader.described(node.at("name").text(), node), contenders);
+  }
   std::set<std::string> names;
   for (const Contender& c : contenders) {
     if (c.name.find_first_of("/\\\n") != std::string::npos || c.name.starts_with('.'))
