@@ -420,6 +420,7 @@ class Tour(ProgramTest):
                    "EDGE_WEIGHT_SECTION\n2\n0 5\n-1 0\nEOF\n")
         run = self.run_program("tour", "a.sop", "--json")
         self.assertEqual((run.json["order"], run.json["length"], run.json["optimal"]), ([0, 1], 5, True))
+        self.assertEqual(run.json["stops"], [])
         self.ended(self.replay_of(run.json), 0)
         # Of more than twelve places no bound is told: up by steps of 1, 13 before 2.
         rows = [[-1 if b < a and (a == 14 or b == 0) or (a, b) == (1, 12) else abs(a - b) for b in range(15)]

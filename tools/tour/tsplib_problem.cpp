@@ -40,7 +40,7 @@ class TsplibProblem : public ProblemOf<TourCommand> {
     record.parameters = parameters_json(record.algorithm, command_.run);
     add_limits(record.parameters, command_.run);
     add_parameters(record.parameters, command_);
-    record.answer = {{"stops", points(problem_.places)}};
+    record.answer = {{"stops", problem_.places.empty() ? Json::array() : points(problem_.places)}};
     record.answer.update(order_json(tour_));
     record.answer["length"] = number(record.result.length);
     add_proof(record.answer, record.result);
