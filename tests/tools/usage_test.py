@@ -188,6 +188,15 @@ class Usage(ProgramTest):
             self.assertEqual(threads(OMP_NUM_THREADS=none), threads())
         self.refused(self.plan(env={"LASIUS_THREADS": "some"}), 2, "LASIUS_THREADS")
 
+    def test_kernels_of_the_environment(self):
+        wrong = {"LASIUS_KERNELS": "foo"}
+        self.write("q.tsv", "sx sy gx gy\n0 0 1 1\n")
+        for words in (("plan", "small.map", "--start", "0,0", "--goal", "9,5"), ("batch", "small.map", "q.tsv"), ("info", "small.map")):
+            self.refused(self.run_program(*words, env=wrong), 2, 'LASIUS_KERNELS is "foo"', "set it to scalar")
+            self.assertEqual(self.run_program(*words, env={"LASIUS_KERNELS": "scalar"}).code, 0)
+        for words in (("--help",), ("plan", "--help"), ("help", "plan"), ("--version",), ("complete", "pl")):
+            self.quiet(self.run_program(*words, env=wrong))
+
     def test_what_has_no_effect_is_said(self):
         cases = [("--target-gap", "3"), ("--unknown-free",), ("--tracks", "1,2"), ("--prepare",)]
         for arguments in cases:

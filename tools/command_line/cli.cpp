@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/did_you_mean.h"
+#include "core/base/kernel_choice.h"
 #include "lasius/version.h"
 #include "tools/command_line/subcommands.h"
 #include "tools/console/exit_code.h"
@@ -241,6 +242,7 @@ int run_command_line(int argc, const char* const* argv) {
   const auto asked = std::ranges::find_if(
       commands, [](const Subcommand& command) { return command.app->parsed(); });
   if (asked == commands.end()) throw UsageError("no command; " + known_commands(commands));
+  if (asked->app->get_name() != "help") (void)chosen_isa();  // refuses what is none
   return asked->run({line_of(words), manual});
 }
 
