@@ -258,6 +258,9 @@ questions:
         blocked = ("study", "run", "small.map", "--goal", "9,5", "--algorithm", "as", "-o", "r")
         self.refused(self.run_program(*blocked, "--start", "3,2"), 4, "3,2", "nearest free cell")
         self.refused(self.run_program(*blocked, "--start", "99999999999,2"), 4, "outside")
+        self.refused(self.run_program(*blocked, "--start", "0,0", "--radius", "1"), 4,
+                     "start 0,0 is nearer to what is blocked than the radius of 1: the nearest free cell is ")
+        self.refused(self.run_program(*blocked, "--start", "3,2", "--radius", "0.5"), 4, "start 3,2 is blocked")
         none = ("study", "run", "none.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as")
         self.refused(self.run_program(*none), 3, "lasius: none.map: ")
         self.assertFalse(any(os.path.exists(self.path(name)) for name in ("r", "study-small", "study-none")))

@@ -10,6 +10,7 @@
 
 #include "lasius/base/error.h"
 #include "lasius/plan/planner.h"
+#include "tools/console/values.h"
 #include "tools/study/map_source.h"
 
 namespace lasius::study {
@@ -62,8 +63,12 @@ void check_end(const Study& study, const Question& question, const Planner& plan
   const bool outside = !grid.contains(cell);
   if (!outside && grid.free(cell)) return;
   const auto near = planner.nearest_free(cell);
-  fail(study, question,
-       std::string(name) + ' ' + cell_text(cell) + (outside ? " is outside" : " is blocked"),
+  const std::string why = outside ? "outside"
+                          : planner.grid().blocked(cell)
+                              ? "blocked"
+                              : "nearer to what is blocked than the radius of " +
+                                    tool::rounded_text(question.radius, 6);
+  fail(study, question, std::string(name) + ' ' + cell_text(cell) + " is " + why,
        near ? "the nearest free cell is " + cell_text(*near) : "the map has no free cell");
 }
 
