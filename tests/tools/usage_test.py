@@ -92,6 +92,9 @@ class Usage(ProgramTest):
     def test_a_count_of_islands_is_refused_by_its_option(self):
         for count in ("4x", "-2", "0"):
             self.refused(self.plan("--algorithm", "acs", "--islands", count), 2, "islands is " + count)
+        self.refused(self.plan("--algorithm", "acs", "--islands", "x"), 2, '"x" is one argument too many, and no value of --islands;')
+        for run in (self.plan("--prepare", "zz"), self.run_program("info", "small.map", "--prepare", "zz")):
+            self.refused(run, 2, '"zz" is one argument too many, and no value of --prepare;')
         self.quiet(self.plan("--algorithm", "acs", "--iterations", "1", "--islands", "2", "-q"))
         self.write("4x", self.read("small.map"))
         self.assertEqual(self.run_program("plan", "--algorithm", "acs", "--iterations", "1", "--start", "0,0", "--goal", "9,5",
