@@ -115,7 +115,8 @@ TEST(TourRecombiner, TakesOverWhatIsCheaper) {
   Recombiner recombiner(costs, candidates);
   for (int i = 0; i < 20; ++i) {
     const std::int64_t before = tour.cost();
-    EXPECT_EQ(recombiner.improve(tour, better, random, poller), tour.cost() < before);
+    const bool cheaper = recombiner.improve(tour, better, random, poller);
+    EXPECT_EQ(cheaper, tour.cost() < before);
     EXPECT_EQ(tour.cost(), cost_of(costs, tour.order(), false));
   }
   EXPECT_LE(tour.cost(), better.cost());
