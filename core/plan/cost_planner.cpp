@@ -66,6 +66,8 @@ struct CostPlanner::Impl {
   CostResult colony(const Planner::Impl& map, const Request& request,
                     const CostOptions& options) const;
   std::shared_ptr<const CostProof> proof(Run& run, double bound) const;
+  std::shared_ptr<const CostProof> proof_of_centres(Request request, Cell goal,
+                                                    const CostOptions& options) const;
 
   Planner planner;
   const disc::DiscSpace* space;       ///< of `planner`; null for a point
@@ -159,6 +161,16 @@ std::shared_ptr<const CostProof> CostPlanner::Impl::proof(Run& run, double bound
                                                      .levels = std::move(run.levels)});
 }
 
+// By a search for itself, beside the one for the answer.
+std::shared_ptr<const CostProof> CostPlanner::Impl::proof_of_centres(
+    Request request, Cell goal, const CostOptions& options) const {
+  request.start_point = request.goal_point = std::nullopt;
+  const Observer none;
+  Kept found(terrain, space, none);
+  Run run{request, goal, options, found};
+  return proof(run, request.start == goal ? 0 : search(terrain, run).lower_bound);
+}
+
 // It begins or ends beside the centres of cells: the shortest path, which costs what it costs.
 CostResult CostPlanner::Impl::shortest(const Request& request) const {
   CostResult result;
@@ -180,11 +192,7 @@ CostResult CostPlanner::Impl::over_uniform(const Request& request,
   result.cost = result.length * terrain.least();
   if (result.lower_bound) *result.lower_bound *= terrain.least();
   if (!options.proof || result.path.empty()) return result;
-  const Observer none;
-  Kept found(terrain, space, none);
-  Run run{request, result.goal_reached.value_or(request.goal), options, found};
-  const bool there = request.start == run.goal;
-  result.proof = proof(run, there ? 0 : search(terrain, run).lower_bound);
+  result.proof = proof_of_centres(request, result.goal_reached.value_or(request.goal), options);
   return result;
 }
 
@@ -245,18 +253,29 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
   const Asked start(grid, asked.start, asked.start_point);
   const Asked goal(grid, asked.goal, asked.goal_point);
   const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
-  const bool centres = !exact || options.eight_moves || options.proof;
-  if (!centres && impl_->uniform()) return plan_cells(asked, options);
+  const bool centres = !exact || options.eight_moves;
+  if (exact) check_asked(options, impl_->space != nullptr);
+  const bool points = start.is_point || goal.is_point;
+  if (!centres && !options.proof && impl_->uniform()) return plan_cells(asked, options);
   Request request = asked;
   request.start = start.cell;
   request.goal = goal.cell;
   request.start_point = request.goal_point = std::nullopt;
-  if (!start.is_point && !goal.is_point) return plan_cells(request, options);
+  if (!points) return plan_cells(request, options);
   if (impl_->space == nullptr) {
     const PlanningMap map = planner().impl_->planning_map(asked.stop);
     const Ends ends(map, nullptr, corners_of_paths(options.params, {}));
     if (ends.serves(start) && ends.serves(goal))
       std::tie(request.start, request.goal) = ends.walk(start.at, goal.at);
+  }
+  if (exact && options.proof) {  // a proof is of centres
+    CostOptions unproven = options;
+    unproven.proof = false;
+    CostResult result = plan(asked, unproven);
+    if (!result.path.empty() && grid.free(request.start))
+      result.proof =
+          impl_->proof_of_centres(request, result.goal_reached.value_or(request.goal), options);
+    return result;
   }
   request.start_point = inside(request.start, start.at, centres);
   request.goal_point = inside(request.goal, goal.at, centres);
@@ -305,7 +324,6 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   const bool disc = impl_->space != nullptr;
   if (find_algorithm(options.params.algorithm()).kind != Algorithm::Kind::exact)
     return impl_->colony(*impl_->planner.impl_, request, options);
-  check_asked(options, disc);
   if (impl_->uniform() && !options.eight_moves) return impl_->over_uniform(request, options);
   CostResult result;
   Result& plain = result;

@@ -333,6 +333,13 @@ class Costs(ProgramTest):
         self.holds(self.words("r.svg"), "% above the least; colours: weight of cells")
         self.quiet(self.run_program("verify", "r.json"))
         self.quiet(self.run_program("check-proof", "small.map", "r.proof.json", *options))
+        for name in ("plain", "proven"):  # between points; the proof is beside
+            proof = ("-o", "p.proof.json") if name == "proven" else ()
+            self.plan(*options, *proof, "-o", name + ".json", start="0.3,0.4", goal="9.2,5.7")
+            self.quiet(self.run_program("verify", name + ".json"))
+        for field in ("path", "cost", "lower_bound", "gap"):
+            self.assertEqual(*(json.loads(self.read(name + ".json"))[field] for name in ("plain", "proven")))
+        self.quiet(self.run_program("check-proof", "small.map", "p.proof.json", *options))
         self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n9\t5\t0\t0\n4\t2\t0\t0\n3\t2\t0\t0\n")
         lines = self.run_program("batch", "small.map", "q.tsv", *options).lines
         one = json.loads(self.read("r.json"))

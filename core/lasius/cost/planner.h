@@ -75,10 +75,11 @@ class LASIUS_EXPORT CostPlanner {
   /// Answers one request, deterministic as Planner::plan. Of any angle: a path soon, then better
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
-  /// Planner::plan's `exact`, unless a proof is asked for. Between points of cells the plan is the
-  /// one between their centres, its first and last piece put in place: then there is no proof, and
-  /// what an observer sees begins at centres. Request::via as of Planner::plan, and without a
-  /// proof. @throws as Planner::plan; for options that do not go together.
+  /// Planner::plan's `exact`. Between other points than centres a proof is searched for after the
+  /// plan, which it does not change; a colony and eight moves plan between centres, the first and
+  /// last piece put in place, and what an observer sees begins there. Request::via as of
+  /// Planner::plan, and without a proof. @throws as Planner::plan; for options that do not go
+  /// together.
   CostResult plan(const Request& request, const CostOptions& options = {}) const;
 
  private:

@@ -123,6 +123,33 @@ TEST(CostPlanner, ADiscKeepsItsRadius) {
   EXPECT_LT(gaps / solved, 0.05);
 }
 
+TEST(CostPlanner, AProofChangesNoAnswer) {
+  std::mt19937 random(43);
+  int ends_are_points = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Grid grid = random_grid(14, 9, 15, random);
+    const CostField costs = i % 4 == 0 ? CostField(14, 9) : striped(grid);
+    const CostPlanner planner(Planner(Grid(grid)), costs);
+    const auto place = [&](int side) {
+      return std::array{0.3, 0.5, 1.0, 0.9}[random() % 4] + static_cast<double>(random() % side);
+    };
+    Request request{.start_point = Point{place(14), place(9)},
+                    .goal_point = Point{place(14), place(9)}};
+    if (i % 3 == 0) request.goal_tolerance = 2;
+    const CostResult plain = planner.plan(request);
+    const CostResult proven = planner.plan(request, {.proof = true});
+    EXPECT_EQ(proven.status, plain.status);
+    EXPECT_EQ(proven.path, plain.path) << i;
+    if (plain.path.empty()) continue;
+    EXPECT_EQ(proven.cost, plain.cost);
+    EXPECT_EQ(proven.lower_bound, plain.lower_bound);
+    ASSERT_TRUE(proven.proof) << i;
+    EXPECT_EQ(check_proof(grid, costs, *proven.proof), std::nullopt) << i;
+    ++ends_are_points;
+  }
+  EXPECT_GT(ends_are_points, 20);
+}
+
 TEST(CostPlanner, ADiscIsLedOut) {
   const Grid grid = drawn({".........", ".........", "....#....", ".........", "........."});
   const CostField costs = striped(grid);
