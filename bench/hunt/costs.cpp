@@ -35,7 +35,7 @@ void judge_costs(const HuntCase& problem, HuntDraw& draw, HuntVerdict& verdict) 
   // Points on each edge of a cell: some path's cost, so no bound may be above it.
   const int points = draw.between(1, 3);
   const double reached = oracle::cost_over_points(
-      grid, [&](Cell c) { return costs.weight(c); }, from, to, points);
+      grid, [&](Cell c) { return costs.weight(c); }, centre(from), centre(to), points);
   Request request{.start = from, .goal = to};
   if (draw.one_in(3)) request.target_gap = draw.real(0.001, 0.1);
 

@@ -147,6 +147,7 @@ class CostSearch::Run {
   /// The cheapest walk by eight moves, then the cheapest path of any angle around it.
   void first_path() {
     const auto& [start, goal, from, to] = asked_;
+    if (start == goal) return within_a_cell();
     const auto walk =
         search_.eight_moves_.search(terrain_, start, goal, Corners::one_side, poller_, true);
     if (walk.empty()) return;
@@ -167,6 +168,29 @@ class CostSearch::Run {
       }
     }
     if (legs) go_on_ = best_.offer(begin_, *legs, lower_, poller_);
+  }
+
+  /// Straight, or out over an edge, around the cell and back over that edge or another.
+  void within_a_cell() {
+    constexpr int kX[8] = {0, 1, 1, 1, 0, -1, -1, -1}, kY[8] = {-1, -1, 0, 1, 1, 1, 0, -1};
+    const Cell cell = asked_.start;
+    go_on_ = best_.offer({begin_, end_}, lower_);
+    for (int out = 0; out < 8; out += 2) {
+      for (const int turn : {1, 7}) {
+        std::vector<Leg> legs{{cell, begin_}};
+        for (int i = 0; i < 8 && go_on_; ++i) {
+          const int at = (out + turn * i) % 8;
+          const Cell beside{cell.x + kX[at], cell.y + kY[at]};
+          const bool free = terrain_.free(beside.x, beside.y);
+          if (!free && i % 2 == 0) break;
+          legs.push_back({free ? beside : cell, end_});
+          if (i % 2 != 0) continue;
+          legs.push_back({cell, end_});
+          go_on_ = best_.offer(begin_, legs, lower_, poller_);
+          legs.pop_back();
+        }
+      }
+    }
   }
 
   /// The first level comes back from the goal, towards what the start's bound leaves.

@@ -24,8 +24,8 @@ class CostSearch {
  public:
   static constexpr int kMostIntervals = 16;
 
-  /// Two free cells that differ and are joined, and where in them it begins and ends, inside of
-  /// them: as in [0, 1] x [0, 1].
+  /// Two free cells that are joined, and where in them it begins and ends, inside of them: as in
+  /// [0, 1] x [0, 1]. They may be one, with two points.
   struct Question {
     Cell start, goal;
     Point from = kMiddle, to = kMiddle;

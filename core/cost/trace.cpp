@@ -23,6 +23,7 @@ std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
     const Cell left = cell;
     const int x = static_cast<int>(std::floor(here.x)), y = static_cast<int>(std::floor(here.y));
     exit = {kInfinity, kInfinity, {}, -1};
+    bool back = false;
     for (int cy = here.y == y ? y - 1 : y; cy <= y; ++cy) {
       for (int cx = here.x == x ? x - 1 : x; cx <= x; ++cx) {
         const Cell next{cx, cy};
@@ -30,9 +31,8 @@ std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
         const bool diagonal = cx != left.x && cy != left.y;
         if (diagonal && !terrain_.free(cx, left.y) && !terrain_.free(left.x, cy)) continue;
         if (next == source_) {
-          legs.push_back({next, here});
-          std::ranges::reverse(legs);
-          return legs;
+          back = true;
+          continue;
         }
         values_of(next, values);
         const auto there =
@@ -41,6 +41,12 @@ std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
         exit = there;
         cell = next;
       }
+    }
+    // From the source's own cell, which it left, it comes back where no other way is cheaper.
+    if (back && (target != source_ || exit.interval < 0)) {
+      legs.push_back({source_, here});
+      std::ranges::reverse(legs);
+      return legs;
     }
     if (exit.interval >= 0) legs.push_back({cell, here});
   }

@@ -345,10 +345,12 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
     result.path = from == to ? std::vector{from} : std::vector{from, to};
     result.length = path_length(result.path);
     result.cost = cost::cost_of(terrain, result.path);
-    result.lower_bound = terrain.least() * result.length;  // it may be cheaper around
+    result.lower_bound = terrain.least() * result.length;
     result.optimal = result.cost <= *result.lower_bound;
-    result.proof = impl_->proof(run, 0);
-    return result;
+    if (result.optimal) {  // else it may be cheaper around
+      result.proof = impl_->proof(run, 0);
+      return result;
+    }
   }
   const std::optional<Cell> goal_reached = result.goal_reached;
   plain = {};

@@ -15,16 +15,19 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Nodes are points of the boundary of one cell; those of two cells are joined at no cost where the
 // cells share the edge that the point lies on, so that nobody squeezes through a corner.
-double cost_over_points(const Grid& grid, const WeightOf& weight, Cell start, Cell goal,
+double cost_over_points(const Grid& grid, const WeightOf& weight, Point start, Point goal,
                         int points) {
   struct Node {
     Cell cell;
     Point at;
   };
-  std::vector<Node> nodes{{start, centre(start)}, {goal, centre(goal)}};
+  std::vector<Node> nodes;
   std::map<std::pair<int, int>, std::vector<int>> of_cell;
-  of_cell[{start.x, start.y}].push_back(0);
-  of_cell[{goal.x, goal.y}].push_back(1);
+  for (const Point end : {start, goal}) {
+    const Cell cell{static_cast<int>(end.x), static_cast<int>(end.y)};
+    of_cell[{cell.x, cell.y}].push_back(static_cast<int>(nodes.size()));
+    nodes.push_back({cell, end});
+  }
   const int steps = points + 1;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {

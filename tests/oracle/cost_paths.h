@@ -12,10 +12,10 @@ namespace lasius::oracle {
 /// The weight of a free cell.
 using WeightOf = std::function<double(Cell)>;
 
-/// A cost that some path has between the centres of two free cells: the least over paths whose
-/// bends are at `points` places of each edge or its ends. Infinite where there is none. For tiny
+/// A cost that some path has between two points inside free cells: the least over paths whose bends
+/// are at `points` places of each edge or its ends. Infinite where there is none. For tiny
 /// maps: the graph is dense.
-double cost_over_points(const Grid& grid, const WeightOf& weight, Cell start, Cell goal,
+double cost_over_points(const Grid& grid, const WeightOf& weight, Point start, Point goal,
                         int points);
 
 /// The cost of a polyline by sampling `samples` points of each segment, as many from either side of

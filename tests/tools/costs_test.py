@@ -325,6 +325,15 @@ class Costs(ProgramTest):
         self.quiet(self.run_program("verify", "z.json"))
         self.quiet(self.run_program("check-proof", "small.map", "z.proof.json", "--cost", zeros))
 
+    def test_ends_in_one_cell(self):
+        """Out of a dear cell and back where that is cheaper than straight."""
+        self.write("g.map", map_text(["...."] * 4))
+        self.write("g.pgm", pgm([[1, 0, 0, 0], [0, 1, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], 1))
+        for start, goal, most in (("1.05,1.1", "1.95,1.1", 4.2), ("1.9,1.3", "1.04,1.95", 9)):
+            run = self.plan("--cost", "g.pgm*20", "--target-gap", "1", "--json", start=start, goal=goal, map_file="g.map").json
+            self.assertLess(run["cost"], most)
+            self.assertLess(run["gap"], 0.01)
+
     def test_results_replay_and_proofs_hold(self):
         self.write("a.pgm", pgm([[(7 * x + 5 * y) % 11 for x in range(10)] for y in range(6)], 10))
         options = ("--cost", "a.pgm*1.5", "--inflation", "2,1")

@@ -31,7 +31,7 @@ TEST(CostSearch, TinyMapsAgainstBruteForce) {
     CostAnswer answer;
     search.search(terrain, {start, goal}, {}, {}, answer);
     const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
-    const double best = oracle::cost_over_points(grid, weight, start, goal, 7);
+    const double best = oracle::cost_over_points(grid, weight, centre(start), centre(goal), 7);
     ASSERT_FALSE(answer.path.empty());
     EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
     EXPECT_LE(answer.length, best * (1 + 1e-9)) << i;
@@ -43,6 +43,36 @@ TEST(CostSearch, TinyMapsAgainstBruteForce) {
     worst_gap = std::max(worst_gap, answer.length / answer.lower_bound - 1);
   }
   EXPECT_LT(worst_gap, 0.003);
+}
+
+// A dear cell that both ends are in is left where the way around it, or around more, is cheaper.
+TEST(CostSearch, EndsInOneCellAgainstBruteForce) {
+  std::mt19937 random(41);
+  const auto place = [&] {
+    return std::clamp(static_cast<double>(random() % 101) / 100, 1e-4, 1 - 1e-4);
+  };
+  int around = 0;
+  double gaps = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const auto [grid, costs, cell, other] = random_weights(random, 4, 6);
+    const Terrain terrain(grid, costs);
+    const Point from{place(), place()}, to{place(), place()};
+    const double straight = costs.weight(cell) * distance(from, to);
+    if (from == to) continue;
+    CostSearch search;
+    CostAnswer answer;
+    search.search(terrain, {cell, cell, from, to}, {}, {}, answer);
+    const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
+    const double best = oracle::cost_over_points(grid, weight, {cell.x + from.x, cell.y + from.y},
+                                                 {cell.x + to.x, cell.y + to.y}, 9);
+    EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
+    EXPECT_LE(answer.length, best * (1 + 1e-9)) << i;
+    EXPECT_LE(answer.lower_bound, best * (1 + 1e-12)) << i;
+    around += answer.length < 0.9 * straight ? 1 : 0;
+    gaps += answer.length / answer.lower_bound - 1;
+  }
+  EXPECT_GT(around, 20);
+  EXPECT_LT(gaps / 1200, 0.01);
 }
 
 // A march that goes on takes up values from before the queue's buckets, on ways that are longer
@@ -127,7 +157,8 @@ TEST(EdgeField, RandomChordsCostEnough) {
     const auto [grid, costs, start, goal] = random_weights(random, 5, 12);
     const Terrain terrain(grid, costs);
     const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
-    const double best = i % 4 == 0 ? oracle::cost_over_points(grid, weight, start, goal, 5) : 1e300;
+    const double best =
+        i % 4 == 0 ? oracle::cost_over_points(grid, weight, centre(start), centre(goal), 5) : 1e300;
     for (const int k : {2, 4, 8}) {
       const CellChords chords(k);
       EdgeField field(terrain);
