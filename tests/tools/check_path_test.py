@@ -79,6 +79,14 @@ class CheckPath(ProgramTest):
         self.assertAlmostEqual(fault["along"], 2 + 12 - far - 2.5, places=6)
         self.assertAlmostEqual(fault["at"][0], 12 - far, places=6)
 
+    def test_no_path_keeps_more_than_half_the_map(self):
+        for radius in ("6.0001", "1e6", "3e9", "1e100", "1e308"):  # of 12 rows
+            run = self.judged(self.table([(15.5, 6), (16, 6)]), "--radius", radius, code=1)
+            self.assertIn("comes nearer than the radius to ", run.out)
+            self.assertIn(", 0 cells along the path", run.out)
+        self.write("room.map", MAP.replace("@", "."))
+        self.judged(self.table([(15.5, 6), (16, 6)]), "--radius", "6", code=0)
+
     def test_own_results_hold_for_what_they_were_planned_with(self):
         for radius in ("0", "0.5", "1.3", "2"):
             run = self.run_program("plan", "room.map", "--start", "4,6", "--goal", "21,2", "--radius", radius,

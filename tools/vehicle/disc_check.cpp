@@ -207,7 +207,9 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
 
 std::optional<PathFault> disc_fault(const Grid& grid, double radius, const lasius::Curve& curve) {
   constexpr double kPart = 8;  // cells: of longer pieces too many squares would be looked at
-  const double limit = radius - std::min(kSlack, radius / 2);
+  // Nothing in the map is farther than half of it from the outside.
+  const double half = std::min(grid.width(), grid.height()) / 2.0;
+  const double limit = std::min(radius - std::min(kSlack, radius / 2), half + 1);
   double along = 0;
   for (const CurvePiece& piece : curve) {
     const double length = length_of(piece), parts = std::max(1., std::ceil(length / kPart));
