@@ -185,7 +185,8 @@ class CheckPath(ProgramTest):
     def test_results_without_one_path(self):
         for content, code, said in (('{"track": null, "status": "invalid"}', 2, "its status is invalid"),
                                     ('{"legs": [], "tours": []}', 2, "tours of several robots"),
-                                    ('{"legs": []}', 3, '"stops"'),
+                                    ('{"legs": []}', 3, '"order"'),
+                                    ('{"legs": [], "order": [0]}', 3, '"stops"'),
                                     ('{"legs": {"a": {"path": [[1, 2]]}}}', 3, "no list of legs"),
                                     ('{"legs": [], "stops": [[1, 1]], "order": [1]}', 3, '"order"'),
                                     ('{"legs": [], "stops": [[1]], "order": [0]}', 3, '"stops"'),
@@ -194,12 +195,31 @@ class CheckPath(ProgramTest):
                                     ('{"path": {"a": [1, 2]}}', 3, "no list of points"),
                                     ('{"track": [[1, 1, 0]], "parameters": 5}', 3, '"parameters" is 5'),
                                     ('{"track": [[1, 1, 0]], "parameters": null}', 3, '"parameters" is null'),
-                                    ('{"legs": [{"path": [[1]]}]}', 3, "no list of points"),
+                                    ('{"legs": [{"from": 0, "to": 1, "path": [[1]]}], "order": [0, 1]}', 3, "no list of points"),
+                                    ('{"track": [[1, 1, 0], [9, 9, 0]], "segments": [], "length": 12, "parameters": {"vehicle": {}}}', 3,
+                                     '"segments" are none'),
                                     ('{"path": 4}', 3, "no list of points"), ("[]", 3, "path")):
             self.write("run.json", content)
             run = self.run_program("check-path", "room.map", "run.json")
             self.assertEqual(run.code, code, run.err)
             self.assertIn(said, run.err)
+
+    def test_of_a_tour_no_leg_may_be_missing(self):
+        self.write("v.json", json.dumps({"footprint": [[-1, -0.6], [1, -0.6], [1, 0.6]], "turning_radius": 2, "units": "cells"}))
+        self.write("stops.json", json.dumps([[4, 6], [21, 2], [12, 10], [4, 6]]))
+        cases = [(lambda legs: [], "leg 0 of "), (lambda legs: legs[:-1], " is missing"),
+                 (lambda legs: [{**legs[0], "path": []}, *legs[1:]], "leg 0 has no path"),
+                 (lambda legs: legs[::-1], "leg 0 joins other stops than"), (lambda legs: legs + legs, " joins other stops than")]
+        of_vehicle = [(lambda legs: legs[:-1] + [{**legs[-1], "segments": []}], " has no path")]
+        for options in (["--open"], [], ["--start", "4,6", "--goal", "4,6"], ["--start", "4,6", "--goal", "21,2"],
+                        ["--vehicle", "v.json"], ["--vehicle", "v.json", "--start", "4,6,0", "--goal", "4,6,0"]):
+            run = self.run_program("tour", "room.map", "--stops", "stops.json", *options, "-o", "tour.json")
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual(self.run_program("check-path", "room.map", "tour.json").code, 0, options)
+            tour = json.loads(self.read("tour.json"))
+            for legs, said in cases + (of_vehicle if "--vehicle" in options else []):
+                self.write("cut.json", json.dumps({**tour, "legs": legs(tour["legs"])}))
+                self.refused(self.run_program("check-path", "room.map", "cut.json"), 3, "cut.json", said)
 
     def test_tours_of_one_stop(self):
         self.write("world.pgm", b"P5 24 12 255 " + b"\xfe" * 288)

@@ -178,19 +178,42 @@ void take_stop(PathFile& path, const Json& result) {
   path.points.push_back(cell && !path.metres ? Point{at.x + 0.5, at.y + 0.5} : at);
 }
 
+/// Of a tour all legs, which lead from stop to stop of its order; without any its only stop.
+/// @throws UsageError naming the key, or a leg that is missing
+void take_legs(PathFile& path, const Json& result) {
+  const Json &legs = list_at(result, "legs", "legs"), &order = list_at(result, "order", "stops");
+  const auto end = [&](const std::string& key) {
+    return result.value(key + "_world", result.value(key, Json()));
+  };
+  const Json goal = end("goal"), parameters = result.value("parameters", Json());
+  const bool closed = goal.is_null() ? told(parameters, "open") && parameters["open"] == false
+                                     : goal == end("start");
+  const std::size_t stops = order.size(), least = stops < 2 ? 0 : stops - (closed ? 0 : 1);
+  for (std::size_t i = 0; i < std::max(least, legs.size()); ++i) {
+    const std::string name = "leg " + std::to_string(i);
+    if (i >= legs.size()) throw UsageError(name + " of " + std::to_string(least) + " is missing");
+    if (i >= least || value_at(legs[i], "from") != order[i] ||
+        value_at(legs[i], "to") != order[(i + 1) % stops])
+      throw UsageError(name + " joins other stops than \"order\"");
+    const std::size_t points = path.points.size(), segments = path.segments.size();
+    take_path(path, legs[i], "path");
+    if (path.points.size() == points || (of_vehicle(result) && path.segments.size() == segments))
+      throw UsageError(name + " has no path");
+  }
+  if (legs.empty() && !of_vehicle(result)) take_stop(path, result);
+}
+
 /// @throws UsageError naming the key
 PathFile path_of(const std::string& file, const Json& result, const std::string& key) {
   PathFile path{.file = file};
-  if (key == "legs") {
-    const Json& legs = list_at(result, key, "legs");
-    for (const Json& leg : legs) take_path(path, leg, "path");
-    if (legs.empty() && !of_vehicle(result)) take_stop(path, result);
-  } else {
+  if (key == "legs")
+    take_legs(path, result);
+  else
     take_path(path, result, key);
-  }
   if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
   if (of_vehicle(result) && path.segments.empty()) {  // a drive or tour that only stands
-    if (key == "path") throw UsageError("\"segments\" are none");
+    if (key == "path" || (told(result, "length") && result["length"] != 0))
+      throw UsageError("\"segments\" are none");
     const Json& poses = value_at(result, key == "legs" ? "poses" : key);
     if (!poses.is_array() || poses.empty()) throw UsageError("it has no pose");
     const PoseEnd at = recorded_pose(Json{{"pose", poses.front()}}, "pose");
