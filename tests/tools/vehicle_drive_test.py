@@ -118,7 +118,8 @@ class VehicleDrives(ProgramTest):
                      2, "--heading-tolerance is for --vehicle")
         self.refused(self.run_program("drive", "yard.map", "--start", "1,1", "--goal", "3,3", "--goal", "2,2"),
                      2, "several goals are for --vehicle")
-        run = self.drive("car.json", start="12,4,0")
+        run = self.drive("car.json", "-o", "none.csv", start="12,4,0")
+        self.assertEqual(self.read("none.csv"), b"x,y,yaw\n")
         self.ended(run, 4, "at the start the vehicle touches cell (12, ")
         run = self.drive("car.json", goal="27,9,0", map_file="yard.map")
         self.ended(run, 4, "at the goal the vehicle touches cell")

@@ -173,7 +173,7 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     return {.csv =
                 [&](auto& out) {
                   if (answer_.vehicle)
-                    write_poses(out, *answer_.vehicle, command_, answer_.map);
+                    write_poses(out, *answer_.vehicle, command_, answer_.map, run.has_path());
                   else
                     write_csv(out, run);
                 },

@@ -118,8 +118,9 @@ void add_track(Json& json, const DrivenVehicle& driven, const DriveCommand& comm
 }
 
 void write_poses(std::ostream& out, const DrivenVehicle& driven, const DriveCommand& command,
-                 const LoadedMap& map) {
+                 const LoadedMap& map, bool found) {
   out << "x,y,yaw\n";
+  if (!found) return;
   for (const vehicle::Pose& pose : driven_poses(driven, map, in_metres(command)))
     out << to_text(pose.x) << "," << to_text(pose.y) << "," << to_text(pose.yaw) << "\n";
 }

@@ -49,8 +49,8 @@ void record_vehicle(Record& record, const DrivenVehicle& driven, const DriveComm
 /// "track" and "segments", null where nothing was driven; in metres, too, where the command is.
 void add_track(Json& json, const DrivenVehicle& driven, const DriveCommand& command,
                const LoadedMap& map, bool found);
-/// x,y,yaw, a line a tick; check-path reads it.
+/// x,y,yaw, a line a tick, none where nothing was driven; check-path reads it.
 void write_poses(std::ostream& out, const DrivenVehicle& driven, const DriveCommand& command,
-                 const LoadedMap& map);
+                 const LoadedMap& map, bool found);
 
 }  // namespace lasius::tool
