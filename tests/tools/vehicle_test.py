@@ -247,7 +247,8 @@ class Vehicles(ProgramTest):
         self.refused(self.drive("yard.map", "5,5,0", "20,20,0"), 3, "yard.map: this is a MovingAI map; give a vehicle")
 
     def test_commands_that_make_no_sense(self):
-        for options, words in [(["--radius", "2"], "--radius"), (["--ants", "5"], "--ants"), (["--algorithm", "mmas"], "mmas"),
+        for options, words in [(["--radius", "2"], "--radius"), (["--ants", "5"], "--ants"), (["--islands", "2"], "--islands"),
+                               (["--exchange", "scheduled"], "--exchange"), (["--algorithm", "mmas"], "mmas"),
                                (["--seed", "1-3"], "--seed"), (["-o", "a.proof.json"], "a.proof.json"), (["--via", "3,3"], "--via")]:
             with self.subTest(options=options):
                 self.refused(self.drive("car.json", "5,5,0", "20,20,0", *options), 2, words)

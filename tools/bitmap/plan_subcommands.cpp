@@ -208,7 +208,7 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
   refuse({"--via"}, "plan a vehicle from one pose to the next");
   refuse({"--alternatives"}, "they are of points");
   refuse({"--gap"}, "a vehicle's plan always tells its certified gap");
-  refuse({"--ants", "--iterations", "--tracks"}, "it is of colonies");
+  refuse({"--ants", "--iterations", "--tracks", "--islands", "--exchange"}, "it is of colonies");
   refuse({"--set", "--preset", "--neighbours", "--corners"}, "it is of algorithms on cells");
   refuse({"--prepare"}, "a vehicle's map is prepared without");
   if (table.given("--polish")) {
