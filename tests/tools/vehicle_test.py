@@ -177,6 +177,14 @@ class Vehicles(ProgramTest):
         self.assertEqual((run.code, run.json["status"]), (4, "invalid"))
         x, y, yaw = run.json["nearest_free"]
         self.assertLess(depth(CAR["footprint"], (x, y, yaw)), 0)
+        for goal in ("46,8,0", "80,8,0", "99999,8,0", "-500,8,0", "22,400,0", "300,-400,0"):  # the map is 44 x 30
+            run = self.drive("car.json", "5,5,0", goal, "--json")
+            x, y, yaw = run.json["nearest_free"]
+            self.assertEqual((run.code, x % 1, y % 1), (4, 0.5, 0.5))
+            self.assertLess(depth(CAR["footprint"], (x, y, yaw)), 0)
+            asked = [float(v) + 0.5 for v in goal.split(",")[:2]]
+            free = [(c + 0.5, r + 0.5) for c in range(44) for r in range(30) if depth(CAR["footprint"], (c + 0.5, r + 0.5, 0)) < -1e-6]
+            self.assertAlmostEqual(math.dist(asked, (x, y)), min(math.dist(asked, p) for p in free), places=6)
         self.write("path.csv", "x,y,yaw\n5,15,0\n20,15,0\n24,10,-0.9\n")
         run = self.run_program("check-path", "yard.map", "path.csv", "--vehicle", "car.json", "--json")
         self.assertEqual((run.code, run.json["judged_as"], run.json["assumed_straight"]), (1, "vehicle", 1))

@@ -112,7 +112,7 @@ class VehicleTour final : public TourProblem {
     if (yaw && is_end(stop))
       return name + pose_text(*on_, *command_.vehicle, pose) +
              touched_text(*on_, *command_.vehicle, *cell,
-                          nearest_free(on_->planner->space(), pose, {}));
+                          nearest_free(on_->map.as_read(), on_->planner->space(), pose, {}));
     return behind(": the footprint meets cell (" + std::to_string(cell->x) + ", " +
                   std::to_string(cell->y) + ")" +
                   (yaw ? "" : ", and others at the other headings"));

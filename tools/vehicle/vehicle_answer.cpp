@@ -157,19 +157,26 @@ void note_files(const VehicleMap& on, RunOptions& run) {
   run.notes.insert(run.notes.end(), notes.begin(), notes.end());
 }
 
-std::optional<vehicle::Pose> nearest_free(const vehicle::Space& space, const vehicle::Pose& from,
-                                          const StopCondition& stop) {
+std::optional<vehicle::Pose> nearest_free(const Grid& grid, const vehicle::Space& space,
+                                          const vehicle::Pose& from, const StopCondition& stop) {
+  const auto into = [](double at, int size) {
+    return at < 0 ? std::ceil(-at) : std::min(0.0, -std::ceil(at - size));
+  };
+  const double right = into(from.x, grid.width()), down = into(from.y, grid.height());
   const int reach = std::min(
       200, static_cast<int>(std::ceil(3 * vehicle::circumscribed_radius(space.vehicle()))) + 10);
   std::vector<Cell> steps;
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x)
       if (x * x + y * y <= reach * reach) steps.push_back({x, y});
-  std::ranges::stable_sort(steps, {}, [](Cell c) { return c.x * c.x + c.y * c.y; });
+  std::ranges::stable_sort(steps, {}, [&](Cell c) {
+    const double x = right + c.x, y = down + c.y;
+    return x * x + y * y;
+  });
   for (std::size_t i = 0; i < steps.size(); ++i) {
     constexpr std::size_t kPoll = 1024;
     if (i % kPoll == 0 && stop.poll() != StopCondition::Cause::none) return std::nullopt;
-    const vehicle::Pose pose{from.x + steps[i].x, from.y + steps[i].y, from.yaw};
+    const vehicle::Pose pose{from.x + (right + steps[i].x), from.y + (down + steps[i].y), from.yaw};
     if (space.free(pose)) return pose;
   }
   return std::nullopt;
@@ -234,7 +241,7 @@ VehicleAnswer plan_vehicle(const VehicleMap& on, const VehicleCommand& command,
        .stop = stop});
   answer.elapsed_ms = ms_since(begin);
   if (answer.result.status == Status::invalid && answer.result.touched)
-    answer.nearest_free = nearest_free(on.planner->space(),
+    answer.nearest_free = nearest_free(on.map.as_read(), on.planner->space(),
                                        (at_goal(answer.result.fault) ? answer.goal() : start).pose,
                                        {.token = stop.token});
   return answer;
