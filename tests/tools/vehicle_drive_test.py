@@ -120,9 +120,9 @@ class VehicleDrives(ProgramTest):
                      2, "several goals are for --vehicle")
         run = self.drive("car.json", "-o", "none.csv", start="12,4,0")
         self.assertEqual(self.read("none.csv"), b"x,y,yaw\n")
-        self.ended(run, 4, "at the start the vehicle touches cell (12, ")
+        self.ended(run, 4, "start (12.5, 4.5, 0): the footprint meets the blocked cell (12, ", "nearest pose of this heading")
         run = self.drive("car.json", goal="27,9,0", map_file="yard.map")
-        self.ended(run, 4, "at the goal the vehicle touches cell")
+        self.ended(run, 4, "goal (27.5, 9.5, 0): the footprint meets the blocked cell", "nearest pose of this heading")
 
 
 if __name__ == "__main__":

@@ -120,7 +120,8 @@ class DriveProblem : public ProblemOf<DriveCommand> {
                            .observer = look};
     const Grid& truth = answer_.truth().grid();
     answer_.result = answer_.vehicle
-                         ? drive_vehicle(*answer_.vehicle, answer_.map, truth, answer_.changes, how)
+                         ? drive_vehicle(*answer_.vehicle, answer_.map, command_.run.frame, truth,
+                                         answer_.changes, how)
                          : drive(*navigator, truth, answer_.start.cell, answer_.changes, how);
     if (answer_.vehicle) answer_.goal = answer_.vehicle->goal().place;
     const DriveResult& driven = answer_.result;

@@ -65,14 +65,23 @@ DriveCommand recorded_drive_of_vehicle(const Recorded& from) {
   return command;
 }
 
-DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, const Grid& truth,
-                          const Changes& changes, const DriveOptions& how) {
+DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, Frame frame,
+                          const Grid& truth, const Changes& changes, const DriveOptions& how) {
   vehicle::DriveResult result =
       vehicle::drive(map.grid(), truth, driven.vehicle.vehicle, driven.start.pose,
                      driven.goal_poses(), changes, how, driven.how);
   driven.met = result.goal;
   driven.poses = std::move(result.poses);
   driven.moves = std::move(result.moves);
+  if (result.status != Status::invalid) return result;
+  const bool start = result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
+  const vehicle::Pose& pose = (start ? driven.start : driven.goal()).pose;
+  const Grid& grid = start ? truth : map.grid();
+  const vehicle::Space space(grid, driven.vehicle.vehicle);
+  if (const auto cell = space.contact(pose))
+    result.error =
+        (start ? "start " : "goal ") + pose_text(map, frame, pose) +
+        touched_text(map, frame, *cell, nearest_free(grid, space, pose, {.token = how.stop.token}));
   return result;
 }
 

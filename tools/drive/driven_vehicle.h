@@ -38,9 +38,9 @@ DrivenVehicle read_driven_vehicle(const DriveCommand& command, const LoadedMap& 
 DriveCommand recorded_drive_of_vehicle(const Recorded& from);
 
 /// Drives through `truth`; `how` and the rest as of vehicle::drive(). Keeps poses, moves
-/// and which goal is met.
-DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, const Grid& truth,
-                          const Changes& changes, const DriveOptions& how);
+/// and which goal is met; tells what is near to an end that touches something.
+DriveResult drive_vehicle(DrivenVehicle& driven, const LoadedMap& map, Frame frame,
+                          const Grid& truth, const Changes& changes, const DriveOptions& how);
 void look_for_bound(DrivenVehicle& driven, const Grid& world, const StopCondition& stop);
 
 /// What decides the drive, its ends, and its path: a pose a tick.

@@ -110,8 +110,8 @@ class VehicleTour final : public TourProblem {
     const auto cell = on_->planner->space().contact(pose);
     if (!cell) return text + " is blocked";
     if (yaw && is_end(stop))
-      return name + pose_text(*on_, *command_.vehicle, pose) +
-             touched_text(*on_, *command_.vehicle, *cell,
+      return name + pose_text(on_->map, command_.run.frame, pose) +
+             touched_text(on_->map, command_.run.frame, *cell,
                           nearest_free(on_->map.as_read(), on_->planner->space(), pose, {}));
     return behind(": the footprint meets cell (" + std::to_string(cell->x) + ", " +
                   std::to_string(cell->y) + ")" +

@@ -41,9 +41,9 @@ std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
                          const VehicleAnswer& answer) {
   const bool goal = at_goal(answer.result.fault);
   std::string text = goal ? "goal " : "start ";
-  text += pose_text(on, command, (goal ? answer.goal() : answer.start).pose);
+  text += pose_text(on.map, command.run.frame, (goal ? answer.goal() : answer.start).pose);
   const auto& cell = answer.result.touched;
-  return text + (cell ? touched_text(on, command, *cell, answer.nearest_free)
+  return text + (cell ? touched_text(on.map, command.run.frame, *cell, answer.nearest_free)
                       : ": " + answer.result.error);
 }
 
@@ -182,22 +182,21 @@ std::optional<vehicle::Pose> nearest_free(const Grid& grid, const vehicle::Space
   return std::nullopt;
 }
 
-std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
-                      const vehicle::Pose& cells) {
-  const vehicle::Pose pose = in_metres(command) ? to_world(on.map, cells) : cells;
+std::string pose_text(const LoadedMap& map, Frame frame, const vehicle::Pose& cells) {
+  const vehicle::Pose pose = frame == Frame::world ? to_world(map, cells) : cells;
   return "(" + rounded_text(pose.x, 4) + ", " + rounded_text(pose.y, 4) + ", " +
          rounded_text(pose.yaw, 4) + ")";
 }
 
-std::string touched_text(const VehicleMap& on, const VehicleCommand& command, Cell cell,
+std::string touched_text(const LoadedMap& map, Frame frame, Cell cell,
                          const std::optional<vehicle::Pose>& nearest) {
-  std::string text = on.map.as_read().contains(cell)
+  std::string text = map.as_read().contains(cell)
                          ? ": the footprint meets the blocked cell "
                          : ": the footprint reaches out of the map, to cell ";
   text += "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
   if (nearest)
     text += "; the nearest pose of this heading, whole cells away, that meets nothing is " +
-            pose_text(on, command, *nearest);
+            pose_text(map, frame, *nearest);
   return text;
 }
 

@@ -42,11 +42,10 @@ VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
 /// where the map is nearest to it, or once stopped.
 std::optional<vehicle::Pose> nearest_free(const Grid& grid, const vehicle::Space& space,
                                           const vehicle::Pose& from, const StopCondition& stop);
-/// As in "(1.5, 2, 0.7854)", in the command's frame.
-std::string pose_text(const VehicleMap& on, const VehicleCommand& command,
-                      const vehicle::Pose& cells);
+/// As in "(1.5, 2, 0.7854)".
+std::string pose_text(const LoadedMap& map, Frame frame, const vehicle::Pose& cells);
 /// What is said behind a pose that touches a cell, and what is near that does not.
-std::string touched_text(const VehicleMap& on, const VehicleCommand& command, Cell cell,
+std::string touched_text(const LoadedMap& map, Frame frame, Cell cell,
                          const std::optional<vehicle::Pose>& nearest);
 /// As it was given.
 Json asked_json(const VehicleEnd& end);
