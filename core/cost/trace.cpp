@@ -42,7 +42,7 @@ std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
         cell = next;
       }
     }
-    // From the source's own cell, which it left, it comes back where no other way is cheaper.
+    // Into its own cell a trace from the source comes back only where no other leads on.
     if (back && (target != source_ || exit.interval < 0)) {
       legs.push_back({source_, here});
       std::ranges::reverse(legs);

@@ -63,7 +63,7 @@ std::string cells_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool sq
     const std::int64_t n = (a.x * dy + dx * (y - a.y)) * sign(static_cast<int>(dy));
     const std::int64_t d = 2 * std::abs(dy);
     const bool right = ahead == (step_x > 0);                      // of where it crosses the height
-    return static_cast<int>(right ? n / d : (n + d - 1) / d - 1);  // in the map, so never below 0
+    return static_cast<int>(right ? n / d : (n + d - 1) / d - 1);  // n is never below 0
   };
   const auto ahead = [&](int y) { return column(y, true); };
   const auto behind = [&](int y) { return column(y, false); };

@@ -85,7 +85,7 @@ WorldFrame read_frame(const Fields& fields) {
   frame.resolution = fields.number("resolution", "0.05");
   constexpr double kMostMetres = 1e299;  // so that all lengths of a map are finite
   if (!(frame.resolution > 0 && frame.resolution <= kMostMetres))
-    fields.fail("resolution", "is not above 0 and at most 1e299", "give the metres a cell");
+    fields.fail("resolution", "is not above 0, or above 1e299", "give the metres a cell");
   const std::string usual = "[0.0, 0.0, 0.0]";
   const YAML::Node origin = fields.get("origin", usual);
   if (!origin.IsSequence() || origin.size() != 3)

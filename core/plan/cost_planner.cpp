@@ -271,7 +271,11 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
   if (exact && options.proof) {  // a proof is of centres
     CostOptions unproven = options;
     unproven.proof = false;
-    CostResult result = plan(asked, unproven);
+    Request first = asked;  // half of the time is the proof's
+    const auto now = asked.stop.now();
+    if (asked.stop.deadline > now && asked.stop.deadline < Clock::time_point::max())
+      first.stop.deadline = now + (asked.stop.deadline - now) / 2;
+    CostResult result = plan(first, unproven);
     if (!result.path.empty() && grid.free(request.start))
       result.proof =
           impl_->proof_of_centres(request, result.goal_reached.value_or(request.goal), options);
@@ -340,14 +344,17 @@ CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& op
   Kept kept(terrain, impl_->space, options.observer);
   Impl::Run run{request, goal, options, kept};
   if (request.start == goal) {
-    result.status = Status::solved;
-    result.limit = Limit::none;
-    result.path = from == to ? std::vector{from} : std::vector{from, to};
-    result.length = path_length(result.path);
-    result.cost = cost::cost_of(terrain, result.path);
-    result.lower_bound = terrain.least() * result.length;
-    result.optimal = result.cost <= *result.lower_bound;
-    if (result.optimal) {  // else it may be cheaper around
+    const auto straight = from == to ? std::vector{from} : std::vector{from, to};
+    const double length = path_length(straight), cost = cost::cost_of(terrain, straight);
+    const double bound = terrain.least() * length;
+    if (cost <= bound && can_go(impl_->space, straight)) {  // else it may be cheaper around
+      result.status = Status::solved;
+      result.limit = Limit::none;
+      result.path = straight;
+      result.length = length;
+      result.cost = cost;
+      result.lower_bound = bound;
+      result.optimal = true;
       result.proof = impl_->proof(run, 0);
       return result;
     }

@@ -39,8 +39,8 @@ void refuse_extras(const CLI::App& app, const std::vector<std::string>& words) {
   if (extra == extras.end()) return;
   const std::string word = extra->substr(0, extra->find('='));
   if (word.size() < 2 || word[0] != '-') {
-    const auto at = std::find(words.begin() + 1, words.end(), *extra);
-    const std::string before = at[-1].substr(0, at[-1].find('='));
+    const auto at = std::find(words.rbegin(), words.rend(), *extra);
+    const std::string before = words.rend() - at > 1 ? at[1].substr(0, at[1].find('=')) : "";
     const bool may_have = before == "--prepare" || before == "--islands";
     throw UsageError("\"" + word + "\" is one argument too many" +
                      (may_have ? ", and no value of " + before : "") + "; see --help");

@@ -38,8 +38,8 @@ struct VehicleEnd {
 };
 VehicleEnd vehicle_end(const LoadedMap& map, const PoseEnd& asked, Frame frame);
 /// The pose nearest to one that touches something, of the same heading and whole cells away; of
-/// those that are equally near the first by rows. Nothing where none is near, of one outside near
-/// where the map is nearest to it, or once stopped.
+/// those that are equally near the first by rows. It is sought a few vehicles around that pose, or
+/// around the map's nearest point to one outside. Nothing where none is there, or once stopped.
 std::optional<vehicle::Pose> nearest_free(const Grid& grid, const vehicle::Space& space,
                                           const vehicle::Pose& from, const StopCondition& stop);
 /// As in "(1.5, 2, 0.7854)".

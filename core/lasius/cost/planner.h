@@ -76,10 +76,10 @@ class LASIUS_EXPORT CostPlanner {
   /// ones and higher bounds, to Request::target_gap, or where that is 0 to about 0.03%
   /// (Status::solved). Where all free cells have one weight, the answer is that of
   /// Planner::plan's `exact`. Between other points than centres a proof is searched for after the
-  /// plan, which it does not change; a colony and eight moves plan between centres, the first and
-  /// last piece put in place, and what an observer sees begins there. Request::via as of
-  /// Planner::plan, and without a proof. @throws as Planner::plan; for options that do not go
-  /// together.
+  /// plan, which it does not change, in half of the time to a deadline; a colony and eight moves
+  /// plan between centres, the first and last piece put in place, and what an observer sees begins
+  /// there. Request::via as of Planner::plan, and without a proof. @throws as Planner::plan; for
+  /// options that do not go together.
   CostResult plan(const Request& request, const CostOptions& options = {}) const;
 
  private:

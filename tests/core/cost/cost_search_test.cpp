@@ -65,7 +65,9 @@ TEST(CostSearch, EndsInOneCellAgainstBruteForce) {
     const auto weight = [&costs = costs](Cell c) { return costs.weight(c); };
     const double best = oracle::cost_over_points(grid, weight, {cell.x + from.x, cell.y + from.y},
                                                  {cell.x + to.x, cell.y + to.y}, 9);
-    EXPECT_NEAR(*path_cost(grid, costs, answer.path), answer.length, 1e-9 * answer.length);
+    const auto cost = path_cost(grid, costs, answer.path);
+    ASSERT_TRUE(cost) << i;
+    EXPECT_NEAR(*cost, answer.length, 1e-9 * answer.length);
     EXPECT_LE(answer.length, best * (1 + 1e-9)) << i;
     EXPECT_LE(answer.lower_bound, best * (1 + 1e-12)) << i;
     around += answer.length < 0.9 * straight ? 1 : 0;

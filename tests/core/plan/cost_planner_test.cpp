@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/plan/disc_path.h"
@@ -125,7 +126,7 @@ TEST(CostPlanner, ADiscKeepsItsRadius) {
 
 TEST(CostPlanner, AProofChangesNoAnswer) {
   std::mt19937 random(43);
-  int ends_are_points = 0;
+  int proofs = 0;
   for (int i = 0; i < 40; ++i) {
     const Grid grid = random_grid(14, 9, 15, random);
     const CostField costs = i % 4 == 0 ? CostField(14, 9) : striped(grid);
@@ -145,9 +146,26 @@ TEST(CostPlanner, AProofChangesNoAnswer) {
     EXPECT_EQ(proven.lower_bound, plain.lower_bound);
     ASSERT_TRUE(proven.proof) << i;
     EXPECT_EQ(check_proof(grid, costs, *proven.proof), std::nullopt) << i;
-    ++ends_are_points;
+    ++proofs;
   }
-  EXPECT_GT(ends_are_points, 20);
+  EXPECT_GT(proofs, 20);
+}
+
+// A corner's arc passes between two points of one cell.
+TEST(CostPlanner, ADiscGoesRoundWithinACell) {
+  Grid grid(20, 20);
+  grid.fill({0, 0, 10, 10}, true);
+  const Planner disc(std::move(grid), Disc{2});
+  std::vector<double> dearer_elsewhere(400, 0);
+  dearer_elsewhere.back() = 1;
+  CostField costs(20, 20);
+  costs.add(dearer_elsewhere);
+  const Request request{.start_point = Point{11.001, 11.7325},
+                        .goal_point = Point{11.7325, 11.001}};
+  const CostResult result = CostPlanner(Planner(disc), costs).plan(request);
+  ASSERT_EQ(result.status, Status::solved) << result.error;
+  EXPECT_GE(result.cost, disc.plan(request).length * (1 - 1e-9));
+  EXPECT_NEAR(result.cost, result.length, 1e-9);
 }
 
 TEST(CostPlanner, ADiscIsLedOut) {

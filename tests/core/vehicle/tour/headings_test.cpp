@@ -84,6 +84,7 @@ TEST(VehicleTour, BoundIsAtMostToursOverAnyMember) {
   }
 }
 
+// Along a line legs are as long as their bounds, whatever their digits.
 TEST(VehicleTour, BoundHasAllDigits) {
   const Vehicle robot = differential(rectangle(1, 1, 1));
   const Planner planner(Grid(160, 12), robot);

@@ -183,7 +183,6 @@ TEST(VehicleTour, OverCostsIsOfTheCost) {
   EXPECT_EQ(alone.cost, 0.0);
 }
 
-// Along a line legs are as long as their bounds, whatever their digits.
 TEST(VehicleTour, NamesWhatItLeavesOut) {
   Grid grid(60, 40);
   grid.fill({40, 0, 1, 20}, true);  // a room of its own
