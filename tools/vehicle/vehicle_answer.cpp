@@ -190,13 +190,12 @@ std::string pose_text(const LoadedMap& map, Frame frame, const vehicle::Pose& ce
 
 std::string touched_text(const LoadedMap& map, Frame frame, Cell cell,
                          const std::optional<vehicle::Pose>& nearest) {
-  const bool inside = map.as_read().contains(cell);
-  std::string text = inside ? ": the footprint meets the blocked cell "
-                            : ": the footprint reaches out of the map, to cell ";
+  std::string text = map.as_read().contains(cell)
+                         ? ": the footprint meets the blocked cell "
+                         : ": the footprint reaches out of the map, to cell ";
   text += "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
   if (nearest)
-    text += std::string(inside ? "; the nearest" : "; near the map's edge a") +
-            " pose of this heading, whole cells away, that meets nothing is " +
+    text += "; the nearest pose of this heading, whole cells away, that meets nothing is " +
             pose_text(map, frame, *nearest);
   return text;
 }
