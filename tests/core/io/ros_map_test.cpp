@@ -215,7 +215,7 @@ const BrokenRos kBrokenRosMaps[] = {
      ErrorCode::file_missing, 2, "none.pgm cannot be opened"},
     {"no_resolution", "image: image\norigin: [1, 2, 0]\n", kBroken, 1, "'resolution' is missing"},
     {"resolution_0", "image: image\nresolution: 0\n", kBroken, 2, "not above 0"},
-    {"resolution_1e308", "image: image\nresolution: 1e308\n", kBroken, 2, "at most 1e299"},
+    {"resolution_1e308", "image: image\nresolution: 1e308\n", kBroken, 2, "above 1e299"},
     {"resolution_text", "image: image\nresolution: fine\n", kBroken, 2, "no finite number"},
     {"resolution_inf", "image: image\nresolution: .inf\n", kBroken, 2, "no finite number"},
     {"no_origin", "image: image\nresolution: 1\n" + kTrinary, kBroken, 1, "'origin' is missing"},
