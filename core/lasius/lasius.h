@@ -1,4 +1,4 @@
-// The whole public interface of lasius::lasius.
+// The public interface of lasius::lasius, but for vehicles: lasius/vehicle.h.
 #pragma once
 
 #include "lasius/base/error.h"
