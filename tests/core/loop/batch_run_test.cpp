@@ -32,10 +32,13 @@ TEST(BatchRun, MakesNoMoreWorkersThanThereAreTasks) {
 TEST(BatchRun, AStopEndsThoseThatWaitForAnEarlierAnswer) {
   std::stop_source stop;
   std::atomic<int> ahead = 0, received = 0;
+  std::atomic<bool> begun = false;        // the first one
   constexpr int kAhead = 64 + 8 * 3 - 1;  // of the first one, with three threads
   const auto make_worker = [&]() -> BatchWorker {
     return [&](BatchTask& task) -> std::function<void()> {
       if (task.index == 0) {
+        begun = true;
+        begun.notify_all();
         while (!task.stop.token.stop_requested()) std::this_thread::yield();
       } else {
         ++ahead;
@@ -45,6 +48,7 @@ TEST(BatchRun, AStopEndsThoseThatWaitForAnEarlierAnswer) {
     };
   };
   const std::jthread stopper([&] {
+    begun.wait(false);
     for (int now; (now = ahead) < kAhead;) ahead.wait(now);
     stop.request_stop();
   });
