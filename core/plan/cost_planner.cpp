@@ -255,13 +255,12 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
   const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
   const bool centres = !exact || options.eight_moves;
   if (exact) check_asked(options, impl_->space != nullptr);
-  const bool points = start.is_point || goal.is_point;
   if (!centres && !options.proof && impl_->uniform()) return plan_cells(asked, options);
   Request request = asked;
   request.start = start.cell;
   request.goal = goal.cell;
   request.start_point = request.goal_point = std::nullopt;
-  if (!points) return plan_cells(request, options);
+  if (!start.is_point && !goal.is_point) return plan_cells(request, options);
   if (impl_->space == nullptr) {
     const PlanningMap map = planner().impl_->planning_map(asked.stop);
     const Ends ends(map, nullptr, corners_of_paths(options.params, {}));
