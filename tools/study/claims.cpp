@@ -117,20 +117,19 @@ std::string success_text(const Claim& claim, const Measured& all, bool first) {
   return text;
 }
 
-/// Tests of values of a times `factor` against b; which questions speak clearly for a side.
+/// One-sided p that a claim holds of these questions and that it fails, and its effect.
 struct Sides {
-  RankTest test;
-  int less = 0, greater = 0;  ///< clear after Bonferroni over the questions
+  double holds, fails, effect;
 };
-Sides sides(const std::vector<Pair>& pairs) {
-  Sides found{.test = rank_test(pairs)};
-  for (const Pair& pair : pairs) {
-    const RankTest one = rank_test({&pair, 1});
-    const double count = 2.0 * static_cast<double>(pairs.size());
-    found.less += one.less * count < kSignificant;
-    found.greater += one.greater * count < kSignificant;
+Sides sides(const Claim& claim, const std::vector<Pair>& pairs) {
+  if (claim.test == Test::similar) {
+    const RankTest high = rank_test(scaled(pairs, 1 / (1 + claim.within)));
+    const RankTest low = rank_test(scaled(pairs, 1 / (1 - claim.within)));
+    return {std::max(high.less, low.greater), std::min(1.0, 2 * std::min(high.greater, low.less)),
+            median_ratio(pairs)};
   }
-  return found;
+  const RankTest test = rank_test(scaled(pairs, claim.factor));
+  return {test.less, test.greater, test.effect};
 }
 
 std::string medians_text(const std::vector<Pair>& pairs) {
@@ -154,28 +153,25 @@ void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, E
   }
   const double ratio = median_ratio(pairs);
   const Interval ratios = resampled_interval(pairs, median_ratio);
-  if (claim.test == Test::similar) {
-    const auto high = sides(scaled(pairs, 1 / (1 + claim.within)));
-    const auto low = sides(scaled(pairs, 1 / (1 - claim.within)));
-    evidence.p_for = std::max(high.test.less, low.test.greater);
-    evidence.p_against = std::min(1.0, 2 * std::min(high.test.greater, low.test.less));
-    evidence.effect = ratio;
-    evidence.interval = ratios;
-    evidence.mixed = (evidence.p_for < evidence.p_against ? high.greater + low.less
-                                                          : std::min(high.greater, low.less)) > 0;
-  } else {
-    const auto scaled_pairs = scaled(pairs, claim.factor);
-    const Sides s = sides(scaled_pairs);
-    evidence.p_for = s.test.less;
-    evidence.p_against = s.test.greater;
-    evidence.effect = s.test.effect;
-    evidence.interval = resampled_interval(
-        scaled_pairs, [](std::span<const Pair> drawn) { return share_less(drawn); });
-    evidence.mixed = (s.test.less < s.test.greater ? s.greater : s.less) > 0;
-    if (pairs.size() > 1)
-      evidence.figures = "clearly less on " + of(s.less, evidence.questions) +
-                         " questions, greater on " + std::to_string(s.greater) + "; ";
+  const Sides whole = sides(claim, pairs);
+  evidence.p_for = whole.holds;
+  evidence.p_against = whole.fails;
+  evidence.effect = whole.effect;
+  evidence.interval = claim.test == Test::similar
+                          ? ratios
+                          : resampled_interval(scaled(pairs, claim.factor), share_less);
+  int holds = 0, fails = 0;  // clearly: after Bonferroni over the questions
+  for (const Pair& pair : pairs) {
+    const Sides one = sides(claim, {pair});
+    const double count = 2.0 * static_cast<double>(pairs.size());
+    holds += one.holds * count < kSignificant;
+    fails += one.fails * count < kSignificant;
+    evidence.clearest_for = std::min(evidence.clearest_for, one.holds * count);
+    evidence.clearest_against = std::min(evidence.clearest_against, one.fails * count);
   }
+  if (pairs.size() > 1)
+    evidence.figures = "holds clearly on " + of(holds, evidence.questions) +
+                       " questions, fails on " + std::to_string(fails) + "; ";
   evidence.figures += medians_text(pairs);
   if (std::isfinite(ratio))
     evidence.figures += ", ratio " + fixed(ratio, 3) + interval_text(ratios, 3);
@@ -291,18 +287,34 @@ double normal_quantile(double p) {
   return low;
 }
 
-/// How many seeds would decide among `family` claims were the effect what was found: a test's z
-/// grows by the root of the runs.
-std::string seeds_at_this_effect(const Evidence& e, double family) {
-  const double z = normal_quantile(std::min({e.p_for, e.p_against, 0.5}));
-  const double root = normal_quantile(kSignificant / (2 * family)) / z;
+/// How many seeds would decide were the effect what was found, if they had to be root^2 as many.
+std::string seeds_at_this_effect(const Evidence& e, double root) {
   const double seeds = std::ceil(e.seeds * root * root);
   if (!(seeds <= kMostSeeds)) return "at this effect no number of seeds decides";
   return "at this effect about " + std::to_string(static_cast<int>(seeds)) + " seeds would decide";
 }
 
+/// By how much a test's z would have to grow to decide among `family` claims: it does by the root
+/// of the runs.
+double growth_of_z(const Evidence& e, double family) {
+  return normal_quantile(kSignificant / (2 * family)) /
+         normal_quantile(std::min({e.p_for, e.p_against, 0.5}));
+}
+
+/// By how much the interval would have to shrink to lie on its side: it does by the root of the
+/// runs.
+double shrinking_of_interval(const Evidence& e) {
+  const auto by = [](double half, double room) { return room > 0 ? half / room : INFINITY; };
+  const bool similar = e.claim->test == Test::similar;
+  const double least = similar ? 1 - e.claim->within : e.neutral;
+  const double most = similar ? 1 + e.claim->within : INFINITY;
+  const double below = e.effect - e.interval.low, above = e.interval.high - e.effect;
+  return e.holds() ? std::max(by(below, e.effect - least), by(above, most - e.effect))
+                   : std::min(by(above, least - e.effect), by(below, e.effect - most));
+}
+
 Verdict verdict_of(const Evidence& e) {
-  const bool holds = e.p_for < e.p_against;
+  const bool holds = e.holds();
   const auto& [low, high] = e.interval;
   if (e.claim->test == Test::similar) {
     const double least = 1 - e.claim->within, most = 1 + e.claim->within;
@@ -322,6 +334,7 @@ std::string verdict_text(Verdict verdict) {
   constexpr const char* kTexts[] = {"confirmed",
                                     "**refuted**",
                                     "undecided",
+                                    "depends on the map",
                                     "baseline not reproduced",
                                     "follows from arithmetic",
                                     "not repeated"};
@@ -353,15 +366,19 @@ void decide(std::span<Evidence> evidence) {
       note(e.obstacle);
     } else {
       e.adjusted = *next++;
-      if (e.adjusted < kSignificant) {
-        if (e.mixed)
-          note("mixed: some question says the opposite");
-        else
-          e.verdict = verdict_of(e);
+      if (std::max(e.clearest_for, e.clearest_against) * family < kSignificant) {
+        e.verdict = Verdict::depends;
+      } else if (e.adjusted < kSignificant &&
+                 (e.holds() ? e.clearest_against : e.clearest_for) < kSignificant) {
+        note("some question says the opposite");
+      } else if (e.adjusted < kSignificant) {
+        e.verdict = verdict_of(e);
+        if (e.verdict == Verdict::undecided)
+          note(seeds_at_this_effect(e, shrinking_of_interval(e)));
       } else if (least_p(e, e.seeds) * family >= kSignificant) {
         note(too_few_seeds(e, family));
       } else {
-        note(seeds_at_this_effect(e, family));
+        note(seeds_at_this_effect(e, growth_of_z(e, family)));
       }
     }
   }

@@ -14,6 +14,7 @@ enum class Verdict {
   confirmed,
   refuted,
   undecided,
+  depends,      ///< holds on some questions, the opposite on others
   no_baseline,  ///< its control does not do what the source says of it
   arithmetic,   ///< holds by itself
   none,         ///< was not repeated
@@ -32,12 +33,13 @@ struct Evidence {
       kUnknown;            ///< A12; of `most` the share of runs; of `similar` the ratio of medians
   Interval interval = {};  ///< of the effect, 95%
   double neutral = 0.5;    ///< the effect that speaks for neither side
-  bool mixed = false;      ///< some question speaks clearly against the others
-  std::string figures = {};   ///< what was measured, in words
+  double clearest_for = 1, clearest_against = 1;  ///< p of one question, Bonferroni over them
+  std::string figures = {};                       ///< what was measured, in words
   std::string obstacle = {};  ///< why nothing can be said; empty: the test was made
   Verdict verdict = Verdict::undecided;
   double adjusted = kUnknown;  ///< two-sided p after Holm
 
+  bool holds() const { return p_for < p_against; }  ///< rather than not
   bool tested() const { return obstacle.empty() && questions > 0; }
 };
 
@@ -45,8 +47,10 @@ struct Evidence {
 std::vector<Evidence> weigh(const Study& study, const Findings& findings);
 
 /// Gives the verdicts, all tests of a report at once: p adjusted by Holm over them, 5%.
-/// A claim is confirmed or refuted where test and interval say so and no question speaks clearly
-/// against; else undecided, with the seeds that could decide where these could not.
+/// A claim depends on the map where one question speaks for it and another against, each after
+/// correction over the tests, too. Else it is confirmed or refuted where test and interval say so
+/// and no question speaks clearly against; else undecided, with the seeds that could decide where
+/// these could not.
 void decide(std::span<Evidence> evidence);
 
 }  // namespace lasius::study

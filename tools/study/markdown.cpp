@@ -16,7 +16,8 @@ is less. "within": two such tests at the bounds; the effect is the ratio of medi
 a binomial test of the share of runs, with Clopper and Pearson's interval. The other intervals are
 percentiles of 2000 resamplings of the runs. p is two-sided, by Holm's method over all tests of the
 table; below 0.05 counts, where the interval agrees and no question speaks clearly against the
-others. Questions on which all runs of both do the same decide nothing. A run that does not get
+others. A claim "depends on the map" where it holds on one question and fails on another, p of each
+by Bonferroni over questions and tests. Questions on which all runs of both do the same decide nothing. A run that does not get
 there counts as infinitely long; the expected running time is what all runs spent by the number of
 successes. "At equal steps": both are read where the more frugal of them ended.
 )";
@@ -108,8 +109,9 @@ std::string claims_page(std::span<const Evidence> evidence, const std::string& c
   };
   return "# The claims of all sources\n\n`" + command + "`, lasius " LASIUS_VERSION ": " +
          count(Verdict::confirmed) + ", " + count(Verdict::refuted) + ", " +
-         count(Verdict::undecided) + ", " + count(Verdict::no_baseline) + ", " +
-         count(Verdict::arithmetic) + ", " + count(Verdict::none) +
+         count(Verdict::depends) + ", " + count(Verdict::undecided) + ", " +
+         count(Verdict::no_baseline) + ", " + count(Verdict::arithmetic) + ", " +
+         count(Verdict::none) +
          ". A row's own command is `lasius study STUDY --seeds SEEDS`, whose report corrects over "
          "its own rows only.\n\n" +
          kHowToRead + outcomes;

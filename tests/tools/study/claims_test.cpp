@@ -64,8 +64,9 @@ class Claims : public testing::Test {
     return judge(claim).verdict;
   }
   Evidence judge(const Claim& claim, int others = 0) {
-    study_.claims.assign(static_cast<std::size_t>(others) + 1, claim);
-    auto evidence = weigh(study_, findings_);
+    study_.claims = {claim};
+    std::vector<Evidence> evidence(static_cast<std::size_t>(others) + 1,
+                                   weigh(study_, findings_).front());
     decide(evidence);
     return evidence.front();
   }
@@ -111,10 +112,44 @@ TEST_F(Claims, WhereAllReachTheCeilingNothingIsDecided) {
   expect_says(e.figures, "nothing to tell apart");
 }
 
-TEST_F(Claims, AQuestionThatSaysTheOppositeLeavesThemOpen) {
+TEST_F(Claims, DependOnTheMapWhereAQuestionSaysTheOpposite) {
   runs("a", 1, high_);
   runs("b", 1, low_);
-  EXPECT_EQ(judge(less()).verdict, Verdict::undecided);
+  // One-sided 1 / C(16, 8) either way, by 4 for two sides and questions: times 160 below 0.05.
+  EXPECT_EQ(judge(less(), 159).verdict, Verdict::depends);
+  EXPECT_EQ(judge(less(), 160).verdict, Verdict::undecided);
+}
+
+TEST_F(Claims, AQuestionThatSaysTheOppositeLeavesThemOpen) {
+  std::vector<double> many_low, many_high;
+  for (int i = 0; i < 24; ++i) {
+    many_low.push_back(11 + i / 10.0);
+    many_high.push_back(21 + i / 10.0);
+  }
+  runs("a", 0, many_low);
+  runs("b", 0, many_high);
+  runs("a", 1, high_);
+  runs("b", 1, low_);
+  const Evidence e = judge(less(), 160);
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  EXPECT_LT(e.adjusted, 0.05);
+  expect_says(e.figures,
+              "some question says the opposite; holds clearly on 1 of 2 questions, fails on 1");
+}
+
+TEST_F(Claims, WhereTheIntervalCrossesItsEdgeItIsSaidHowManySeedsWouldDecide) {
+  Claim claim = less();
+  claim.test = Claim::Test::similar;
+  claim.within = 0.015;
+  std::vector<double> most_equal(24, 10);
+  both("b", most_equal);
+  std::fill_n(most_equal.begin(), 9, 10.4);
+  both("a", most_equal);
+  const Evidence e = judge(claim);
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  EXPECT_LT(e.adjusted, 0.05);
+  // The median of one question may be 10.4: sqrt(1.04) = 1.0198, 24 (0.0198 / 0.015)^2 = 41.8.
+  expect_says(e.figures, "at this effect about 42 seeds would decide");
 }
 
 TEST_F(Claims, TooFewSeedsCannotDecideAndItIsSaidHowManyWould) {
