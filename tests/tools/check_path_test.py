@@ -237,6 +237,13 @@ class CheckPath(ProgramTest):
         run = self.run_program("check-path", "room.map", "run.json")
         self.assertEqual((run.code, "at (4.5, 2.5)" in run.out), (1, True), run.out)
 
+    def test_points_beyond_all_measure_are_outside(self):
+        self.write("path.csv", "x,y\n1.5,1.5\n1.7e308,1.7e308\n-1.7e308,3\n")
+        for options, fault in (([], "meets a blocked cell or squeezes"), (["--radius", "0.2"], "comes nearer")):
+            run = self.run_program("check-path", "room.map", "path.csv", *options)
+            self.assertEqual(run.code, 1, run.err)
+            self.assertRegex(run.out, f"does not hold: {fault}" + r".* [0-9.]+ cells along the path, at \([0-9.]+, [0-9.]+\)")
+
     def test_faults_of_files_are_told_by_line(self):
         cases = [
             ("", r"path\.csv, line 1: .*holds no point"),

@@ -175,7 +175,7 @@ int check(Asked& asked) {
 
 Subcommand add_check_path(CLI::App& app) {
   auto asked = std::make_shared<Asked>();
-  OptionTable table(app, "check-path", "Judge anybody's path: does it touch anything?");
+  OptionTable table(app, "check-path", "Judge anybody's path: whether it touches anything");
   table
       .file("MAP", asked->map.file, "The map: .map, PBM, PGM, PNG, BMP or ROS YAML",
             map_endings(false))

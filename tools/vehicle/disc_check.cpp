@@ -140,7 +140,7 @@ bool inside(const Grid& grid, Point p) {
 template <class Breaks>
 double first_share(const Breaks& breaks) {
   double kept = 0, broken = 1;
-  for (int step = 0; step < 50 && kept < broken; ++step) {
+  for (int step = 0; step < 100 && kept < broken; ++step) {
     const double middle = kept + (broken - kept) / 2;
     (breaks(middle) ? broken : kept) = middle;
   }
@@ -192,9 +192,12 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
       const double share = first_share([&](double to) {
         return fault_of({a, part_of(line, 0, to).to}).has_value();
       });
+      const Point at = part_of(line, 0, share).to;
       return PathFault{.along = along + share * length_of(line),
-                       .at = part_of(line, 0, share).to,
-                       .why = inside(grid, b) ? *why : "leaves the map"};
+                       .at = at,
+                       .why = inside(grid, b)    ? *why
+                              : inside(grid, at) ? "meets a blocked cell or squeezes between two"
+                                                 : "leaves the map"};
     }
     along += length_of(line);
     if (i + 2 == apart.size() || !is_half(b)) continue;
