@@ -134,7 +134,7 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
   if (good && values.size() >= least && values.size() <= most) return values;
   std::string count = std::to_string(least);
   if (most > least) count += " to " + std::to_string(most);
-  throw bad_value(option, text, "a list of " + count + " numbers, as in 0.5,-1.2,0 (no blanks)");
+  throw bad_value(option, text, "a list of " + count + " numbers, commas between them, no blanks");
 }
 
 std::string to_text(double value) { return number_text(value); }
