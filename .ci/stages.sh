@@ -75,13 +75,13 @@ tidy() {
 fuzz_one() {
   local name=${1##*/fuzz_} found=${1%/bin/*}/found
   mkdir -p "$found/$name"
-  "$1" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=0 \
-    -artifact_prefix="$found/$name-" "$found/$name" "tests/fuzz/corpus/$name"
+  "$1" -max_total_time="$2" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=0 \
+    -close_fd_mask=3 -artifact_prefix="$found/$name-" "$found/$name" "tests/fuzz/corpus/$name"
 }
 
-# fuzz SECONDS: of processor time, for all targets together
+# fuzz SECONDS [CONFIGURE ARGUMENT...]: of processor time, for all targets together
 fuzz() {
-  cmake --preset fuzz $(no_lines fuzz)
+  cmake --preset fuzz $(no_lines fuzz) "${@:2}"
   cmake --build --preset fuzz
   local targets=(build/asan-ubsan/bin/fuzz_*)
   export -f fuzz_one
