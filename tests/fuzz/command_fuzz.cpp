@@ -11,7 +11,6 @@
 #include "tests/fuzz/reading.h"
 #include "tools/command_line/cli.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/streams.h"
 
 namespace lasius::fuzz {
 namespace {
