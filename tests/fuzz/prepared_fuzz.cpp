@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kHead = 56, kLabels = 20, kSize = 40, kSum = 48;
 
+/// As core/plan/planner_files.cpp has it.
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = text.size();
   for (std::size_t i = 0; i < text.size(); i += 8) {

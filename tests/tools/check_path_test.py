@@ -243,6 +243,13 @@ class CheckPath(ProgramTest):
             run = self.run_program("check-path", "room.map", "path.csv", *options)
             self.assertEqual(run.code, 1, run.err)
             self.assertRegex(run.out, f"does not hold: {fault}" + r".* [0-9.]+ cells along the path, at \([0-9.]+, [0-9.]+\)")
+        self.write("world.pgm", b"P5 24 12 255 " + b"\xfe" * 288)  # beyond it in cells, which are half a metre
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+                   "free_thresh: 0.2\n")
+        for options in ([], ["--radius", "0.2"]):
+            run = self.run_program("check-path", "world.yaml", "path.csv", "--frame", "world", *options)
+            self.assertEqual(run.code, 1, run.err)
+            self.assertRegex(run.out, r"does not hold: .* [0-9.]+ m along the path, at \([0-9.]+, [0-9.]+\)")
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [

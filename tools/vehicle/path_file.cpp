@@ -311,10 +311,13 @@ std::vector<Point> points_of(const PathFile& path, const LoadedMap& map) {
   std::vector<Point> points = path.points;
   if (path.metres)
     for (Point& p : points) p = map.frame->to_cells(p, map.height);
-  constexpr double kFar = 1e15;  // cells: in its direction, where lengths still add up
-  for (Point& p : points)
-    if (const double most = std::max(std::abs(p.x), std::abs(p.y)); most > kFar)
-      p = {p.x / most * kFar, p.y / most * kFar};
+  constexpr double kFar = 1e15,
+                   kMost = 1e300;  // cells: in its direction, where lengths still add up
+  for (Point& p : points) {
+    const Point at{std::clamp(p.x, -kMost, kMost), std::clamp(p.y, -kMost, kMost)};
+    const double most = std::max(std::abs(at.x), std::abs(at.y));
+    if (most > kFar) p = {at.x / most * kFar, at.y / most * kFar};
+  }
   return points;
 }
 
