@@ -15,6 +15,7 @@
 #include "core/base/output.h"
 #include "core/base/stored_arrays.h"
 #include "core/plan/planner_impl.h"
+#include "core/plan/prepared_head.h"
 
 namespace lasius {
 namespace {
@@ -102,6 +103,18 @@ Header checked_header(std::string_view whole, const Grid& map, const std::string
 
 }  // namespace
 
+std::string prepared_head(const Grid& map, bool labels, std::string_view text) {
+  const Header header{kName,
+                      kVersion,
+                      labels ? 1U : 0U,
+                      map.hash(),
+                      static_cast<std::uint32_t>(map.width()),
+                      static_cast<std::uint32_t>(map.height()),
+                      text.size(),
+                      checksum(text)};
+  return {reinterpret_cast<const char*>(&header), sizeof header};
+}
+
 void Planner::save_preparation(const std::string& file) const {
   if (impl_->graph == nullptr)
     throw invalid_parameter(
@@ -110,20 +123,8 @@ void Planner::save_preparation(const std::string& file) const {
   ArrayWriter arrays;
   impl_->graph->save(arrays);
   if (impl_->labels != nullptr) impl_->labels->save(arrays);
-  const std::string& text = arrays.text();
-  const Grid& map = impl_->grid;
-  const Header header{kName,
-                      kVersion,
-                      impl_->labels != nullptr ? 1U : 0U,
-                      map.hash(),
-                      static_cast<std::uint32_t>(map.width()),
-                      static_cast<std::uint32_t>(map.height()),
-                      text.size(),
-                      checksum(text)};
-  write_file(file, [&](std::ostream& out) {
-    out.write(reinterpret_cast<const char*>(&header), sizeof header);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  });
+  const std::string head = prepared_head(impl_->grid, impl_->labels != nullptr, arrays.text());
+  write_file(file, [&](std::ostream& out) { out << head << arrays.text(); });
 }
 
 Planner Planner::load_preparation(const std::string& file) const {

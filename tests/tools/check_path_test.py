@@ -176,7 +176,8 @@ class CheckPath(ProgramTest):
         text = "header: {frame_id: map}\nposes:\n"
         self.assertIn("1 piece, 2 cells", self.judged(text + pose % (2, 1) + pose % (4, 1) + "---\n", name="path.yaml").out)
         for content, said in ((text + pose % (2, 0), r"line 6: 'orientation' is all zero"), ("poses: []\n", "there is no path"),
-                              (text + pose % ("x", 1), r"line 5: 'x' is \"x\""), ("a: 1\n", "'poses' is missing")):
+                              (text + pose % ("x", 1), r"line 5: 'x' is \"x\""), ("a: 1\n", "'poses' is missing"),
+                              (text + pose % (2, 1e300), r"line 6: 'w' is ")):
             self.write("path.yaml", content)
             run = self.run_program("check-path", "room.map", "path.yaml")
             self.assertEqual(run.code, 3)
@@ -237,19 +238,32 @@ class CheckPath(ProgramTest):
         run = self.run_program("check-path", "room.map", "run.json")
         self.assertEqual((run.code, "at (4.5, 2.5)" in run.out), (1, True), run.out)
 
-    def test_points_beyond_all_measure_are_outside(self):
-        self.write("path.csv", "x,y\n1.5,1.5\n1.7e308,1.7e308\n-1.7e308,3\n")
-        for options, fault in (([], "meets a blocked cell or squeezes"), (["--radius", "0.2"], "comes nearer")):
-            run = self.run_program("check-path", "room.map", "path.csv", *options)
+    def test_what_a_line_meets_before_it_leaves_the_map(self):
+        for end, options, why, at in (((900, 900), [], "meets a blocked cell", [7, 7]), ((1e15, 1e15), [], "meets a blocked cell", [7, 7]),
+                                      ((1e15, 1e15), ["--radius", "0.2"], r"the blocked cell \(4, 3\)", [3.8, 3.8]),
+                                      ((1e15, 1.5), [], "^leaves the map$", [24, 1.5]), ((1.5, -3e14), [], "^leaves the map$", [1.5, 0]),
+                                      ((1.5, -3e14), ["--radius", "0.2"], r"the outside, cell \(1, -1\)", [1.5, 0.2])):
+            self.write("path.csv", f"x,y\n1.5,1.5\n{end[0]},{end[1]}\n")
+            run = self.run_program("check-path", "room.map", "path.csv", *options, "--json")
+            fault = json.loads(run.out)["fault"]
             self.assertEqual(run.code, 1, run.err)
-            self.assertRegex(run.out, f"does not hold: {fault}" + r".* [0-9.]+ cells along the path, at \([0-9.]+, [0-9.]+\)")
-        self.write("world.pgm", b"P5 24 12 255 " + b"\xfe" * 288)  # beyond it in cells, which are half a metre
-        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
-                   "free_thresh: 0.2\n")
-        for options in ([], ["--radius", "0.2"]):
-            run = self.run_program("check-path", "world.yaml", "path.csv", "--frame", "world", *options)
-            self.assertEqual(run.code, 1, run.err)
-            self.assertRegex(run.out, r"does not hold: .* [0-9.]+ m along the path, at \([0-9.]+, [0-9.]+\)")
+            self.assertRegex(fault["why"], why)
+            for i in range(2):
+                self.assertAlmostEqual(fault["at"][i], at[i], delta=1e-6)
+
+    def test_arcs_of_a_curve_join_its_points(self):
+        self.write("open.map", "type octile\nheight 9\nwidth 9\nmap\n" + "\n".join(["." * 9] * 4 + ["...@@@..."] + ["." * 9] * 4) + "\n")
+        run = self.run_program("plan", "open.map", "--start", "4,1", "--goal", "4,7", "--radius", "0.5", "-o", "run.json")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("holds: ", self.run_program("check-path", "open.map", "run.json").out)
+        result = json.loads(self.read("run.json"))
+        arc = next(i for i, piece in enumerate(result["curve"]) if isinstance(piece, dict))
+        for change, said in (({"centre": [4.5, 5]}, "does not join its points"), ({"radius": 1e9}, "does not join its points"),
+                             ({"centre": [1e308, 0]}, "coordinates are at most 1e")):
+            curve = list(result["curve"])
+            curve[arc] = {**curve[arc], **change}
+            self.write("changed.json", json.dumps({**result, "curve": curve}))
+            self.refused(self.run_program("check-path", "open.map", "changed.json"), 3, "changed.json", said)
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [
@@ -258,6 +272,7 @@ class CheckPath(ProgramTest):
             ("a,b\n1,2\n", r"path\.csv, line 1: the header has no column x"),
             ("x,y\n1,2\n3,z\n", r"path\.csv, line 3: y is 'z'"),
             ("x,y\n1,nan\n", r"path\.csv, line 2: y is 'nan'"),
+            ("x,y\n1,2\n1.7e308,1\n", r"path\.csv, line 3: x is '1\.7e308'; give a number, at most 1e\+15"),
             ("x,y,yaw\n1,2,3e5\n", r"path\.csv, line 2: yaw is '3e5'; give radians"),
             ("x,y,yaw\n1,2\n", r"path\.csv, line 2: 2 fields instead of 3"),
         ]

@@ -188,16 +188,14 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
     const CurvePiece line{.from = a, .to = b};
     // What the library says of ends anywhere holds for two points; of turns it knows those on half
     // cells, and at no others can a path squeeze.
-    if (auto why = fault_of({a, b})) {
+    if (fault_of({a, b})) {
       const double share = first_share([&](double to) {
         return fault_of({a, part_of(line, 0, to).to}).has_value();
       });
-      const Point at = part_of(line, 0, share).to;
+      const Point at = part_of(line, 0, share).to, end = inside(grid, b) ? b : at;
       return PathFault{.along = along + share * length_of(line),
                        .at = at,
-                       .why = inside(grid, b)    ? *why
-                              : inside(grid, at) ? "meets a blocked cell or squeezes between two"
-                                                 : "leaves the map"};
+                       .why = inside(grid, end) ? *fault_of({a, end}) : "leaves the map"};
     }
     along += length_of(line);
     if (i + 2 == apart.size() || !is_half(b)) continue;

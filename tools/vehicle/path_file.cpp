@@ -24,6 +24,11 @@ constexpr std::string_view kSeparators = " \t\r\v\f,";
 constexpr const char* kRemedyMissing =
     "name a .csv of a path, a path.yaml or a saved result, .json";
 
+/// Of coordinates and curvatures: of greater ones lengths do not add up.
+constexpr double kMostRead = 1e15;
+/// Between places that are one but for rounding, cells.
+constexpr double kNear = 1e-3;
+
 /// A table of points.
 class TableReader {
  public:
@@ -85,15 +90,16 @@ class TableReader {
                std::to_string(columns_),
            "give every line what the header names");
     path_.points.push_back({number("x", fields[*x_]), number("y", fields[*y_])});
-    if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_], kMostTurned));
+    if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_], kMostTurned, "radians"));
     if (kappa_) path_.curvatures.push_back(number("kappa", fields[*kappa_]));
   }
 
-  double number(std::string_view name, std::string_view field, double most = kNoLimit) const {
+  double number(std::string_view name, std::string_view field, double most = kMostRead,
+                const std::string& wanted = "a number") const {
     const auto value = parse_real(field);
     if (!value || std::abs(*value) > most)
       fail(std::string(name) + " is '" + std::string(field) + "'",
-           most < kNoLimit ? "give radians, at most " + to_text(most) : "give a finite number");
+           "give " + wanted + ", at most " + to_text(most));
     return *value;
   }
 
@@ -103,19 +109,28 @@ class TableReader {
   std::optional<std::size_t> x_, y_, yaw_, kappa_;
 };
 
+/// @throws UsageError naming the key
+Point recorded_place(const Json& result, const std::string& key) {
+  const Point at = recorded_point(result, key);
+  if (!(std::abs(at.x) <= kMostRead && std::abs(at.y) <= kMostRead))
+    throw UsageError("\"" + key + "\" holds " + dumped(result[key]) + "; coordinates are at most " +
+                     to_text(kMostRead));
+  return at;
+}
+
 /// Points, and arcs between them, as `plan --radius` tells a curve. @throws UsageError
 lasius::Curve recorded_curve(const Json& list) {
   lasius::Curve curve;
   const auto refuse = [] { throw UsageError("\"curve\" is no list of points and arcs"); };
   const auto point_at = [&](std::size_t i) {
-    return recorded_point(Json{{"curve", list[i]}}, "curve");
+    return recorded_place(Json{{"curve", list[i]}}, "curve");
   };
   if (!list.is_array() || list.empty() || !list[0].is_array()) refuse();
   Point from = point_at(0);
   for (std::size_t i = 1; i < list.size(); ++i) {
     CurvePiece piece{.from = from, .to = from};
     if (list[i].is_object()) {
-      piece.centre = recorded_point(list[i], "centre");
+      piece.centre = recorded_place(list[i], "centre");
       piece.radius = recorded_real(list[i], "radius", 0, kNoLimit);
       piece.turn = recorded<int>(list[i], "turn") < 0 ? -1 : 1;
       if (++i == list.size()) refuse();
@@ -123,6 +138,9 @@ lasius::Curve recorded_curve(const Json& list) {
     from = piece.to = point_at(i);
     if (piece.turn != 0) {
       const Point c = piece.centre, a = piece.from, b = piece.to;
+      for (const Point end : {a, b})
+        if (!(std::abs(std::hypot(end.x - c.x, end.y - c.y) - piece.radius) <= kNear))
+          throw UsageError("an arc of \"curve\" does not join its points");
       const double turned = std::atan2(b.y - c.y, b.x - c.x) - std::atan2(a.y - c.y, a.x - c.x);
       piece.angle = std::fmod(piece.turn * turned + 2 * std::numbers::pi, 2 * std::numbers::pi);
       if (piece.angle > 2 * std::numbers::pi - 1e-6) piece.angle = 0;  // rounding, of a short one
@@ -155,7 +173,7 @@ void take_path(PathFile& path, const Json& part, const std::string& key) {
   for (const Json& vertex : list_at(part, key)) {
     if (!vertex.is_array() || vertex.size() < 2)
       throw UsageError("\"" + key + "\" is no list of points");
-    const Point at = recorded_point(Json{{key, {vertex[0], vertex[1]}}}, key);
+    const Point at = recorded_place(Json{{key, {vertex[0], vertex[1]}}}, key);
     const bool cell = key == "track" && vertex.size() == 2;
     path.points.push_back(cell ? Point{at.x + 0.5, at.y + 0.5} : at);
   }
@@ -173,7 +191,7 @@ void take_stop(PathFile& path, const Json& result) {
   const Json first = {{"order", order.front()}};
   const auto last = static_cast<std::int64_t>(stops.size()) - 1;
   const Json& stop = stops[static_cast<std::size_t>(recorded_integer(first, "order", 0, last))];
-  const Point at = recorded_point(Json{{key, stop}}, key);
+  const Point at = recorded_place(Json{{key, stop}}, key);
   const bool cell = stop.front().is_number_integer() && stop.back().is_number_integer();
   path.points.push_back(cell && !path.metres ? Point{at.x + 0.5, at.y + 0.5} : at);
 }
@@ -263,7 +281,7 @@ PathFile read_ros_path(const std::string& file) {
   for (const Node& stamped : document.at("poses").items()) {
     const Node& pose = stamped.at("pose");
     const auto real = [&pose](const char* of, const char* key) {
-      return pose.at(of).at(key).number(-kNoLimit, kNoLimit);
+      return pose.at(of).at(key).number(-kMostRead, kMostRead);
     };
     const auto turned = [&real](const char* axis) { return real("orientation", axis); };
     const double x = turned("x"), y = turned("y"), z = turned("z"), w = turned("w");
@@ -277,8 +295,6 @@ PathFile read_ros_path(const std::string& file) {
                               "give the path of a plan that found one");
   return path;
 }
-
-constexpr double kNear = 1e-3;  // cells
 
 /// The clothoid of that curvature at `from`, whose chord is as long as theirs and which turns as
 /// they do; nothing where it ends elsewhere.
@@ -311,13 +327,6 @@ std::vector<Point> points_of(const PathFile& path, const LoadedMap& map) {
   std::vector<Point> points = path.points;
   if (path.metres)
     for (Point& p : points) p = map.frame->to_cells(p, map.height);
-  constexpr double kFar = 1e15,
-                   kMost = 1e300;  // cells: in its direction, where lengths still add up
-  for (Point& p : points) {
-    const Point at{std::clamp(p.x, -kMost, kMost), std::clamp(p.y, -kMost, kMost)};
-    const double most = std::max(std::abs(at.x), std::abs(at.y));
-    if (most > kFar) p = {at.x / most * kFar, at.y / most * kFar};
-  }
   return points;
 }
 
