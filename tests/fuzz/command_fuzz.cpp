@@ -2,11 +2,13 @@
 // end choose the command, what follows is the file. Anything but an answer or a refusal is a fault.
 #include <unistd.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -20,42 +22,26 @@
 namespace lasius::fuzz {
 namespace {
 
-struct Command {
-  char letter;
-  std::string file;  ///< what is written into it is tried
-  std::vector<std::string> words;
+/// By their letters; what is tried is in the file in.*.
+const std::map<char, std::string> kCommands = {
+    {'a', "check-path room.map in.csv"},
+    {'b', "check-path room.map in.csv --radius 0.4"},
+    {'c', "check-path room.map in.json"},
+    {'d', "check-path room.map in.yaml"},
+    {'e', "check-path room.map poses.csv --vehicle in.yaml"},
+    {'f', "check-path room.map in.csv --vehicle car.yaml --strict"},
+    {'g', "tour room.map --stops in.json --limit 0.01"},
+    {'h', "tour room.map --stops in.tsv --limit 0.01"},
+    {'i', "tour in.tsp --limit 0.01"},
+    {'j', "tour in.sop --limit 0.01"},
+    {'k', "check-proof room.map in.proof.json --cost costs.pfm"},
+    {'l', "check-proof room.map in.proof.cbor --cost costs.pfm"},
+    {'m', "plan room.map --start 1,1 --goal 10,5 --limit 0.01 --cost in.layer"},
+    {'n', "drive room.map --start 1,1 --goal 10,5 --limit 0.01 --changes in.txt"},
+    {'o', "plan room.map --start 1,1 --goal 10,5 --limit 0.01 --algorithm acs --preset in.yaml"},
+    {'p', "merge in.json"},
+    {'q', "batch room.map in.tsv --vehicle car.yaml --limit 0.01"},
 };
-
-const std::vector<std::string> kEnds = {"--start", "1,1", "--goal", "10,5", "--limit", "0.01"};
-
-std::vector<std::string> with_ends(std::vector<std::string> words) {
-  words.insert(words.end(), kEnds.begin(), kEnds.end());
-  return words;
-}
-
-const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {
-      {'a', "in.csv", {"check-path", "room.map", "in.csv"}},
-      {'b', "in.csv", {"check-path", "room.map", "in.csv", "--radius", "0.4"}},
-      {'c', "in.json", {"check-path", "room.map", "in.json"}},
-      {'d', "in.yaml", {"check-path", "room.map", "in.yaml"}},
-      {'e', "in.yaml", {"check-path", "room.map", "poses.csv", "--vehicle", "in.yaml"}},
-      {'f', "in.csv", {"check-path", "room.map", "in.csv", "--vehicle", "car.yaml", "--strict"}},
-      {'g', "in.json", {"tour", "room.map", "--stops", "in.json", "--limit", "0.01"}},
-      {'h', "in.tsv", {"tour", "room.map", "--stops", "in.tsv", "--limit", "0.01"}},
-      {'i', "in.tsp", {"tour", "in.tsp", "--limit", "0.01"}},
-      {'j', "in.sop", {"tour", "in.sop", "--limit", "0.01"}},
-      {'k', "in.proof.json", {"check-proof", "room.map", "in.proof.json", "--cost", "costs.pfm"}},
-      {'l', "in.proof.cbor", {"check-proof", "room.map", "in.proof.cbor", "--cost", "costs.pfm"}},
-      {'m', "in.layer", with_ends({"plan", "room.map", "--cost", "in.layer"})},
-      {'n', "in.txt", with_ends({"drive", "room.map", "--changes", "in.txt"})},
-      {'o', "in.yaml",
-       with_ends({"plan", "room.map", "--algorithm", "acs", "--preset", "in.yaml"})},
-      {'p', "in.json", {"merge", "in.json"}},
-      {'q', "in.tsv", {"batch", "room.map", "in.tsv", "--vehicle", "car.yaml", "--limit", "0.01"}},
-  };
-  return all;
-}
 
 /// Where the files are, which end with the program.
 struct Folder {
@@ -97,18 +83,19 @@ bool names_file(const std::string& word) {
 void check(const std::string& bytes) {
   static const Folder folder;
   if (bytes.size() < 2 || bytes[1] != '\n') return;
-  const auto command = std::ranges::find(commands(), bytes[0], &Command::letter);
-  if (command == commands().end()) return;
-  folder.write(command->file, std::string_view(bytes).substr(2));
-  std::vector<std::string> named = command->words;
-  std::vector<const char*> words{"lasius"};
-  for (std::string& word : named) {
+  const auto command = kCommands.find(bytes[0]);
+  if (command == kCommands.end()) return;
+  std::istringstream line("lasius " + command->second);
+  std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
+  std::vector<const char*> arguments;
+  for (std::string& word : words) {
+    if (word.starts_with("in.")) folder.write(word, std::string_view(bytes).substr(2));
     if (names_file(word)) word.insert(0, folder.path);
-    words.push_back(word.c_str());
+    arguments.push_back(word.c_str());
   }
   try {
-    const int code = tool::run_command_line(static_cast<int>(words.size()), words.data());
-    const bool judges = command->words[0].starts_with("check-");  // 1: it does not hold
+    const int code = tool::run_command_line(static_cast<int>(arguments.size()), arguments.data());
+    const bool judges = words[1].starts_with("check-");  // 1: it does not hold
     require(code >= 0 && code <= tool::kNoOutput && (code != tool::kInternal || judges));
   } catch (const tool::UsageError& error) {
     require(error.what()[0] != '\0');

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tools/draw/text.h"
 #include "tools/study/values.h"
@@ -12,7 +11,6 @@ namespace {
 
 using tool::fixed;
 
-constexpr double kSignificant = 0.05;
 using Test = Claim::Test;
 
 /// Values of a and, where there is a control, of b, by question.
@@ -82,6 +80,13 @@ std::vector<Pair> scaled(std::vector<Pair> pairs, double factor) {
   return pairs;
 }
 
+/// The first contender's values on all questions.
+std::vector<double> pooled(const std::vector<Pair>& pairs) {
+  std::vector<double> values;
+  for (const Pair& pair : pairs) values.insert(values.end(), pair.a.begin(), pair.a.end());
+  return values;
+}
+
 std::string of(int part, int whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
 }
@@ -117,11 +122,24 @@ std::string success_text(const Claim& claim, const Measured& all, bool first) {
   return text;
 }
 
+/// How many of these runs have a value in the claim's range.
+int hits_of(const Claim& claim, const std::vector<double>& values) {
+  return static_cast<int>(std::ranges::count_if(values, [&](double value) {
+    return value >= claim.from && value <= claim.to * (1 + kSameLength);
+  }));
+}
+
 /// One-sided p that a claim holds of these questions and that it fails, and its effect.
 struct Sides {
   double holds, fails, effect;
 };
 Sides sides(const Claim& claim, const std::vector<Pair>& pairs) {
+  if (claim.test == Test::most) {
+    const auto values = pooled(pairs);
+    const int hits = hits_of(claim, values), runs = static_cast<int>(values.size());
+    return {binomial_above(hits, runs, claim.share), binomial_below(hits, runs, claim.share),
+            static_cast<double>(hits) / runs};
+  }
   if (claim.test == Test::similar) {
     const RankTest high = rank_test(scaled(pairs, 1 / (1 + claim.within)));
     const RankTest low = rank_test(scaled(pairs, 1 / (1 - claim.within)));
@@ -130,6 +148,27 @@ Sides sides(const Claim& claim, const std::vector<Pair>& pairs) {
   }
   const RankTest test = rank_test(scaled(pairs, claim.factor));
   return {test.less, test.greater, test.effect};
+}
+
+/// What the questions say together and each by itself.
+void test_sides(const Claim& claim, const std::vector<Pair>& pairs, Evidence& evidence) {
+  evidence.questions = static_cast<int>(pairs.size());
+  const Sides whole = sides(claim, pairs);
+  evidence.p_for = whole.holds;
+  evidence.p_against = whole.fails;
+  evidence.effect = whole.effect;
+  int holds = 0, fails = 0;  // clearly: after Bonferroni over the questions
+  for (const Pair& pair : pairs) {
+    const Sides one = sides(claim, {pair});
+    const double count = 2.0 * static_cast<double>(pairs.size());
+    holds += one.holds * count < kSignificant;
+    fails += one.fails * count < kSignificant;
+    evidence.clearest_for = std::min(evidence.clearest_for, one.holds * count);
+    evidence.clearest_against = std::min(evidence.clearest_against, one.fails * count);
+  }
+  if (pairs.size() > 1)
+    evidence.figures = "holds clearly on " + of(holds, evidence.questions) +
+                       " questions, clearly fails on " + std::to_string(fails) + "; ";
 }
 
 std::string medians_text(const std::vector<Pair>& pairs) {
@@ -143,8 +182,11 @@ std::string medians_text(const std::vector<Pair>& pairs) {
 }
 
 void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, Evidence& evidence) {
-  const auto equal = std::erase_if(pairs, all_equal);
-  evidence.questions = static_cast<int>(pairs.size());
+  // Where equal runs stay equal when they are scaled by what the claim allows, they say nothing.
+  const double allowed = claim.test == Test::similar ? 1 / (1 + claim.within) : claim.factor;
+  const auto equal = std::erase_if(pairs, [&](const Pair& pair) {
+    return all_equal(pair) && all_equal(scaled({pair}, allowed)[0]);
+  });
   if (pairs.empty()) {
     evidence.obstacle =
         "all runs of both do the same: " + number_text(all.pairs.front().a.front()) +
@@ -153,25 +195,10 @@ void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, E
   }
   const double ratio = median_ratio(pairs);
   const Interval ratios = resampled_interval(pairs, median_ratio);
-  const Sides whole = sides(claim, pairs);
-  evidence.p_for = whole.holds;
-  evidence.p_against = whole.fails;
-  evidence.effect = whole.effect;
+  test_sides(claim, pairs, evidence);
   evidence.interval = claim.test == Test::similar
                           ? ratios
                           : resampled_interval(scaled(pairs, claim.factor), share_less);
-  int holds = 0, fails = 0;  // clearly: after Bonferroni over the questions
-  for (const Pair& pair : pairs) {
-    const Sides one = sides(claim, {pair});
-    const double count = 2.0 * static_cast<double>(pairs.size());
-    holds += one.holds * count < kSignificant;
-    fails += one.fails * count < kSignificant;
-    evidence.clearest_for = std::min(evidence.clearest_for, one.holds * count);
-    evidence.clearest_against = std::min(evidence.clearest_against, one.fails * count);
-  }
-  if (pairs.size() > 1)
-    evidence.figures = "holds clearly on " + of(holds, evidence.questions) +
-                       " questions, fails on " + std::to_string(fails) + "; ";
   evidence.figures += medians_text(pairs);
   if (std::isfinite(ratio))
     evidence.figures += ", ratio " + fixed(ratio, 3) + interval_text(ratios, 3);
@@ -181,24 +208,14 @@ void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, E
 }
 
 void count(const Claim& claim, const Measured& all, Evidence& evidence) {
-  int hits = 0, runs = 0;
-  std::vector<double> values;
-  for (const Pair& pair : all.pairs) {
-    for (const double value : pair.a) {
-      ++runs;
-      hits += value >= claim.from && value <= claim.to * (1 + kSameLength);
-      values.push_back(value);
-    }
-  }
-  evidence.questions = static_cast<int>(all.pairs.size());
-  evidence.p_for = binomial_above(hits, runs, claim.share);
-  evidence.p_against = binomial_below(hits, runs, claim.share);
-  evidence.effect = static_cast<double>(hits) / runs;
+  test_sides(claim, all.pairs, evidence);
+  const auto values = pooled(all.pairs);
+  const int hits = hits_of(claim, values), runs = static_cast<int>(values.size());
   evidence.interval = share_interval(hits, runs);
   evidence.neutral = claim.share;
-  evidence.figures = of(hits, runs) + " runs; median " + number_text(quantile(values, 0.5)) +
-                     ", quartiles " + number_text(quantile(values, 0.25)) + " to " +
-                     number_text(quantile(values, 0.75));
+  evidence.figures += of(hits, runs) + " runs; median " + number_text(quantile(values, 0.5)) +
+                      ", quartiles " + number_text(quantile(values, 0.25)) + " to " +
+                      number_text(quantile(values, 0.75));
 }
 
 /// Runs in which what must hold does not: a fault of ours.
@@ -226,8 +243,7 @@ int exceptions(const Claim& claim, const Findings& findings) {
 std::string missing_baseline(const Claim& claim, const Findings& findings) {
   const Measured all = measure(claim, findings);
   if (!all.obstacle.empty()) return claim.a + " " + all.obstacle;
-  std::vector<double> values;
-  for (const Pair& pair : all.pairs) values.insert(values.end(), pair.a.begin(), pair.a.end());
+  const auto values = pooled(all.pairs);
   const double low = quantile(values, 0.25), high = quantile(values, 0.75);
   if (low <= claim.to && high >= claim.from) return {};
   return claim.a + ": " + value_text(claim.value) + " is " + number_text(low) + " to " +
@@ -259,129 +275,12 @@ Evidence weigh(const Study& study, const Claim& claim, const Findings& findings)
   return evidence;
 }
 
-/// The least two-sided p that so many seeds can give.
-double least_p(const Evidence& e, int seeds) {
-  seeds /= e.claim->value.best_of;
-  if (e.claim->test != Test::most) return least_rank_p(e.questions, seeds);
-  const double runs = static_cast<double>(e.questions) * seeds;
-  return std::min(1.0, 2 * std::pow(std::max(e.claim->share, 1 - e.claim->share), runs));
-}
-
-/// Why the seeds that were run cannot decide among `family` claims, and how many could.
-std::string too_few_seeds(const Evidence& e, double family) {
-  std::string text = "cannot decide with " + std::to_string(e.seeds) + " seeds";
-  int more = e.seeds;
-  while (more < kMostSeeds && least_p(e, more) * family >= kSignificant) ++more;
-  if (least_p(e, more) * family >= kSignificant)
-    return text + ", nor with the " + std::to_string(kMostSeeds) + " that a study may have";
-  return text + "; " + std::to_string(more) + " could";
-}
-
-/// Where the upper tail of the normal distribution is p, 0 < p <= 0.5: by halving.
-double normal_quantile(double p) {
-  double low = 0, high = 40;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (std::erfc(middle / std::numbers::sqrt2) / 2 > p ? low : high) = middle;
-  }
-  return low;
-}
-
-/// How many seeds would decide were the effect what was found, if they had to be root^2 as many.
-std::string seeds_at_this_effect(const Evidence& e, double root) {
-  const double seeds = std::ceil(e.seeds * root * root);
-  if (!(seeds <= kMostSeeds)) return "at this effect no number of seeds decides";
-  return "at this effect about " + std::to_string(static_cast<int>(seeds)) + " seeds would decide";
-}
-
-/// By how much a test's z would have to grow to decide among `family` claims: it does by the root
-/// of the runs.
-double growth_of_z(const Evidence& e, double family) {
-  return normal_quantile(kSignificant / (2 * family)) /
-         normal_quantile(std::min({e.p_for, e.p_against, 0.5}));
-}
-
-/// By how much the interval would have to shrink to lie on its side: it does by the root of the
-/// runs.
-double shrinking_of_interval(const Evidence& e) {
-  const auto by = [](double half, double room) { return room > 0 ? half / room : INFINITY; };
-  const bool similar = e.claim->test == Test::similar;
-  const double least = similar ? 1 - e.claim->within : e.neutral;
-  const double most = similar ? 1 + e.claim->within : INFINITY;
-  const double below = e.effect - e.interval.low, above = e.interval.high - e.effect;
-  return e.holds() ? std::max(by(below, e.effect - least), by(above, most - e.effect))
-                   : std::min(by(above, least - e.effect), by(below, e.effect - most));
-}
-
-Verdict verdict_of(const Evidence& e) {
-  const bool holds = e.holds();
-  const auto& [low, high] = e.interval;
-  if (e.claim->test == Test::similar) {
-    const double least = 1 - e.claim->within, most = 1 + e.claim->within;
-    const bool inside = low >= least && high <= most, outside = low > most || high < least;
-    return holds && inside     ? Verdict::confirmed
-           : !holds && outside ? Verdict::refuted
-                               : Verdict::undecided;
-  }
-  return holds && low > e.neutral     ? Verdict::confirmed
-         : !holds && high < e.neutral ? Verdict::refuted
-                                      : Verdict::undecided;
-}
-
 }  // namespace
-
-std::string verdict_text(Verdict verdict) {
-  constexpr const char* kTexts[] = {"confirmed",
-                                    "**refuted**",
-                                    "undecided",
-                                    "depends on the map",
-                                    "baseline not reproduced",
-                                    "follows from arithmetic",
-                                    "not repeated"};
-  return kTexts[static_cast<int>(verdict)];
-}
 
 std::vector<Evidence> weigh(const Study& study, const Findings& findings) {
   std::vector<Evidence> all;
   for (const Claim& claim : study.claims) all.push_back(weigh(study, claim, findings));
   return all;
-}
-
-void decide(std::span<Evidence> evidence) {
-  std::vector<double> p;
-  for (const Evidence& e : evidence)
-    if (e.tested()) p.push_back(std::min(1.0, 2 * std::min(e.p_for, e.p_against)));
-  const auto family = static_cast<double>(p.size());
-  p = holm(p);
-  auto next = p.begin();
-  for (Evidence& e : evidence) {
-    const auto note = [&](const std::string& text) {
-      e.figures = e.figures.empty() ? text : text + "; " + e.figures;
-    };
-    if (e.claim->test == Test::none) e.verdict = Verdict::none;
-    if (e.claim->test == Test::arithmetic) {
-      e.verdict = Verdict::arithmetic;
-      e.figures = e.obstacle + "; exceptions: " + std::to_string(e.questions);
-    } else if (!e.tested()) {
-      note(e.obstacle);
-    } else {
-      e.adjusted = *next++;
-      if (std::max(e.clearest_for, e.clearest_against) * family < kSignificant) {
-        e.verdict = Verdict::depends;
-      } else if (e.adjusted < kSignificant &&
-                 (e.holds() ? e.clearest_against : e.clearest_for) < kSignificant) {
-        note("some question says the opposite");
-      } else if (e.adjusted < kSignificant) {
-        e.verdict = verdict_of(e);
-        if (e.verdict == Verdict::undecided)
-          note(seeds_at_this_effect(e, shrinking_of_interval(e)));
-      } else if (least_p(e, e.seeds) * family >= kSignificant) {
-        note(too_few_seeds(e, family));
-      } else {
-        note(seeds_at_this_effect(e, growth_of_z(e, family)));
-      }
-    }
-  }
 }
 
 }  // namespace lasius::study

@@ -10,6 +10,8 @@
 
 namespace lasius::study {
 
+inline constexpr double kSignificant = 0.05;
+
 enum class Verdict {
   confirmed,
   refuted,

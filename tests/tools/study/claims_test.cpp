@@ -117,39 +117,55 @@ TEST_F(Claims, DependOnTheMapWhereAQuestionSaysTheOpposite) {
   runs("b", 1, low_);
   // One-sided 1 / C(16, 8) either way, by 4 for two sides and questions: times 160 below 0.05.
   EXPECT_EQ(judge(less(), 159).verdict, Verdict::depends);
-  EXPECT_EQ(judge(less(), 160).verdict, Verdict::undecided);
+  const Evidence e = judge(less(), 160);  // p of both together is 1
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  expect_says(e.figures, "some question says the opposite");
 }
 
 TEST_F(Claims, AQuestionThatSaysTheOppositeLeavesThemOpen) {
-  std::vector<double> many_low, many_high;
-  for (int i = 0; i < 24; ++i) {
-    many_low.push_back(11 + i / 10.0);
-    many_high.push_back(21 + i / 10.0);
-  }
-  runs("a", 0, many_low);
-  runs("b", 0, many_high);
+  runs("a", 0, std::vector<double>(24, 11));
+  runs("b", 0, std::vector<double>(24, 21));
   runs("a", 1, high_);
   runs("b", 1, low_);
   const Evidence e = judge(less(), 160);
   EXPECT_EQ(e.verdict, Verdict::undecided);
   EXPECT_LT(e.adjusted, 0.05);
-  expect_says(e.figures,
-              "some question says the opposite; holds clearly on 1 of 2 questions, fails on 1");
+  expect_says(
+      e.figures,
+      "some question says the opposite; holds clearly on 1 of 2 questions, clearly fails on 1");
 }
 
 TEST_F(Claims, WhereTheIntervalCrossesItsEdgeItIsSaidHowManySeedsWouldDecide) {
   Claim claim = less();
   claim.test = Claim::Test::similar;
-  claim.within = 0.015;
-  std::vector<double> most_equal(24, 10);
-  both("b", most_equal);
-  std::fill_n(most_equal.begin(), 9, 10.4);
-  both("a", most_equal);
-  const Evidence e = judge(claim);
-  EXPECT_EQ(e.verdict, Verdict::undecided);
-  EXPECT_LT(e.adjusted, 0.05);
-  // The median of one question may be 10.4: sqrt(1.04) = 1.0198, 24 (0.0198 / 0.015)^2 = 41.8.
-  expect_says(e.figures, "at this effect about 42 seeds would decide");
+  both("b", std::vector<double>(24, 10));
+  const auto expect_seeds = [&](int longer, double within, const std::string& seeds) {
+    std::vector<double> lengths(24, 10);
+    std::fill_n(lengths.begin(), longer, 10.4);
+    both("a", lengths);
+    claim.within = within;
+    const Evidence e = judge(claim);
+    EXPECT_EQ(e.verdict, Verdict::undecided);
+    EXPECT_LT(e.adjusted, 0.05);
+    expect_says(e.figures, "at this effect about " + seeds + " seeds would decide");
+  };
+  // The median of one question may be the other one: sqrt(1.04) = 1.0198.
+  expect_seeds(9, 0.015, "42");  // 1 within 1.015: 24 (0.0198 / 0.015)^2 = 41.8
+  expect_seeds(16, 0.03, "98");  // 1.04 not within 1.03: 24 (0.0202 / 0.01)^2 = 97.9
+}
+
+TEST_F(Claims, EqualRunsDecideWhatAFactorOrAMarginAllows) {
+  const std::vector<double> equal(8, 10);
+  both("a", equal);
+  both("b", equal);
+  Claim claim = less();
+  claim.factor = 1.3;
+  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+  claim.test = Claim::Test::similar;
+  claim.within = 0.05;
+  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  runs("a", 1, {13, 13, 13, 13, 13, 13, 13, 13});
+  EXPECT_EQ(judge(claim).verdict, Verdict::depends);
 }
 
 TEST_F(Claims, TooFewSeedsCannotDecideAndItIsSaidHowManyWould) {
@@ -169,7 +185,8 @@ TEST_F(Claims, WhereTheEffectIsSmallItIsSaidHowManySeedsWouldDecideAtIt) {
   claim.to = 20;
   both("a", {10, 10, 10, 10, 10, 10, 30, 30});
   // 12 of 16: one-sided 2517 / 65536, z = 1.7696; 0.025: 1.9600; 8 (1.9600 / 1.7696)^2 = 9.81.
-  expect_says(judge(claim).figures, "at this effect about 10 seeds would decide; 12 of 16 runs");
+  expect_says(judge(claim).figures, "at this effect about 10 seeds would decide; ");
+  expect_says(judge(claim).figures, "; 12 of 16 runs");
   // Of two tests 0.0125: 2.2414, 12.84.
   expect_says(judge(claim, 1).figures, "about 13 seeds would decide");
   both("a", {10, 10, 10, 10, 30, 30, 30, 30});
@@ -249,6 +266,10 @@ TEST_F(Claims, MostCountsRuns) {
   EXPECT_EQ(verdict(claim, low_), Verdict::confirmed);
   EXPECT_EQ(verdict(claim, between_), Verdict::undecided);
   EXPECT_EQ(verdict(claim, high_), Verdict::refuted);
+  both("a", low_);
+  runs("a", 1, high_);                                   // 8 of 8 and 0 of 8: 2^-8 either way, by 4
+  EXPECT_EQ(judge(claim, 2).verdict, Verdict::depends);  // 3 x 0.0156
+  EXPECT_EQ(judge(claim, 3).verdict, Verdict::undecided);
 }
 
 TEST_F(Claims, NothingIsSaidWhereTheBaselineIsNotReproduced) {
