@@ -59,6 +59,20 @@ class CheckPath(ProgramTest):
                 run = self.judged(self.table(points), code=0 if fault is None else 1)
                 self.assertRegex(run.out, fault or r"^holds: \d+ pieces?, ")
 
+    def test_of_a_point_the_cell_is_told_and_the_first_fault(self):
+        self.write("diagonal.map", "type octile\nheight 5\nwidth 5\nmap\n.....\n..@..\n.@...\n.....\n...@.\n")
+        for points, cells, at in (([(0.5, 0.5), (4.5, 3.5)], [[2, 1]], None), ([(0.5, 3.5), (0.5, 9)], [[0, 5]], [0.5, 5]),
+                                  ([(1.5, 2.5)], [[1, 2]], [1.5, 2.5]), ([(3, 2), (4, 4), (4, 5), (3.5, 4.5)], [[3, 4]], [4, 5]),
+                                  # A squeeze at (2, 2), then a blocked cell.
+                                  ([(1.5, 1.5), (2, 2), (3.5, 4.9)], [[2, 1], [1, 2]], [2, 2]),
+                                  ([(1.5, 1.5), (2, 2), (2.5, 3)], [[2, 1], [1, 2]], [2, 2]), ([(9, 9), (1, 1)], [None], [9, 9])):
+            self.write("path.csv", self.table(points))
+            run = self.run_program("check-path", "diagonal.map", "path.csv", "--json")
+            fault = run.json["fault"]
+            self.assertIn(fault["cell"], cells, points)
+            for place, value in zip(fault["at"], at or fault["at"]):
+                self.assertAlmostEqual(place, value, places=6)
+
     def test_discs_on_random_lines_are_judged_as_by_distance(self):
         draw, judge, verdicts = random.Random(5), Judge(ROWS), [0, 0]
         for _ in range(40):
@@ -185,6 +199,7 @@ class CheckPath(ProgramTest):
 
     def test_results_without_one_path(self):
         for content, code, said in (('{"track": null, "status": "invalid"}', 2, "its status is invalid"),
+                                    ('{"track": null, "status": null}', 3, '"status"'), ('{"path": null, "status": 4}', 3, '"status"'),
                                     ('{"legs": [], "tours": []}', 2, "tours of several robots"),
                                     ('{"legs": []}', 3, '"order"'),
                                     ('{"legs": [], "order": [0]}', 3, '"stops"'),
@@ -264,6 +279,9 @@ class CheckPath(ProgramTest):
             curve[arc] = {**curve[arc], **change}
             self.write("changed.json", json.dumps({**result, "curve": curve}))
             self.refused(self.run_program("check-path", "open.map", "changed.json"), 3, "changed.json", said)
+        for curve in (result["curve"][:-1], result["curve"][1:], result["curve"][:1]):
+            self.write("changed.json", json.dumps({**result, "curve": curve}))
+            self.refused(self.run_program("check-path", "open.map", "changed.json"), 3, "changed.json", "elsewhere than \"path\"")
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [

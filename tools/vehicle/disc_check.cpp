@@ -151,6 +151,13 @@ std::string text_of(Cell cell) {
   return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
 }
 
+/// What is met where a point leaves `at` for another place.
+Cell met_from(const Grid& grid, Point at, Point towards) {
+  const double step = 1e-6 / std::hypot(towards.x - at.x, towards.y - at.y);
+  const Point next{at.x + step * (towards.x - at.x), at.y + step * (towards.y - at.y)};
+  return nearest_blocked(grid, next, 1).cell;
+}
+
 bool is_half(Point p) { return 2 * p.x == std::floor(2 * p.x) && 2 * p.y == std::floor(2 * p.y); }
 
 }  // namespace
@@ -179,29 +186,35 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
   };
   if (!inside(grid, apart[0])) return PathFault{.at = apart[0], .why = "begins outside the map"};
   if (apart.size() == 1) {
-    if (auto why = fault_of({apart[0]})) return PathFault{.at = apart[0], .why = *why};
+    if (auto why = fault_of({apart[0]}))
+      return PathFault{
+          .at = apart[0], .cell = nearest_blocked(grid, apart[0], 1).cell, .why = *why};
     return std::nullopt;
   }
   double along = 0;
   for (std::size_t i = 0; i + 1 < apart.size(); ++i) {
     const Point a = apart[i], b = apart[i + 1];
     const CurvePiece line{.from = a, .to = b};
+    const double length = length_of(line);
+    const auto before = [&](double share) { return part_of(line, 0, share).to; };
     // What the library says of ends anywhere holds for two points; of turns it knows those on half
     // cells, and at no others can a path squeeze.
-    if (fault_of({a, b})) {
-      const double share = first_share([&](double to) {
-        return fault_of({a, part_of(line, 0, to).to}).has_value();
-      });
-      const Point at = part_of(line, 0, share).to, end = inside(grid, b) ? b : at;
-      return PathFault{.along = along + share * length_of(line),
+    double share = 1;
+    const bool broken = fault_of({a, b}).has_value();
+    if (broken)
+      share = first_share([&](double to) { return fault_of({a, before(to)}).has_value(); });
+    const Point at = before(share);
+    if (const Point free = broken ? before(share / 2) : b; i > 0 && is_half(a) && free != a)
+      if (auto why = fault_of({apart[i - 1], a, free}))
+        return PathFault{.along = along, .at = a, .cell = met_from(grid, a, free), .why = *why};
+    if (broken) {
+      const Point end = inside(grid, b) ? b : at;
+      return PathFault{.along = along + share * length,
                        .at = at,
+                       .cell = met_from(grid, at, {2 * b.x - a.x, 2 * b.y - a.y}),
                        .why = inside(grid, end) ? *fault_of({a, end}) : "leaves the map"};
     }
-    along += length_of(line);
-    if (i + 2 == apart.size() || !is_half(b)) continue;
-    if (!fault_of({b, apart[i + 2]}))
-      if (auto why = fault_of({a, b, apart[i + 2]}))
-        return PathFault{.along = along, .at = b, .why = *why};
+    along += length;
   }
   return std::nullopt;
 }

@@ -228,7 +228,16 @@ PathFile path_of(const std::string& file, const Json& result, const std::string&
     take_legs(path, result);
   else
     take_path(path, result, key);
-  if (told(result, "curve")) path.curve = recorded_curve(result["curve"]);
+  if (told(result, "curve")) {
+    path.curve = recorded_curve(result["curve"]);
+    const auto apart = [](Point a, Point b) {
+      return !(std::hypot(a.x - b.x, a.y - b.y) <= kNear);
+    };
+    if (path.curve.empty() || path.points.empty() ||
+        apart(path.curve.front().from, path.points.front()) ||
+        apart(path.curve.back().to, path.points.back()))
+      throw UsageError("\"curve\" begins or ends elsewhere than \"path\"");
+  }
   if (of_vehicle(result) && path.segments.empty()) {  // a drive or tour that only stands
     if (key == "path" || (told(result, "length") && result["length"] != 0))
       throw UsageError("\"segments\" are none");
@@ -257,17 +266,18 @@ PathFile read_result(const std::string& file) {
   if (told(result, "tours"))
     throw UsageError(file +
                      " has tours of several robots; save them as .csv and give the rows of one");
+  std::string status;
   try {
     const std::string key = path_key(result);
     const bool none = !told(result, key) || (result[key].empty() && key != "legs");
     if (!none || !result.contains("status")) return path_of(file, result, key);
+    status = recorded<std::string>(result, "status");
   } catch (const UsageError& error) {
     throw Error(ErrorCode::file_broken, {.file = file, .offset = results.front().offset},
                 std::string("is no result of `lasius plan`, `drive` or `tour`: ") + error.what(),
                 "give one as it was saved");
   }
-  throw UsageError(file + " has no path to judge: its status is " +
-                   recorded<std::string>(result, "status"));
+  throw UsageError(file + " has no path to judge: its status is " + status);
 }
 
 /// A nav_msgs/Path.
