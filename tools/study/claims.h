@@ -49,7 +49,7 @@ struct Evidence {
 std::vector<Evidence> weigh(const Study& study, const Findings& findings);
 
 /// Gives the verdicts, all tests of a report at once: p adjusted by Holm over them, 5%.
-/// A claim depends on the map where one question speaks for it and another against, each after
+/// A claim is map-dependent where one question speaks for it and another against, each after
 /// correction over the tests, too. Else it is confirmed or refuted where test and interval say so
 /// and no question speaks clearly against; else undecided, with the seeds that could decide where
 /// these could not.

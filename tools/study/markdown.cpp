@@ -16,7 +16,7 @@ is less. "within": two such tests at the bounds; the effect is the ratio of medi
 a binomial test of the share of runs, with Clopper and Pearson's interval. The other intervals are
 percentiles of 2000 resamplings of the runs. p is two-sided, by Holm's method over all tests of the
 table; below 0.05 counts, where the interval agrees and no question speaks clearly against the
-others. A claim "depends on the map" where it holds on one question (a map with start and goal) and
+others. A claim is "map-dependent" where it holds on one question (a map with start and goal) and
 fails on another, p of each by Bonferroni over questions and tests, 5% of its own; p in the table is
 that of all questions together. Questions on which all runs of both do the same decide nothing, but
 where a factor or "within" is asked. A run that does not get there counts as infinitely long; the

@@ -85,7 +85,7 @@ std::string verdict_text(Verdict verdict) {
   constexpr const char* kTexts[] = {"confirmed",
                                     "**refuted**",
                                     "undecided",
-                                    "depends on the map",
+                                    "map-dependent",
                                     "baseline not reproduced",
                                     "follows from arithmetic",
                                     "not repeated"};
