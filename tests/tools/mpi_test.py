@@ -22,6 +22,7 @@ PROGRAMS = {mpi: os.environ[name] for mpi, name in (("openmpi", "LASIUS_MPI_OPEN
             if name in os.environ and shutil.which("mpirun." + mpi)}
 KILLS = int(os.environ.get("LASIUS_MPI_KILLS", 0))
 AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+ALL_AT_WORK = {"LASIUS_MPI_CORES": "64"}  # on a machine of few cores, too
 
 RANKS = [(mpi, ranks, threads) for mpi in PROGRAMS
          for ranks, threads in ([(r, t) for r in (1, 2, 3, 5, 8) for t in (1, 2, 4)] if KILLS else [(3, 1) if mpi == "openmpi" else (2, 2)])]
@@ -68,12 +69,14 @@ class MpiTest(ProgramTest):
         other = [":", "-n", "1", "-wdir", other_folder, *asked] if other_folder else []
         return ["mpirun." + mpi, *more, "-n", str(ranks), "-wdir", self.folder, *asked, *other]
 
-    def run_job(self, mpi, ranks, *arguments, other_folder=None):
-        return Run(subprocess.run(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=environment(AS_ROOT),
+    def run_job(self, mpi, ranks, *arguments, other_folder=None, env=None):
+        env = environment(AS_ROOT | (ALL_AT_WORK if env is None else env))
+        return Run(subprocess.run(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=env,
                                   stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False))
 
-    def start_job(self, mpi, ranks, *arguments, other_folder=None):
-        job = subprocess.Popen(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=environment(AS_ROOT),
+    def start_job(self, mpi, ranks, *arguments, other_folder=None, env=None):
+        env = environment(AS_ROOT | (ALL_AT_WORK if env is None else env))
+        job = subprocess.Popen(self.job(mpi, ranks, arguments, other_folder), cwd=self.folder, env=env,
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.addCleanup(job.stdout.close)
         return job
@@ -165,6 +168,22 @@ class Batches(MpiTest):
                     self.assertEqual(code, 130)
                     self.assertEqual(len(self.journals()), 1)
                     self.goes_on(mpi, (first + out).splitlines(True))
+
+    def test_no_more_ranks_are_at_work_than_cores(self):
+        for mpi in PROGRAMS if KILLS else list(PROGRAMS)[:1]:
+            run = self.run_job(mpi, 3, *self.asked, 1, env={})  # what this machine has
+            self.assertEqual((run.code, timeless(run.lines)), (0, self.alone), run.err)
+            job = self.start_job(mpi, 3, *self.asked, 1, env={"LASIUS_MPI_CORES": "1"})
+            printed = [job.stdout.readline()]
+            others = [pid for pid in descendants(job.pid) if rank_of(pid) != 0]
+            self.assertEqual(len(others), 2)
+            for pid in others:
+                os.kill(pid, signal.SIGSTOP)  # an answer that one of them were to give would not come
+            printed += [job.stdout.readline() for _ in self.alone[1:]]
+            for pid in others:
+                os.kill(pid, signal.SIGCONT)
+            self.assertEqual((timeless(map(json.loads, printed)), job.wait(60)), (self.alone, 0))
+        self.ended(self.run_job(mpi, 2, *self.asked, 1, env={"LASIUS_MPI_CORES": "no"}), 2, "LASIUS_MPI_CORES")
 
     def other_folder(self, queries):
         other = self.path("other")

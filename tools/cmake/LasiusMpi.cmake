@@ -8,7 +8,8 @@ foreach(mpi IN ITEMS openmpi mpich)
     continue()
   endif()
   list(APPEND LASIUS_MPI ${mpi})
-  add_executable(lasius_mpi_${mpi} mpi/mpi_main.cpp mpi/mpi_crew.cpp mpi/letters.cpp)
+  add_executable(lasius_mpi_${mpi} mpi/mpi_main.cpp mpi/mpi_crew.cpp mpi/letters.cpp
+                 mpi/seats.cpp)
   set_target_properties(lasius_mpi_${mpi} PROPERTIES OUTPUT_NAME lasius_mpi.${mpi})
   # Its C interface only.
   target_compile_definitions(lasius_mpi_${mpi} PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

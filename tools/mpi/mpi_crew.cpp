@@ -22,9 +22,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A message begins with one of these. To the leader: work is wanted, and what became of the last;
-// it failed; the rank has ended. To anybody: news.
-constexpr char kWant = 'w', kFailed = 'f', kGone = 'g', kNews = 'n';
+// A message begins with one of these. To the leader: where a rank is; work is wanted, and what
+// became of the last; it failed; the rank has ended. To anybody: news.
+constexpr char kHere = 'h', kWant = 'w', kFailed = 'f', kGone = 'g', kNews = 'n';
 // To others: items; the end of a sharing, with its summary; the end of all.
 constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
 
@@ -112,6 +112,10 @@ MpiCrew::MpiCrew(int* argc, char*** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
   gone_.resize(static_cast<std::size_t>(ranks_));
+  if (leads())
+    seats_.learn(rank_, Seats::told());
+  else
+    send(0, kHere + Seats::told());
 }
 
 MpiCrew::~MpiCrew() {
@@ -166,6 +170,10 @@ bool MpiCrew::read_post(const std::string& key, bool all_needed,
       const std::string how = rank + " ended with exit code " + std::string(text);
       if (all_needed) throw std::runtime_error(how);
       message(how + " before it was at work; the others go on");
+      continue;
+    }
+    if (letter->text[0] == kHere) {
+      seats_.learn(letter->from, text);
       continue;
     }
     if (letter->text[0] == kFailed) throw std::runtime_error(rank + ": " + std::string(text));
@@ -252,12 +260,15 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
   Ledger ledger(work);
   OwnWork own(work);
   Naps naps;
-  const auto give = [&] {  // to the last that waits
+  seats_.clear();
+  seats_.take(rank_);
+  const auto give = [&](int rank) {  // the last that waits
+    if (!seats_.take(rank)) return;
     const std::vector<int> items = ledger.next();
     if (items.empty()) return;
     std::string text(1, kItems);
     for (const int item : items) put(text, item);
-    send(waiting_.back(), text);
+    send(rank, text);
     waiting_.pop_back();
   };
   // Once it stops what others have under way is not waited for: it is done again.
@@ -269,9 +280,10 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
       ledger.enter(*results);
       rest = false;
     }
-    const auto read = [&](int, std::string_view results) {
+    const auto read = [&](int rank, std::string_view results) {
       ledger.enter(results);
-      give();
+      seats_.leave(rank);
+      give(rank);
     };
     if (read_post(work.key, false, read)) rest = false;
     if (rest)

@@ -11,11 +11,13 @@
 
 #include "tools/console/crew.h"
 #include "tools/mpi/letters.h"
+#include "tools/mpi/seats.h"
 
 namespace lasius::tool {
 
 /// Messages from point to point alone, all by the thread that made the object; who waits for one
-/// sleeps, so that ranks may be more than cores. The leader, rank 0, works as well.
+/// sleeps. The leader, rank 0, works as well. Ranks may be more than cores: no more are at work at
+/// once, but of islands.
 class MpiCrew final : public Crew {
  public:
   MpiCrew(int* argc, char*** argv);  ///< MPI_Init_thread
@@ -54,6 +56,7 @@ class MpiCrew final : public Crew {
   std::vector<std::string> farewells_;  ///< of the leader: what ended each sharing
   std::vector<bool> gone_;              ///< of the leader
   std::vector<int> waiting_;            ///< of the leader: ranks that it owes an answer
+  Seats seats_;                         ///< of the leader: who is at work
   std::list<Sending> spreading_;        ///< news on their way
   std::deque<Letter> unread_;           ///< of the leader: came while it looked for news alone
 };
