@@ -26,8 +26,6 @@ constexpr const char* kRemedyMissing =
 
 /// Of coordinates and curvatures: of greater ones lengths do not add up.
 constexpr double kMostRead = 1e15;
-/// Between places that are one but for rounding, cells.
-constexpr double kNear = 1e-3;
 
 /// A table of points.
 class TableReader {
@@ -139,7 +137,7 @@ lasius::Curve recorded_curve(const Json& list) {
     if (piece.turn != 0) {
       const Point c = piece.centre, a = piece.from, b = piece.to;
       for (const Point end : {a, b})
-        if (!(std::abs(std::hypot(end.x - c.x, end.y - c.y) - piece.radius) <= kNear))
+        if (!(std::abs(std::hypot(end.x - c.x, end.y - c.y) - piece.radius) <= kOnePlace))
           throw UsageError("an arc of \"curve\" does not join its points");
       const double turned = std::atan2(b.y - c.y, b.x - c.x) - std::atan2(a.y - c.y, a.x - c.x);
       piece.angle = std::fmod(piece.turn * turned + 2 * std::numbers::pi, 2 * std::numbers::pi);
@@ -231,7 +229,7 @@ PathFile path_of(const std::string& file, const Json& result, const std::string&
   if (told(result, "curve")) {
     path.curve = recorded_curve(result["curve"]);
     const auto apart = [](Point a, Point b) {
-      return !(std::hypot(a.x - b.x, a.y - b.y) <= kNear);
+      return !(std::hypot(a.x - b.x, a.y - b.y) <= kOnePlace);
     };
     if (path.curve.empty() || path.points.empty() ||
         apart(path.curve.front().from, path.points.front()) ||
@@ -306,26 +304,6 @@ PathFile read_ros_path(const std::string& file) {
   return path;
 }
 
-/// The clothoid of that curvature at `from`, whose chord is as long as theirs and which turns as
-/// they do; nothing where it ends elsewhere.
-std::optional<vehicle::Segment> clothoid_between(const vehicle::Pose& from, const vehicle::Pose& to,
-                                                 int gear, double curvature) {
-  const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
-  const double chord = std::hypot(to.x - from.x, to.y - from.y);
-  vehicle::Segment motion{.begin = from, .curvature = curvature, .length = chord, .gear = gear};
-  // The chord is nearly all of the length: each round leaves a small part of what is missing.
-  for (int round = 0; round < 10; ++round) {
-    const double s = gear * motion.length;
-    motion.curvature_rate = 2 * (turned - curvature * s) / (s * s);
-    const vehicle::Pose end = motion.end();
-    motion.length *= chord / std::hypot(end.x - from.x, end.y - from.y);
-    if (!(motion.length < 2 * chord)) return std::nullopt;
-  }
-  const vehicle::Pose end = motion.end();
-  if (!(std::hypot(end.x - to.x, end.y - to.y) <= kNear)) return std::nullopt;
-  return motion;
-}
-
 }  // namespace
 
 PathFile read_path(const std::string& file, Frame frame) {
@@ -354,42 +332,6 @@ std::vector<double> curvatures_of(const PathFile& path, const LoadedMap& map) {
   if (path.metres)
     for (double& curvature : curvatures) curvature *= -map.metres(1);  // y up: the other sense
   return curvatures;
-}
-
-std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
-                                               const std::optional<TwoCurvatures>& told) {
-  constexpr double kStill = 1e-9;  // cells
-  vehicle::Segment motion{.begin = from};
-  const double x = to.x - from.x, y = to.y - from.y;
-  const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
-  if (std::hypot(x, y) <= kStill) {
-    motion.gear = turned == 0 ? 1 : 0;
-    motion.angle = turned;
-    return motion;
-  }
-  // An arc's chord looks half way between its ends.
-  const double middle = from.yaw + turned / 2;
-  const double along = x * std::cos(middle) + y * std::sin(middle);
-  const double across = y * std::cos(middle) - x * std::sin(middle);
-  if (std::abs(across) > kNear) {
-    if (!told) return std::nullopt;
-    const int gear = along < 0 ? -1 : 1;
-    if (auto clothoid = clothoid_between(from, to, gear, told->from)) return clothoid;
-    // From its end, driven the other way.
-    auto back = clothoid_between(to, from, -gear, told->to);
-    if (!back) return std::nullopt;
-    back->curvature = back->curvature_at(back->length);
-    back->begin = from;
-    back->gear = gear;
-    return back;
-  }
-  const double half = turned / 2;
-  const double stretch = std::abs(half) < 1e-6 ? 1 + half * half / 6 : half / std::sin(half);
-  motion.gear = along < 0 ? -1 : 1;
-  motion.length = std::abs(along) * stretch;
-  if (motion.length <= kStill) return std::nullopt;
-  motion.curvature = motion.gear * turned / motion.length;
-  return motion;
 }
 
 }  // namespace lasius::tool

@@ -12,6 +12,9 @@
 
 namespace lasius::tool {
 
+/// Places no farther apart, in cells, are one but for rounding.
+inline constexpr double kOnePlace = 1e-3;
+
 /// A path as a file tells it.
 struct PathFile {
   std::string file;
@@ -45,15 +48,5 @@ std::vector<Point> points_of(const PathFile& path, const LoadedMap& map);
 std::vector<vehicle::Pose> poses_of(const PathFile& path, const LoadedMap& map);
 /// Likewise, where it has them.
 std::vector<double> curvatures_of(const PathFile& path, const LoadedMap& map);
-
-/// Curvatures that a table tells at two poses: one of them, where it jumps there, is of a motion
-/// beside that between the poses.
-struct TwoCurvatures {
-  double from = 0, to = 0;
-};
-/// The arc, the line or the rotation in place that joins two poses, else the clothoid that has one
-/// of the curvatures; nothing where none comes within a thousandth of a cell.
-std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
-                                               const std::optional<TwoCurvatures>& told = {});
 
 }  // namespace lasius::tool

@@ -28,7 +28,63 @@ std::string cell_text(const Grid& grid, Cell cell) {
          std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
 }
 
+/// The clothoid of that curvature at `from`, whose chord is as long as theirs and which turns as
+/// they do; nothing where it ends elsewhere.
+std::optional<Segment> clothoid_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                        int gear, double curvature) {
+  const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+  const double chord = std::hypot(to.x - from.x, to.y - from.y);
+  Segment motion{.begin = from, .curvature = curvature, .length = chord, .gear = gear};
+  // The chord is nearly all of the length: each round leaves a small part of what is missing.
+  for (int round = 0; round < 10; ++round) {
+    const double s = gear * motion.length;
+    motion.curvature_rate = 2 * (turned - curvature * s) / (s * s);
+    const vehicle::Pose end = motion.end();
+    motion.length *= chord / std::hypot(end.x - from.x, end.y - from.y);
+    if (!(motion.length < 2 * chord)) return std::nullopt;
+  }
+  const vehicle::Pose end = motion.end();
+  if (!(std::hypot(end.x - to.x, end.y - to.y) <= kOnePlace)) return std::nullopt;
+  return motion;
+}
+
 }  // namespace
+
+std::optional<Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                      const std::optional<TwoCurvatures>& told) {
+  constexpr double kStill = 1e-9;  // cells
+  Segment motion{.begin = from};
+  const double x = to.x - from.x, y = to.y - from.y;
+  const double turned = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+  if (std::hypot(x, y) <= kStill) {
+    motion.gear = turned == 0 ? 1 : 0;
+    motion.angle = turned;
+    return motion;
+  }
+  // An arc's chord looks half way between its ends.
+  const double middle = from.yaw + turned / 2;
+  const double along = x * std::cos(middle) + y * std::sin(middle);
+  const double across = y * std::cos(middle) - x * std::sin(middle);
+  if (std::abs(across) > kOnePlace) {
+    if (!told) return std::nullopt;
+    const int gear = along < 0 ? -1 : 1;
+    if (auto clothoid = clothoid_between(from, to, gear, told->from)) return clothoid;
+    // From its end, driven the other way.
+    auto back = clothoid_between(to, from, -gear, told->to);
+    if (!back) return std::nullopt;
+    back->curvature = back->curvature_at(back->length);
+    back->begin = from;
+    back->gear = gear;
+    return back;
+  }
+  const double half = turned / 2;
+  const double stretch = std::abs(half) < 1e-6 ? 1 + half * half / 6 : half / std::sin(half);
+  motion.gear = along < 0 ? -1 : 1;
+  motion.length = std::abs(along) * stretch;
+  if (motion.length <= kStill) return std::nullopt;
+  motion.curvature = motion.gear * turned / motion.length;
+  return motion;
+}
 
 DrivenPath driven(std::span<const Segment> segments) {
   DrivenPath path;

@@ -6,10 +6,21 @@
 #include <span>
 #include <vector>
 
+#include "lasius/vehicle/motion.h"
 #include "lasius/vehicle/space.h"
 #include "tools/vehicle/disc_check.h"
 
 namespace lasius::tool {
+
+/// Curvatures that a table tells at two poses: one of them, where it jumps there, is of a motion
+/// beside that between the poses.
+struct TwoCurvatures {
+  double from = 0, to = 0;
+};
+/// The arc, the line or the rotation in place that joins two poses, else the clothoid that has one
+/// of the curvatures; nothing where none comes within a thousandth of a cell.
+std::optional<vehicle::Segment> motion_between(const vehicle::Pose& from, const vehicle::Pose& to,
+                                               const std::optional<TwoCurvatures>& told = {});
 
 /// A path as a vehicle drives it.
 struct DrivenPath {
