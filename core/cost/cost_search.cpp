@@ -50,6 +50,10 @@ class Best {
   /// Polishes a path and keeps it if it is cheaper. False where whoever looks on asks to end.
   bool offer(Point start, std::span<const Leg> legs, double lower, Poller& poller) {
     std::vector<Point> path = polish_.polish(start, legs, poller);
+    if (!(cost_of(terrain_, path) < kInfinity)) {  // rounding, at a corner of a blocked cell
+      path.assign(1, start);
+      for (const Leg& leg : legs) path.push_back(leg.to);
+    }
     return offer(std::move(path), lower);
   }
   bool offer(std::vector<Point> path, double lower) {

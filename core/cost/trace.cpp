@@ -44,7 +44,14 @@ Entry cheapest_entry(const Terrain& terrain, Cell cell, Point from, Point to) {
 std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
   if (!has(terrain_.index(target.x, target.y))) return std::nullopt;
   double values[kMostPlaces];
-  std::vector<Leg> legs{{target, {target.x + at.x, target.y + at.y}}};
+  std::vector<Leg> legs{{target, {target.x + at.x, target.y + at.y}}}, passed;
+  const auto begun_by = [&](const Entry& back, Point here) {
+    std::vector<Leg> path = legs;
+    if (back.along != source_) path.push_back({back.along, here});
+    path.push_back({source_, {source_.x + back.at.x, source_.y + back.at.y}});
+    std::ranges::reverse(path);
+    return path;
+  };
   values_of(target, values);
   const double weight = terrain_.weight(target.x, target.y) * scale_;
   CellChords::Exit exit = chords_->cheapest(at, values, weight);
@@ -73,14 +80,14 @@ std::optional<std::vector<Leg>> EdgeField::trace(Cell target, Point at) const {
       }
     }
     // The source's cell may be crossed, too, on the way to where it is left for the last time.
-    if (back.cost < kInfinity && back.cost * scale_ <= exit.cost) {
-      if (back.along != source_) legs.push_back({back.along, here});
-      legs.push_back({source_, {source_.x + back.at.x, source_.y + back.at.y}});
-      std::ranges::reverse(legs);
-      return legs;
+    if (back.cost < kInfinity) {
+      if (back.cost * scale_ <= exit.cost) return begun_by(back, here);
+      passed = begun_by(back, here);
     }
     if (exit.interval >= 0) legs.push_back({cell, here});
   }
+  // Values between places are not what ways cost: the last way that was passed over is one.
+  if (!passed.empty()) return passed;
   return std::nullopt;
 }
 

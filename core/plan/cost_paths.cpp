@@ -1,7 +1,9 @@
 #include "core/plan/cost_paths.h"
 
+#include "core/base/invalid_parameter.h"
 #include "core/disc/disc_search.h"
 #include "core/grid/cell_distance.h"
+#include "core/plan/legs.h"
 
 namespace lasius {
 
@@ -49,10 +51,49 @@ std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Poin
 }
 
 Point inside(Cell cell, Point p, bool centre_alone) {
-  constexpr double kOff = 1e-4;
+  constexpr double kOff = 1e-7;
   if (centre_alone) return centre(cell);
   return {std::clamp(p.x, cell.x + kOff, cell.x + 1 - kOff),
           std::clamp(p.y, cell.y + kOff, cell.y + 1 - kOff)};
+}
+
+std::vector<Cell> begun_in(const cost::Terrain& terrain, const FewCells& about) {
+  const std::vector<Cell> cells(about.begin(), about.end());
+  if (cells.size() == 2 && cells[0].x != cells[1].x && cells[0].y != cells[1].y) return cells;
+  return {std::ranges::min(cells, {}, [&](Cell c) { return terrain.weight(c.x, c.y); })};
+}
+
+CostResult cheaper(CostResult one, CostResult other) {
+  if (one.path.empty() || (!other.path.empty() && other.cost < one.cost)) std::swap(one, other);
+  one.lower_bound = one.lower_bound && other.lower_bound
+                        ? std::optional(std::min(*one.lower_bound, *other.lower_bound))
+                        : std::nullopt;
+  one.optimal = one.optimal && one.lower_bound && *one.lower_bound >= one.cost;
+  if (other.status != Status::solved) one.status = other.status;
+  return one;
+}
+
+// Lengths of a colony's `best` are costs, but plan_legs() puts the lengths of the legs before it.
+CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options) const {
+  if (options.proof)
+    refuse("a proof is asked for of a path through points", "ask for one of each part");
+  CostResult whole;
+  double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
+  const auto plan_leg = [&](const Request& leg) -> Result {
+    dearer = cost - whole.length;
+    CostResult found = plan(leg, options);
+    cost += found.cost;
+    whole.length += found.length;
+    return found;
+  };
+  whole.length = 0;
+  static_cast<Result&>(whole) = plan_legs(asked, plan_leg);
+  if (planner().robot().radius == 0)
+    refuse_squeezes(planner().grid(), asked, corners_of_paths(options.params, {}), whole);
+  if (whole.path.empty()) return whole;
+  whole.cost = cost;
+  for (double& best : whole.curves.best) best += dearer;
+  return whole;
 }
 
 void move_end(std::vector<Point>& path, Point to) {

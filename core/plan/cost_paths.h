@@ -11,7 +11,9 @@
 #include "core/cost/terrain.h"
 #include "core/disc/disc_space.h"
 #include "core/plan/exact_view.h"
+#include "core/plan/plan_ends.h"
 #include "lasius/base/stop.h"
+#include "lasius/cost/planner.h"
 #include "lasius/grid/geometry.h"
 #include "lasius/grid/grid.h"
 #include "lasius/plan/progress.h"
@@ -36,6 +38,13 @@ inline bool can_go(const disc::DiscSpace* space, const std::vector<Point>& path)
 
 /// The point of a cell, a little off its border; or its centre.
 Point inside(Cell cell, Point p, bool centre_alone);
+
+/// Of the cells about a point those that its path begins in: the cheapest, since from there it
+/// comes to the others over the point itself; two where it may not, between diagonal blocks.
+std::vector<Cell> begun_in(const cost::Terrain& terrain, const FewCells& about);
+
+/// The better of two answers of searches that have nothing in common but the ends.
+CostResult cheaper(CostResult one, CostResult other);
 
 /// Lets a path begin at another point of its first vertex's cell: straight to where it leaves that.
 void move_end(std::vector<Point>& path, Point to);

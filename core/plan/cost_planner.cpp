@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/cost/path_cost.h"
 #include "core/disc/disc_search.h"
 #include "core/grid/components.h"
+#include "core/grid/distance.h"
 #include "core/loop/run_status.h"
 #include "core/plan/cost_paths.h"
 #include "core/plan/legs.h"
@@ -201,6 +203,12 @@ CostResult CostPlanner::Impl::over_uniform(const Request& request,
 bool CostPlanner::Impl::join_ends(const Request& between, const Asked& start, const Asked& goal,
                                   CostResult& result) const {
   std::vector<Point>& path = result.path;
+  if (start.at == goal.at && start.is_point) {
+    path = {start.at};
+    result.cost = result.length = 0;
+    result.lower_bound = 0;
+    return result.optimal = true;
+  }
   double less = 0;
   const auto put = [&](Point from, Point to) {
     if (path.front() != from) return;  // a goal's tolerance leads elsewhere
@@ -215,8 +223,11 @@ bool CostPlanner::Impl::join_ends(const Request& between, const Asked& start, co
   if (!can_go(space, path)) return false;
   result.cost = cost::cost_of(terrain, path);
   result.length = path_length(path);
-  if (result.lower_bound) *result.lower_bound = std::max(0.0, *result.lower_bound - less);
-  result.optimal = result.optimal && less == 0;
+  if (!result.lower_bound) return true;
+  const double straight =
+      (whole ? *whole : terrain).least() / (1 + 1e-12) * distance(path.front(), path.back());
+  result.lower_bound = std::min(std::max(straight, *result.lower_bound - less), result.cost);
+  result.optimal = result.cost - *result.lower_bound <= 1e-9 * result.cost;
   return true;
 }
 
@@ -261,12 +272,19 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
   request.goal = goal.cell;
   request.start_point = request.goal_point = std::nullopt;
   if (!start.is_point && !goal.is_point) return plan_cells(request, options);
+  std::vector<std::pair<Cell, Cell>> sides;
   if (impl_->space == nullptr) {
     const PlanningMap map = planner().impl_->planning_map(asked.stop);
     const Ends ends(map, nullptr, corners_of_paths(options.params, {}));
-    if (ends.serves(start) && ends.serves(goal))
+    if (ends.serves(start) && ends.serves(goal)) {
       std::tie(request.start, request.goal) = ends.walk(start.at, goal.at);
+      for (const Cell from : begun_in(impl_->terrain, ends.walked_from(start.at)))
+        for (const Cell to : begun_in(impl_->terrain, ends.walked_from(goal.at)))
+          if (!centres && map.connected(from, to, Corners::forbid) == true)
+            sides.emplace_back(from, to);
+    }
   }
+  if (sides.empty()) sides.emplace_back(request.start, request.goal);
   if (exact && options.proof) {  // a proof is of centres
     CostOptions unproven = options;
     unproven.proof = false;
@@ -280,6 +298,22 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
           impl_->proof_of_centres(request, result.goal_reached.value_or(request.goal), options);
     return result;
   }
+  CostResult result = plan_between(asked, sides.front(), options);
+  CostOptions silent = options;  // one search tells of better and better paths
+  silent.observer = {};
+  for (const auto& side : std::span(sides).subspan(1))
+    result = cheaper(std::move(result), plan_between(asked, side, silent));
+  return result;
+}
+
+CostResult CostPlanner::plan_between(const Request& asked, std::pair<Cell, Cell> cells,
+                                     const CostOptions& options) const {
+  const Asked start(planner().grid(), asked.start, asked.start_point);
+  const Asked goal(planner().grid(), asked.goal, asked.goal_point);
+  const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
+  const bool centres = !exact || options.eight_moves;
+  Request request = asked;
+  std::tie(request.start, request.goal) = cells;
   request.start_point = inside(request.start, start.at, centres);
   request.goal_point = inside(request.goal, goal.at, centres);
   const bool moved = request.start_point != start.at || request.goal_point != goal.at;
@@ -297,29 +331,6 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
   CostResult result = plan_cells(request, options);
   if (result.path.empty() || !moved) return result;
   return impl_->join_ends(request, start, goal, result) ? result : impl_->shortest(asked);
-}
-
-// Lengths of a colony's `best` are costs, but plan_legs() puts the lengths of the legs before it.
-CostResult CostPlanner::plan_through(const Request& asked, const CostOptions& options) const {
-  if (options.proof)
-    refuse("a proof is asked for of a path through points", "ask for one of each part");
-  CostResult whole;
-  double cost = 0, dearer = 0;  // of the legs; of those before the last, than their lengths
-  const auto plan_leg = [&](const Request& leg) -> Result {
-    dearer = cost - whole.length;
-    CostResult found = plan(leg, options);
-    cost += found.cost;
-    whole.length += found.length;
-    return found;
-  };
-  whole.length = 0;
-  static_cast<Result&>(whole) = plan_legs(asked, plan_leg);
-  if (impl_->space == nullptr)
-    refuse_squeezes(planner().grid(), asked, corners_of_paths(options.params, {}), whole);
-  if (whole.path.empty()) return whole;
-  whole.cost = cost;
-  for (double& best : whole.curves.best) best += dearer;
-  return whole;
 }
 
 CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options) const {

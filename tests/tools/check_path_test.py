@@ -65,6 +65,7 @@ class CheckPath(ProgramTest):
                                   ([(1.5, 2.5)], [[1, 2]], [1.5, 2.5]), ([(3, 2), (4, 4), (4, 5), (3.5, 4.5)], [[3, 4]], [4, 5]),
                                   # A squeeze at (2, 2), then a blocked cell.
                                   ([(1.5, 1.5), (2, 2), (3.5, 4.9)], [[2, 1], [1, 2]], [2, 2]),
+                                  ([(1, 1), (0, 1), (-1, 0)], [[-1, 0]], [0, 1]),
                                   ([(1.5, 1.5), (2, 2), (2.5, 3)], [[2, 1], [1, 2]], [2, 2]), ([(9, 9), (1, 1)], [None], [9, 9])):
             self.write("path.csv", self.table(points))
             run = self.run_program("check-path", "diagonal.map", "path.csv", "--json")
@@ -72,6 +73,14 @@ class CheckPath(ProgramTest):
             self.assertIn(fault["cell"], cells, points)
             for place, value in zip(fault["at"], at or fault["at"]):
                 self.assertAlmostEqual(place, value, places=6)
+        # A squeeze that is allowed, then a blocked cell.
+        self.write("run.json", json.dumps({"path": [[0.5, 3.5], [2, 2], [4, 0], [3.5, 4.5]], "parameters": {"corners": "allow"}}))
+        fault = self.run_program("check-path", "diagonal.map", "run.json", "--json").json["fault"]
+        self.assertEqual(fault["cell"], [1, 2])
+        self.write("run.json", json.dumps({"path": [[0.5, 0.5], [4.5, 4.5], [3.5, 4.5]], "parameters": {"corners": "allow"}}))
+        fault = self.run_program("check-path", "diagonal.map", "run.json", "--json").json["fault"]
+        self.assertEqual(fault["cell"], [3, 4])
+        self.assertAlmostEqual(fault["at"][0], 4, places=6)
 
     def test_discs_on_random_lines_are_judged_as_by_distance(self):
         draw, judge, verdicts = random.Random(5), Judge(ROWS), [0, 0]
@@ -282,6 +291,10 @@ class CheckPath(ProgramTest):
         for curve in (result["curve"][:-1], result["curve"][1:], result["curve"][:1]):
             self.write("changed.json", json.dumps({**result, "curve": curve}))
             self.refused(self.run_program("check-path", "open.map", "changed.json"), 3, "changed.json", "elsewhere than \"path\"")
+
+    def test_a_disc_that_stays_where_it_is(self):
+        self.run_program("plan", "room.map", "--start", "8,5", "--goal", "8,5", "--radius", "1", "-o", "run.json")
+        self.assertEqual(self.run_program("check-path", "room.map", "run.json").out, "holds: 1 piece, 0 cells\n")
 
     def test_faults_of_files_are_told_by_line(self):
         cases = [

@@ -3,6 +3,7 @@
 LASIUS_MPI_KILLS: jobs to kill of each kind, after so many answers or runs and a moment (without it one), and then
 also all ranks by all threads, and a rank that is late.
 """
+import itertools
 import json
 import os
 import random
@@ -10,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
@@ -160,9 +162,9 @@ class Batches(MpiTest):
 
     def test_a_signal_to_any_rank_interrupts_the_job(self):
         for mpi, signalled in zip(PROGRAMS, [((0,), (1,), (0, 1))] * 2 if KILLS else [((0,),), ((1,),)]):
-            for ranks in signalled:
-                with self.subTest(mpi=mpi, ranks=ranks):
-                    job = self.start_job(mpi, 2, *self.asked, 1)
+            for ranks, env in itertools.product(signalled, ({}, {"LASIUS_MPI_CORES": "1"})):  # at rest, too
+                with self.subTest(mpi=mpi, ranks=ranks, env=env):
+                    job = self.start_job(mpi, 2, *self.asked, 1, env=env)
                     first = job.stdout.readline()
                     code, out = self.ended_by(job, signal.SIGTERM, *ranks)
                     self.assertEqual(code, 130)
@@ -177,13 +179,19 @@ class Batches(MpiTest):
             printed = [job.stdout.readline()]
             others = [pid for pid in descendants(job.pid) if rank_of(pid) != 0]
             self.assertEqual(len(others), 2)
+            ended = threading.Timer(120, lambda pids=others: [os.kill(pid, signal.SIGKILL) for pid in pids])
+            ended.start()
             for pid in others:
                 os.kill(pid, signal.SIGSTOP)  # an answer that one of them were to give would not come
             printed += [job.stdout.readline() for _ in self.alone[1:]]
+            ended.cancel()
+            self.assertEqual(timeless(json.loads(line) for line in printed if line), self.alone)
             for pid in others:
                 os.kill(pid, signal.SIGCONT)
-            self.assertEqual((timeless(map(json.loads, printed)), job.wait(60)), (self.alone, 0))
-        self.ended(self.run_job(mpi, 2, *self.asked, 1, env={"LASIUS_MPI_CORES": "no"}), 2, "LASIUS_MPI_CORES")
+            self.assertEqual(job.wait(60), 0)
+        for value, code in (("no", 2), ("0", 2), ("", 0)):
+            run = self.run_job(mpi, 2, *self.asked, 1, env={"LASIUS_MPI_CORES": value})
+            self.assertEqual((run.code, "LASIUS_MPI_CORES" in run.err, self.journals()), (code, code == 2, []), run.err)
 
     def other_folder(self, queries):
         other = self.path("other")

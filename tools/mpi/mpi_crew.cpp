@@ -23,8 +23,9 @@ namespace {
 using namespace std::chrono_literals;
 
 // A message begins with one of these. To the leader: where a rank is; work is wanted, and what
-// became of the last; it failed; the rank has ended. To anybody: news.
-constexpr char kHere = 'h', kWant = 'w', kFailed = 'f', kGone = 'g', kNews = 'n';
+// became of the last; it is told to stop, with nothing to do; it failed; the rank has ended. To
+// anybody: news.
+constexpr char kHere = 'h', kWant = 'w', kStop = 's', kFailed = 'f', kGone = 'g', kNews = 'n';
 // To others: items; the end of a sharing, with its summary; the end of all.
 constexpr char kItems = 'i', kEnd = 'e', kDismissed = 'd';
 
@@ -72,6 +73,7 @@ class Ledger {
   explicit Ledger(const Crew::Work& work) : work_(work), open_(work.items.size()) {}
 
   bool stopping() const { return stopped_ || work_.stop.stop_requested(); }
+  void stop() { stopped_ = true; }
   bool done() const { return open_ == 0; }
 
   std::vector<int> next() {
@@ -129,13 +131,20 @@ std::optional<std::string> MpiCrew::share(const Work& work) {
   return summary;
 }
 
-std::string MpiCrew::ask(const std::string& key, const std::string& results) {
+std::string MpiCrew::ask(const std::string& key, const std::string& results,
+                         const std::stop_token& stop) {
   std::string wanted(1, kWant);
   put(wanted, shared_);
   put(wanted, key);
   send(0, wanted + results);
   std::optional<Letter> reply;
-  for (Naps naps; !(reply = next_letter());) std::this_thread::sleep_for(naps.next());
+  bool told = false;
+  for (Naps naps; !(reply = next_letter());) {
+    std::this_thread::sleep_for(naps.next());
+    if (told || !stop.stop_requested()) continue;
+    send(0, std::string(1, kStop));
+    told = true;
+  }
   if (reply->text[0] == kDismissed) throw Dismissed{};
   return reply->text;
 }
@@ -143,7 +152,7 @@ std::string MpiCrew::ask(const std::string& key, const std::string& results) {
 std::string MpiCrew::follow(const Work& work) {
   std::string results;
   for (;;) {
-    const std::string reply = ask(work.key, results);
+    const std::string reply = ask(work.key, results, work.stop);
     if (reply[0] == kEnd) return reply.substr(1);
     std::vector<int> items;
     for (std::string_view left = std::string_view(reply).substr(1); !left.empty();)
@@ -174,6 +183,10 @@ bool MpiCrew::read_post(const std::string& key, bool all_needed,
     }
     if (letter->text[0] == kHere) {
       seats_.learn(letter->from, text);
+      continue;
+    }
+    if (letter->text[0] == kStop) {
+      stopped_ = true;
       continue;
     }
     if (letter->text[0] == kFailed) throw std::runtime_error(rank + ": " + std::string(text));
@@ -234,7 +247,7 @@ std::vector<std::string> MpiCrew::pass(const std::string& own) {
 std::vector<std::string> MpiCrew::gather(const std::string& key, const std::string& own) {
   std::vector<std::string> all;
   if (!leads()) {
-    const std::string reply = ask(key, own);
+    const std::string reply = ask(key, own, {});
     for (std::string_view left = std::string_view(reply).substr(1); !left.empty();)
       all.push_back(take_text(left));
     return all;
@@ -286,6 +299,7 @@ std::optional<std::string> MpiCrew::lead(const Work& work) {
       give(rank);
     };
     if (read_post(work.key, false, read)) rest = false;
+    if (stopped_) ledger.stop();
     if (rest)
       own.wait(naps.next());
     else

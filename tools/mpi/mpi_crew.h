@@ -29,6 +29,8 @@ class MpiCrew final : public Crew {
   std::vector<std::string> gather(const std::string& key, const std::string& own) override;
   std::vector<std::string> pass(const std::string& own) override;
 
+  /// How many ranks of a host are to be at work. @throws UsageError
+  void read_environment() { seats_.read_environment(); }
   /// The command has ended with this exit code. The leader waits for the others; where the command
   /// did not do its work only a while, and then it ends the job.
   void leave(int code);
@@ -36,8 +38,8 @@ class MpiCrew final : public Crew {
  private:
   std::optional<std::string> lead(const Work& work);
   std::string follow(const Work& work);
-  /// Another rank's: the leader's reply to what came of its last work.
-  std::string ask(const std::string& key, const std::string& results);
+  /// Another rank's: the leader's reply to what came of its last work. It hears of a stop.
+  std::string ask(const std::string& key, const std::string& results, const std::stop_token& stop);
   /// The leader's: tells of each letter that has come to this sharing, which rank sent what. False
   /// where there was none. Where all are needed, none may end badly.
   bool read_post(const std::string& key, bool all_needed,
@@ -57,6 +59,7 @@ class MpiCrew final : public Crew {
   std::vector<bool> gone_;              ///< of the leader
   std::vector<int> waiting_;            ///< of the leader: ranks that it owes an answer
   Seats seats_;                         ///< of the leader: who is at work
+  bool stopped_ = false;                ///< of the leader: another rank was told to stop
   std::list<Sending> spreading_;        ///< news on their way
   std::deque<Letter> unread_;           ///< of the leader: came while it looked for news alone
 };

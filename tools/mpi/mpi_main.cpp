@@ -5,6 +5,7 @@
 
 #include "tools/command_line/program.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/streams.h"
 #include "tools/mpi/mpi_crew.h"
 
 int main(int argc, char** argv) {
@@ -16,11 +17,19 @@ int main(int argc, char** argv) {
   bool shares = false;
   for (const auto command : kShared) shares = shares || (argc > 1 && command == argv[1]);
   int code = kFound;
-  if (shares) set_crew(&ranks);
   if (!ranks.leads())  // one rank speaks for all
     for (std::FILE* const stream : {stdout, stderr})
       if (std::freopen("/dev/null", "w", stream) == nullptr) return kInternal;
-  if (ranks.leads() || shares) code = run_program(argc, argv);
+  if (shares) {
+    set_crew(&ranks);
+    try {
+      ranks.read_environment();
+    } catch (const UsageError& fault) {
+      message(fault.what());
+      code = kUsage;
+    }
+  }
+  if (code == kFound && (ranks.leads() || shares)) code = run_program(argc, argv);
   ranks.leave(code);
   return ranks.leads() ? code : kFound;
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 
 #include "tools/console/values.h"
 #include "tools/mpi/letters.h"
@@ -26,34 +25,44 @@ std::string Seats::told() {
 }
 
 void Seats::learn(int rank, std::string_view told) {
-  Host& host = hosts_[take_text(told)];
+  Rank& one = ranks_[rank];
+  one.host = &hosts_[take_text(told)];
   const std::string mask = take_text(told);
-  cpu_set_t cores;
-  std::memcpy(&cores, mask.data(), sizeof(cores));
-  CPU_OR(&host.cores, &host.cores, &cores);
-  ranks_[rank].host = &host;
+  std::memcpy(&one.cores, mask.data(), sizeof(one.cores));
+}
+
+void Seats::read_environment() {
+  const char* const asked = std::getenv("LASIUS_MPI_CORES");
+  if (asked != nullptr && *asked != '\0')
+    asked_ = static_cast<int>(integer_value("LASIUS_MPI_CORES", asked, 1, 1 << 20));
 }
 
 void Seats::clear() {
-  const char* const asked = std::getenv("LASIUS_MPI_CORES");
-  if (asked != nullptr)
-    asked_ = static_cast<int>(integer_value("LASIUS_MPI_CORES", asked, 1, 1 << 20));
-  for (auto& [name, host] : hosts_) host.taken = 0;
+  for (auto& [name, host] : hosts_) host = {};
   for (auto& [number, rank] : ranks_) rank.sits = false;
 }
 
 bool Seats::take(int rank) {
   Rank& taker = ranks_.at(rank);
-  const int cores = CPU_COUNT(&taker.host->cores);
-  const int seats = asked_ > 0 ? asked_ : cores > 0 ? cores : std::numeric_limits<int>::max();
-  if (taker.host->taken >= seats) return false;
-  ++taker.host->taken;
+  Host& host = *taker.host;
+  if (asked_ > 0 && host.seated >= asked_) return false;
+  if (asked_ == 0 && CPU_COUNT(&taker.cores) > 0) {
+    int core = 0;
+    while (core < CPU_SETSIZE && (!CPU_ISSET(core, &taker.cores) || CPU_ISSET(core, &host.taken)))
+      ++core;
+    if (core == CPU_SETSIZE) return false;
+    CPU_SET(core, &host.taken);
+    taker.core = core;
+  }
+  ++host.seated;
   return taker.sits = true;
 }
 
 void Seats::leave(int rank) {
   Rank& leaver = ranks_.at(rank);
-  if (leaver.sits) --leaver.host->taken;
+  if (!leaver.sits) return;
+  CPU_CLR(leaver.core, &leaver.host->taken);
+  --leaver.host->seated;
   leaver.sits = false;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "lasius/grid/clearance.h"
@@ -151,11 +152,14 @@ std::string text_of(Cell cell) {
   return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";
 }
 
-/// What is met where a point leaves `at` for another place.
-Cell met_from(const Grid& grid, Point at, Point towards) {
+/// What is met at a point, or where a point leaves `at` for another place.
+std::optional<Cell> met_at(const Grid& grid, Point at) {
+  const NearestBlocked nearest = nearest_blocked(grid, at, 1);
+  return nearest.distance < 1 ? std::optional(nearest.cell) : std::nullopt;
+}
+std::optional<Cell> met_from(const Grid& grid, Point at, Point towards) {
   const double step = 1e-6 / std::hypot(towards.x - at.x, towards.y - at.y);
-  const Point next{at.x + step * (towards.x - at.x), at.y + step * (towards.y - at.y)};
-  return nearest_blocked(grid, next, 1).cell;
+  return met_at(grid, {at.x + step * (towards.x - at.x), at.y + step * (towards.y - at.y)});
 }
 
 bool is_half(Point p) { return 2 * p.x == std::floor(2 * p.x) && 2 * p.y == std::floor(2 * p.y); }
@@ -179,16 +183,26 @@ double length_of(const lasius::Curve& curve) {
 std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> path, bool squeezes) {
   const Corners corners = squeezes ? Corners::allow : Corners::forbid;
   std::vector<Point> apart;  // without vertices that repeat the one before
-  for (const Point p : path)
+  for (const Point p : path) {
+    // Points anywhere may never squeeze, and the search for a fault looks at such: a line between
+    // half cells is cut where it may.
+    if (squeezes && !apart.empty() && inside(grid, p) && inside(grid, apart.back()) && is_half(p) &&
+        is_half(apart.back())) {
+      const Point from = apart.back();
+      const int x = static_cast<int>(2 * (p.x - from.x)), y = static_cast<int>(2 * (p.y - from.y));
+      const int parts = std::gcd(x, y);
+      for (int i = 1; i < parts; ++i)
+        apart.push_back({from.x + x / parts * i / 2.0, from.y + y / parts * i / 2.0});
+    }
     if (apart.empty() || !(apart.back() == p)) apart.push_back(p);
+  }
   const auto fault_of = [&](std::initializer_list<Point> part) {
     return path_fault(grid, std::vector<Point>(part), corners);
   };
   if (!inside(grid, apart[0])) return PathFault{.at = apart[0], .why = "begins outside the map"};
   if (apart.size() == 1) {
     if (auto why = fault_of({apart[0]}))
-      return PathFault{
-          .at = apart[0], .cell = nearest_blocked(grid, apart[0], 1).cell, .why = *why};
+      return PathFault{.at = apart[0], .cell = met_at(grid, apart[0]), .why = *why};
     return std::nullopt;
   }
   double along = 0;
@@ -204,7 +218,8 @@ std::optional<PathFault> point_fault(const Grid& grid, std::span<const Point> pa
     if (broken)
       share = first_share([&](double to) { return fault_of({a, before(to)}).has_value(); });
     const Point at = before(share);
-    if (const Point free = broken ? before(share / 2) : b; i > 0 && is_half(a) && free != a)
+    if (const Point free = broken ? before(share / 2) : b;
+        i > 0 && is_half(a) && free != a && !fault_of({a, free}))
       if (auto why = fault_of({apart[i - 1], a, free}))
         return PathFault{.along = along, .at = a, .cell = met_from(grid, a, free), .why = *why};
     if (broken) {

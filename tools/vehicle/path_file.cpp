@@ -125,12 +125,14 @@ lasius::Curve recorded_curve(const Json& list) {
   };
   if (!list.is_array() || list.empty() || !list[0].is_array()) refuse();
   Point from = point_at(0);
+  if (list.size() == 1) curve.push_back({.from = from, .to = from});
   for (std::size_t i = 1; i < list.size(); ++i) {
     CurvePiece piece{.from = from, .to = from};
     if (list[i].is_object()) {
       piece.centre = recorded_place(list[i], "centre");
       piece.radius = recorded_real(list[i], "radius", 0, kNoLimit);
-      piece.turn = recorded<int>(list[i], "turn") < 0 ? -1 : 1;
+      piece.turn = static_cast<int>(recorded_integer(list[i], "turn", -1, 1));
+      if (piece.turn == 0) refuse();
       if (++i == list.size()) refuse();
     }
     from = piece.to = point_at(i);
@@ -266,6 +268,9 @@ PathFile read_result(const std::string& file) {
                      " has tours of several robots; save them as .csv and give the rows of one");
   std::string status;
   try {
+    if (told(result, "format") &&
+        !(result["format"].is_string() && result["format"].get<std::string>().ends_with("/1")))
+      throw UsageError("\"format\" is " + dumped(result["format"]));
     const std::string key = path_key(result);
     const bool none = !told(result, key) || (result[key].empty() && key != "legs");
     if (!none || !result.contains("status")) return path_of(file, result, key);

@@ -1,6 +1,7 @@
 // Planning over costs from outside: what is refused, uniform weights, stops, observers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -13,6 +14,7 @@
 #include "lasius/cost/planner.h"
 #include "lasius/path/path.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/weights.h"
 
 namespace lasius {
 namespace {
@@ -179,6 +181,53 @@ TEST(CostPlanner, ADiscIsLedOut) {
   EXPECT_NEAR(*path_cost(grid, costs, result.path), result.cost, 1e-12);
   EXPECT_FALSE(result.lower_bound);
   EXPECT_FALSE(result.optimal);
+}
+
+// An end where two blocked cells meet is one of the cells on both sides; one on the border of a
+// dear cell costs what it does beside it.
+TEST(CostPlanner, EndsOnBordersAgainstEndsBeside) {
+  constexpr double kBeside = 1e-3;
+  std::mt19937 random(47);
+  int squeezed = 0;
+  for (int i = 0; i < 300; ++i) {
+    auto [grid, costs, cell, goal] = random_weights(random, 4, 6);
+    if (const Cell left{cell.x - 1, cell.y}, up{cell.x, cell.y - 1};
+        i % 2 == 0 && cell.x > 0 && cell.y > 0 && goal != left && goal != up) {
+      grid.set_blocked(left);
+      grid.set_blocked(up);
+    }
+    const CostPlanner planner(Planner(Grid(grid)), costs);
+    for (const Point at : {Point{1.0 * cell.x, 1.0 * cell.y}, Point{cell.x + 0.3, cell.y + 1.0}}) {
+      const CostResult found = planner.plan({.goal = goal, .start_point = at});
+      double least = kInfinity, bound = kInfinity, dearest = 0;
+      for (const double dx : {-kBeside, kBeside})
+        for (const double dy : {-kBeside, kBeside}) {
+          const Cell side{static_cast<int>(std::floor(at.x + dx)),
+                          static_cast<int>(std::floor(at.y + dy))};
+          if (!grid.free(side)) continue;
+          const CostResult beside =
+              planner.plan({.goal = goal, .start_point = Point{at.x + dx, at.y + dy}});
+          dearest = std::max(dearest, 2 * kBeside * costs.weight(side));
+          if (beside.path.empty()) continue;
+          least = std::min(least, beside.cost);
+          bound = std::min(bound, *beside.lower_bound);
+        }
+      if (!(least < kInfinity)) continue;
+      ASSERT_FALSE(found.path.empty()) << i;
+      EXPECT_EQ(found.path.front(), at);
+      EXPECT_NEAR(*path_cost(grid, costs, found.path), found.cost, 1e-9 * found.cost);
+      EXPECT_LE(found.cost, least * 1.003 + dearest) << i;
+      EXPECT_LE(*found.lower_bound, least + dearest) << i;
+      EXPECT_GE(*found.lower_bound, bound * 0.98 - dearest) << i;
+      const auto free = [&](int x, int y) { return grid.free({cell.x + x, cell.y + y}); };
+      squeezed += at.x == cell.x && free(-1, -1) && !free(-1, 0) && !free(0, -1) ? 1 : 0;
+    }
+    const CostResult stays = planner.plan({.start_point = Point{1.0 * cell.x, cell.y + 0.5},
+                                           .goal_point = Point{1.0 * cell.x, cell.y + 0.5}});
+    EXPECT_EQ(stays.path.size(), 1u);
+    EXPECT_TRUE(stays.optimal);
+  }
+  EXPECT_GT(squeezed, 20);
 }
 
 TEST(CostPlanner, VerticesOfStraightPiecesAreLeftOut) {
