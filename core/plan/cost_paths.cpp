@@ -58,7 +58,7 @@ Point inside(Cell cell, Point p, bool centre_alone) {
 }
 
 std::vector<Cell> begun_in(const cost::Terrain& terrain, const FewCells& about) {
-  const std::vector<Cell> cells(about.begin(), about.end());
+  std::vector<Cell> cells(about.begin(), about.end());
   if (cells.size() == 2 && cells[0].x != cells[1].x && cells[0].y != cells[1].y) return cells;
   return {std::ranges::min(cells, {}, [&](Cell c) { return terrain.weight(c.x, c.y); })};
 }
