@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "lasius/cost/field.h"
 #include "lasius/cost/proof.h"
