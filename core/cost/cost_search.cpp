@@ -50,24 +50,28 @@ class Best {
   /// Polishes a path and keeps it if it is cheaper. False where whoever looks on asks to end.
   bool offer(Point start, std::span<const Leg> legs, double lower, Poller& poller) {
     std::vector<Point> path = polish_.polish(start, legs, poller);
-    if (!(cost_of(terrain_, path) < kInfinity)) {  // rounding, at a corner of a blocked cell
-      path.assign(1, start);
-      for (const Leg& leg : legs) path.push_back(leg.to);
-    }
+    const double cost = cost_of(terrain_, path);
+    if (cost < kInfinity) return offer(std::move(path), cost, lower);
+    path.assign(1, start);  // rounding, at a corner of a blocked cell
+    for (const Leg& leg : legs) path.push_back(leg.to);
     return offer(std::move(path), lower);
   }
   bool offer(std::vector<Point> path, double lower) {
     const double cost = cost_of(terrain_, path);
+    return offer(std::move(path), cost, lower);
+  }
+  double cost() const noexcept { return cost_; }
+  const std::vector<Point>& path() const noexcept { return path_; }
+
+ private:
+  bool offer(std::vector<Point> path, double cost, double lower) {
     if (!(cost < cost_)) return true;
     cost_ = cost;
     path_ = std::move(path);
     return options_.improved == nullptr ||
            (*options_.improved)(path_, cost_, exact::rounded_down(lower));
   }
-  double cost() const noexcept { return cost_; }
-  const std::vector<Point>& path() const noexcept { return path_; }
 
- private:
   const Terrain& terrain_;
   Polish polish_;
   const ExactOptions& options_;

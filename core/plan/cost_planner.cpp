@@ -298,39 +298,32 @@ CostResult CostPlanner::plan(const Request& asked, const CostOptions& options) c
           impl_->proof_of_centres(request, result.goal_reached.value_or(request.goal), options);
     return result;
   }
-  CostResult result = plan_between(asked, sides.front(), options);
-  CostOptions silent = options;  // one search tells of better and better paths
-  silent.observer = {};
-  for (const auto& side : std::span(sides).subspan(1))
-    result = cheaper(std::move(result), plan_between(asked, side, silent));
-  return result;
-}
-
-CostResult CostPlanner::plan_between(const Request& asked, std::pair<Cell, Cell> cells,
-                                     const CostOptions& options) const {
-  const Asked start(planner().grid(), asked.start, asked.start_point);
-  const Asked goal(planner().grid(), asked.goal, asked.goal_point);
-  const bool exact = find_algorithm(options.params.algorithm()).kind == Algorithm::Kind::exact;
-  const bool centres = !exact || options.eight_moves;
-  Request request = asked;
-  std::tie(request.start, request.goal) = cells;
-  request.start_point = inside(request.start, start.at, centres);
-  request.goal_point = inside(request.goal, goal.at, centres);
-  const bool moved = request.start_point != start.at || request.goal_point != goal.at;
   const disc::DiscSpace* const space = impl_->space;
   const auto leads = [&](const Asked& end, Point to) {
     return space->clear(end.at) && space->clear(to) && space->reaches(end.at, to);
   };
-  if (space != nullptr && moved) {
-    if (exact && !(leads(start, *request.start_point) && leads(goal, *request.goal_point)))
-      return impl_->shortest(asked);
-    if (!exact)
-      refuse("a colony over costs is asked for a disc between points that are no cells' centres",
-             "take exact, or cells");
-  }
-  CostResult result = plan_cells(request, options);
-  if (result.path.empty() || !moved) return result;
-  return impl_->join_ends(request, start, goal, result) ? result : impl_->shortest(asked);
+  const auto plan_side = [&](const std::pair<Cell, Cell>& side, const CostOptions& how) {
+    std::tie(request.start, request.goal) = side;
+    request.start_point = inside(request.start, start.at, centres);
+    request.goal_point = inside(request.goal, goal.at, centres);
+    const bool moved = request.start_point != start.at || request.goal_point != goal.at;
+    if (space != nullptr && moved) {
+      if (exact && !(leads(start, *request.start_point) && leads(goal, *request.goal_point)))
+        return impl_->shortest(asked);
+      if (!exact)
+        refuse("a colony over costs is asked for a disc between points that are no cells' centres",
+               "take exact, or cells");
+    }
+    CostResult result = plan_cells(request, how);
+    if (result.path.empty() || !moved) return result;
+    return impl_->join_ends(request, start, goal, result) ? result : impl_->shortest(asked);
+  };
+  CostResult result = plan_side(sides.front(), options);
+  CostOptions silent = options;  // one search tells of better and better paths
+  silent.observer = {};
+  for (const auto& side : std::span(sides).subspan(1))
+    result = cheaper(std::move(result), plan_side(side, silent));
+  return result;
 }
 
 CostResult CostPlanner::plan_cells(const Request& request, const CostOptions& options) const {

@@ -233,8 +233,7 @@ PathFile path_of(const std::string& file, const Json& result, const std::string&
     const auto apart = [](Point a, Point b) {
       return !(std::hypot(a.x - b.x, a.y - b.y) <= kOnePlace);
     };
-    if (path.curve.empty() || path.points.empty() ||
-        apart(path.curve.front().from, path.points.front()) ||
+    if (path.points.empty() || apart(path.curve.front().from, path.points.front()) ||
         apart(path.curve.back().to, path.points.back()))
       throw UsageError("\"curve\" begins or ends elsewhere than \"path\"");
   }

@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "lasius/cost/field.h"
 #include "lasius/cost/proof.h"
@@ -86,9 +85,6 @@ class LASIUS_EXPORT CostPlanner {
  private:
   struct Impl;
   CostResult plan_through(const Request& asked, const CostOptions& options) const;
-  /// Of the cells that hold the ends.
-  CostResult plan_between(const Request& asked, std::pair<Cell, Cell> cells,
-                          const CostOptions& options) const;
   CostResult plan_cells(const Request& request, const CostOptions& options) const;
   std::shared_ptr<const Impl> impl_;
 };
