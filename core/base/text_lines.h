@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lasius {
@@ -35,6 +36,25 @@ inline std::vector<std::string_view> words_of(std::string_view line, std::string
     at = line.find_first_not_of(blanks, end);
   }
   return words;
+}
+
+/// The fields of a line between its commas, without blanks about them; in quotes, which are left
+/// out, commas count as letters. Nothing where a quote is not closed.
+inline std::vector<std::string> csv_fields(std::string_view line) {
+  std::vector<std::string> fields;
+  std::string field;
+  bool quoted = false;
+  for (const char c : std::string(line) + ",") {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back(trimmed(std::exchange(field, {}), " \t\r\v\f"));
+    } else {
+      field += c;
+    }
+  }
+  if (quoted) fields.clear();
+  return fields;
 }
 
 /// Puts an LF in place of each CR that ends a line alone, for readers that know only LF.

@@ -91,10 +91,10 @@ std::string contradiction(const PartialOrder& given, const tour::Ends& ends,
   const auto stop = [&](int v) { return "stop " + number_text(named[v]); };
   if (ends.start >= 0 && !given.previous(ends.start).empty())
     return stop(ends.start) + " is the start, but " + stop(given.previous(ends.start).front()) +
-           " comes before it";
+           " comes before it; start elsewhere, or let it come after";
   if (ends.goal >= 0 && !given.next(ends.goal).empty())
     return stop(ends.goal) + " is the goal, but " + stop(given.next(ends.goal).front()) +
-           " comes after it";
+           " comes after it; end elsewhere, or let it come before";
   std::int64_t least = 0;  // that may be carried
   for (int v = 0; v < static_cast<int>(named.size()); ++v) least += std::min(given.load(v), 0);
   for (int v = 0; v < static_cast<int>(named.size()); ++v)

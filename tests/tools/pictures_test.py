@@ -70,7 +70,7 @@ class Pictures(ProgramTest):
             colours = {pixel for row in self.png_pixels("run.png") for pixel in row}
             self.assertIn(wall, colours)
             self.assertEqual(grown in colours, radius > 0)
-            self.assertEqual("centre nearer than 3.00 cells to that" in text, radius > 0)
+            self.assertEqual("no place for the centre: nearer than 3.00 cells" in text, radius > 0)
 
     def test_unknown_cells_have_a_tone_of_their_own(self):
         self.write("world.pgm", b"P5 9 9 255\n" + (b"\xfe" * 6 + b"\xcd" * 2 + b"\x00") * 9)

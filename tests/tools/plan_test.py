@@ -229,7 +229,7 @@ class Json(ProgramTest):
         result = self.plan("--json", *squeezing, **FAN).json
         self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
         self.assertGreater(result["grid_optimum"], 0)
-        self.assertIn("optimum unknown, by its own moves", self.plan(*squeezing, **FAN).err)
+        self.assertIn("optimum unknown; of walks by its own moves", self.plan(*squeezing, **FAN).err)
         nowhere = self.plan("--json", *squeezing, start="0,0", goal="0,0").json
         self.assertEqual((nowhere["optimum"], nowhere["optimum_gap"]), (0, 0))
         upright = self.plan("--json", *squeezing[:-1], "4", **FAN).json  # passes no corner
@@ -238,8 +238,8 @@ class Json(ProgramTest):
     def test_gap_is_told_beside_the_text(self):
         run = self.plan("--gap", "--iterations", "2", **FAN)
         self.assertEqual(run.out.splitlines()[0], "solved")
-        self.assertRegex(run.err, r"optimum [0-9.]+ .*, by its own moves [0-9.]+ "
-                         r"\(the shortest walk: \+[0-9.]+%\)")
+        self.assertRegex(run.err, r"optimum [0-9.]+ .*; of walks by its own moves [0-9.]+ "
+                         r"\(its shortest walk: \+[0-9.]+%\)")
         self.assertEqual(self.plan("--gap", "-q", "--iterations", "2", **FAN).err, "")
 
 

@@ -89,16 +89,16 @@ class Reasons(ProgramTest):
         self.ended(self.asked(goal="18,4"), 5, "different regions of free cells; with --unknown-free they are joined")
         self.assertNotIn("widest", self.asked(goal="18,4").err)
         run = self.asked("--json", "--radius", "1.6")
-        self.ended(run, 5, "(for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
+        self.ended(run, 5, "(for a disc of radius 1.6 cells)", "the widest radius that joins start and goal is 1.5 cells")
         self.assertEqual(run.json["widest_radius"], 1.5)
         self.algorithm = "as"
         of_cells = self.asked("--json", "--radius", "1.6")
-        self.ended(of_cells, 5, "(by walks over cells, for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
+        self.ended(of_cells, 5, "(by walks over cells, for a disc of radius 1.6 cells)", "the widest radius that joins start and goal is 1.5 cells")
         self.assertEqual(of_cells.json["widest_radius"], 1.5)
         self.algorithm = "exact"
         self.ended(self.asked("--radius", "0.16", "--frame", "world", start="-0.65,2.45", goal="0.35,2.45"), 5,
                    "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",
-                   "(for a disc of radius 0.16 m)", "the widest radius that joins them is 0.15 m")
+                   "(for a disc of radius 0.16 m)", "the widest radius that joins start and goal is 0.15 m")
         closed = self.asked("--radius", "0.4", "--json", goal="18,4")
         self.ended(closed, 5, "no radius joins them", "with --unknown-free they are joined")
         self.assertIsNone(closed.json["widest_radius"])
@@ -106,6 +106,33 @@ class Reasons(ProgramTest):
         for line, alone in zip(self.run_program("batch", "map.yaml", "q.tsv", "--radius", "1.6").lines,
                                (run, self.asked("--json", "--radius", "1.6", goal="18,4"))):
             self.assertEqual(line["error"], alone.json["error"])
+
+    def test_an_end_too_near_in_a_region_that_is_not_reached(self):
+        self.ros(["." * 20] * 4 + ["#" * 9 + ".." + "#" * 9] + ["." * 20] * 4)
+        run = self.asked("--radius", "1.2", "--json", start="10,2", goal="3,8")
+        self.ended(run, 4, "is too near to the edge of the map", "; the widest radius that joins start and goal is 0.5 cells")
+        self.assertEqual(run.json["widest_radius"], 0.5)
+        near = self.asked("--radius", "1.2", "--json", start="10,2", goal="3,3")  # its region is the start's
+        self.ended(near, 4, "is too near to an obstacle")
+        self.assertNotIn("widest_radius", near.json)
+
+    def test_stops_and_tables_in_metres_given_as_cells(self):
+        self.write("s.tsv", "x y\n-0.65 2.45\n3 4\n5 5\n")
+        run = self.run_program("tour", "map.yaml", "--stops", "s.tsv")
+        self.ended(run, 0, "stop 0 at (-0.65, 2.45) is outside the map; taken as metres, with --frame world, it is in the "
+                   "free cell (3, 4): left out", "; proven shortest without what is left out")
+        self.write("p.csv", "x,y\n-0.65,2.45\n0.35,2.45\n")
+        self.assertIn("taken as metres, with --frame world", self.run_program("check-path", "map.yaml", "p.csv").out)
+        self.write("p.csv", "x_m,y_m\n-5,2.45\n0.35,2.45\n")
+        self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
+        self.write("cart.yaml", "type: differential\nfootprint: [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]]\n")
+        self.ended(self.asked("--vehicle", "cart.yaml", start="-0.65,2.45,0", goal="5,4,0"), 4, "out of the map",
+                   "taken as metres, with --frame world, it is in the free cell (3, 4)")
+        turned = self.asked("--vehicle", "cart.yaml", start="3,4,90", goal="6,4,90deg")
+        self.ended(turned, 0, "start looks 90 radians, 14.3 turns; degrees end in deg")
+        self.assertNotIn("goal looks", turned.err)
+        self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: it reaches 0.5 cells, and no other cell; "
+                   "with --frame world its radius is in metres")
 
     def test_the_widest_radius_passes_and_a_hair_more_does_not(self):
         for resolution in (0.1, 0.05, 0.07):

@@ -114,7 +114,7 @@ class Report(ProgramTest):
         self.assertGreater(apart, 0)
         self.assertTrue(all(0 <= x <= 10 and 0 <= y <= 6 for ax, ay, bx, by in lines for x, y in ((ax, ay), (bx, by))))
         self.assertTrue(all((ax - bx) ** 2 + (ay - by) ** 2 <= 2.1 for ax, ay, bx, by in lines))
-        self.assertIn("lines: cost to the goal by the proof, %g apart" % apart, self.words("run.svg"))
+        self.assertIn("lines: cost to the goal, where the proof looked, %g apart" % apart, self.words("run.svg"))
         self.assertEqual(content["ends"], [[0.5, 0.5], [9.5, 5.5], None])
         proof = content["frames"]["proof"]
         self.assertTrue(all(bound <= best * (1 + 1e-9) for bound, best in zip(proof["bound"], proof["best"], strict=True)))

@@ -128,6 +128,27 @@ class Tour(ProgramTest):
         self.write("d.json", '[{"x": 2, "y": 2, "yaw": null}]')
         self.assertNotIn("yaw", self.tour(stops="d.json").err)
 
+    def test_names_that_are_not_read_are_told(self):
+        feature = {"type": "Feature", "properties": {"After": "b", "city": "x"}, "geometry": {"type": "Point", "coordinates": [2, 2]}}
+        for name, text, words in (
+                ("a.tsv", "x y After z\n2 2 b 0\n", 'not read: "After" (did you mean "after"?), "z"'),
+                ("b.json", '[{"x": 2, "y": 2, "afer": "b", "yaw": 1}]', 'not read: "afer" (did you mean "after"?)'),
+                ("c.geojson", json.dumps(feature), 'not read: "After" (did you mean "after"?)\n')):
+            self.write(name, text)
+            self.assertIn(f"lasius: {name}: {words}", self.ended(self.tour(stops=name), 0).err)
+            self.quiet(self.tour("-q", stops=name))
+
+    def test_a_table_of_commas_has_empty_fields_and_quotes(self):
+        self.write("a.csv", 'name,x,y,after\n"d, e",2, 2,\n "b" ,14,7,"d, e,c"\nc,14,2,\n,,,\n')
+        self.refused(self.tour(stops="a.csv"), 3, 'line 3: "after": no stop is named "d"')
+        self.write("a.csv", 'name,x,y,after\n"my desk",2, 2,\n "b" ,14,7,"my desk,c"\nc,14,2,\n,,,\n')
+        run = self.check(self.tour("--json", stops="a.csv").json)
+        self.assertEqual((run["names"], run["after"]), (["my desk", "b", "c"], [[], [0, 2], []]))
+        self.write("a.csv", 'name,x,y\n"b,2,2\n')
+        self.refused(self.tour(stops="a.csv"), 3, "line 2: a quote is not closed")
+        self.write("a.csv", "name,x,y\nb, c,2,2\n")
+        self.refused(self.tour(stops="a.csv"), 3, "line 2: 4 fields, but the first line has 3; put quotes about")
+
     def test_broken_stops(self):
         for name, text, words in (
                 ("a.tsv", "", ["line 1", "is empty"]), ("a.tsv", "x y\n", ["holds no stop"]),

@@ -38,9 +38,9 @@ std::string optima_text(const Record& record, const Answer& answer, const Params
   if (any_angle && record.has_path() && *any_angle > 0)
     text += printed(" (the path: %+.3f%%)", 100 * *gap_to(any_angle, record.result.length));
   if (!by_moves) return text;
-  text += ", by its own moves " + length(*by_moves);
+  text += "; of walks by its own moves " + length(*by_moves);
   const auto gap = grid_gap(answer, params);
-  return gap ? text + printed(" (the shortest walk: %+.3f%%)", 100 * *gap) : text;
+  return gap ? text + printed(" (its shortest walk: %+.3f%%)", 100 * *gap) : text;
 }
 
 /// Points, and between the two where one begins and ends, arcs; `at(point)`: in metres where a

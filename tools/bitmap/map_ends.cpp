@@ -70,6 +70,7 @@ std::string error_text(const MapEnds& ends) {
   if (!ends.run.via.empty() && (ends.bad_via || ends.status != Status::invalid)) return ends.error;
   if (ends.status == Status::invalid)
     return invalid_text(ends) + tolerance_text(ends) +
+           (ends.remedy != nullptr ? remedy_text(ends.map, frame, *ends.remedy) : "") +
            metres_hint(ends.map, frame, invalid_end(ends));
   std::string text = ends.error;
   if (ends.status != Status::unreachable) return text;

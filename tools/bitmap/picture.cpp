@@ -66,7 +66,8 @@ Panel path_panel(const Sheet& sheet, const Answer& answer, std::string caption) 
   const ShownLines lines =
       answer.shown_proof ? shown_lines(*answer.shown_proof, sheet.map.as_read()) : ShownLines();
   if (lines.apart > 0)
-    caption += "; lines: cost to the goal by the proof, " + short_number(lines.apart) + " apart";
+    caption += "; lines: cost to the goal, where the proof looked, " + short_number(lines.apart) +
+               " apart";
   const auto draw = [&, scale, lines](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
       return cost_ground(costs, sheet.map.as_read(), scale, columns, rows);

@@ -139,7 +139,7 @@ Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
 std::string remedy_text(const LoadedMap& map, Frame frame, const Remedy& remedy) {
   std::string text;
   if (remedy.widest_radius)
-    text = "; the widest radius that joins them is " +
+    text = "; the widest radius that joins start and goal is " +
            length_text(map, frame, *remedy.widest_radius, 3, true);
   else if (remedy.searched)
     text = "; no radius joins them";

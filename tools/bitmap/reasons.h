@@ -64,7 +64,7 @@ Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
 /// The widest radius alone; nothing where none joins them, the map is too large, or an end outside.
 Remedy widest_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token);
-/// As in "; the widest radius that joins them is 0.371 m", or empty.
+/// As in "; the widest radius that joins start and goal is 0.371 m", or empty.
 std::string remedy_text(const LoadedMap& map, Frame frame, const Remedy& remedy);
 
 }  // namespace lasius::tool

@@ -89,7 +89,7 @@ Page Sheet::page(std::string title) const {
                  kUnknownCell));
   if (map.grown())
     page.legend.push_back(
-        area_key("centre nearer than " + length(map.radius) + " to that", kGrown));
+        area_key("no place for the centre: nearer than " + length(map.radius), kGrown));
   return page;
 }
 

@@ -161,7 +161,7 @@ struct TourStops {
   std::vector<int> loads = {};
   std::vector<std::string> groups = {};          ///< of which one stop is visited; empty text: none
   std::vector<std::optional<double>> yaws = {};  ///< of a vehicle, as PoseEnd has them
-  bool yaws_unread = false;                      ///< there are some, but no vehicle
+  std::vector<std::string> notes = {};           ///< of what the file holds and is not read
 };
 
 /// A polygon world, and what the command line says in place of what it holds.

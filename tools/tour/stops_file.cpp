@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "core/base/did_you_mean.h"
 #include "core/base/json_place.h"
 #include "core/base/text_lines.h"
-#include "core/tour/order/partial_order.h"
 #include "lasius/base/error.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
@@ -18,6 +17,7 @@
 #include "tools/record/json_values.h"
 #include "tools/record/outputs.h"
 #include "tools/record/queries.h"
+#include "tools/tour/stop_details.h"
 #include "tools/vehicle/vehicle_json.h"
 
 namespace lasius::tool {
@@ -38,15 +38,6 @@ struct At {
   std::string path = {};
 };
 
-// What a stop has beside its coordinates.
-struct Details {
-  std::string name = {};
-  std::vector<std::string> after = {};
-  std::optional<int> load = {};
-  std::string group = {};
-  std::optional<double> yaw = {};
-};
-
 class Reader {
  public:
   Reader(const std::string& file, Frame frame, bool poses)
@@ -58,18 +49,22 @@ class Reader {
   }
 
   TourStops read() {
-    const auto first = text_.find_first_not_of(" \t\r\n");
-    if (first == text_.npos) fail({}, "is empty", kForms);
-    if (text_[first] == '[' || text_[first] == '{')
+    if (first() == text_.size()) fail({}, "is empty", kForms);
+    if (is_list() || text_[first()] == '{')
       read_json();
     else
       read_table();
     if (stops_.points.empty()) fail({}, "holds no stop", kForms);
-    add_details();
+    add_details(details_, stops_,
+                [this](int stop, const std::string& problem, const std::string& remedy) {
+                  fail(places_[static_cast<std::size_t>(stop)], problem, remedy);
+                });
+    note_unread();
     return std::move(stops_);
   }
 
  private:
+  static constexpr std::string_view kNames[] = {"x", "y", "name", "after", "load", "group", "yaw"};
   static constexpr std::string_view kSeparators = " \t\r\v\f,";
   static std::string bare(std::string_view text) { return std::string(trimmed(text, " \t\r\v\f")); }
 
@@ -79,8 +74,11 @@ class Reader {
     throw Error(ErrorCode::file_broken, {.file = file_, .line = line}, problem, remedy);
   }
 
+  std::size_t first() const { return std::min(text_.find_first_not_of(" \t\r\n"), text_.size()); }
+  bool is_list() const { return text_[first()] == '['; }  // of JSON, no GeoJSON
+
   // `whole`: both were written as whole numbers.
-  void add(Point p, bool whole, Details details, At at) {
+  void add(Point p, bool whole, StopDetails details, At at) {
     if (stops_.points.size() == kMostStops)
       fail(at, "has more than " + std::to_string(kMostStops) + " stops", "part them in tours");
     stops_.points.push_back({p, frame_ == Frame::world || !whole});
@@ -118,17 +116,20 @@ class Reader {
     std::vector<std::string> header;
     std::size_t x = 0, y = 1;
     std::optional<std::size_t> name, after, loads, group, yaw;
-    bool tabs = false;
+    char separator = 0;  // blanks
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
       ++at.line;
       if (words_of(row, kSeparators).empty()) continue;
-      if (header.empty()) tabs = row.find('\t') != row.npos;
+      if (header.empty())
+        for (const char one : {',', '\t'})
+          if (row.find(one) != row.npos) separator = one;
       std::vector<std::string> fields;
-      if (tabs)
-        for (const auto field : split(row, '\t')) fields.push_back(bare(field));
-      else
-        for (const auto field : words_of(row, kSeparators)) fields.emplace_back(field);
+      if (separator == ',' && (fields = csv_fields(row)).empty())
+        fail(at, "a quote is not closed", "close it in its line");
+      if (separator != ',')
+        for (const auto field : separator != 0 ? split(row, separator) : words_of(row, kSeparators))
+          fields.push_back(bare(field));
       if (header.empty()) {
         header = fields;
         if (!parse_real(fields.front())) {
@@ -139,7 +140,7 @@ class Reader {
           loads = column(header, "load", at);
           group = column(header, "group", at);
           if (poses_) yaw = column(header, "yaw", at);
-          stops_.yaws_unread = !poses_ && std::ranges::count(header, "yaw") > 0;
+          for (const std::string& one : header) note_name(one, true);
           continue;
         }
         if (header.size() < 2) fail(at, "has no y", kForms);
@@ -151,12 +152,15 @@ class Reader {
         if (poses_ && header.size() == 3) yaw = 2;
       }
       if (fields.size() != header.size())
-        fail(at,
-             counted(static_cast<std::int64_t>(fields.size()), "field") +
-                 ", but the first line has " + std::to_string(header.size()),
-             after ? "split columns at tabs, each name in \"after\" from the next at a comma"
-                   : "give every column a value, or split at tabs, between which may be none");
-      Details details;
+        fail(
+            at,
+            counted(static_cast<std::int64_t>(fields.size()), "field") +
+                ", but the first line has " + std::to_string(header.size()),
+            separator == ',' ? "put quotes about a field that has commas in it"
+            : after
+                ? "split columns at tabs, each name in \"after\" from the next at a comma"
+                : "give every column a value, or split columns at tabs, between which may be none");
+      StopDetails details;
       if (name) details.name = fields[*name];
       if (after) details.after = names_in(fields[*after]);
       if (loads && !fields[*loads].empty())
@@ -185,7 +189,7 @@ class Reader {
     try {
       json = json::read(text_, file_);
     } catch (const Error& error) {
-      if (text_[text_.find_first_not_of(" \t\r\n")] != '[' || error.place().offset < 0) throw;
+      if (!is_list() || error.place().offset < 0) throw;
       fail({.line = error.place().line},
            error.problem() + ", in or behind stop " +
                std::to_string(stops_up_to(error.place().offset)),
@@ -214,16 +218,16 @@ class Reader {
     return index;
   }
 
-  void read_list(const Json& list, const std::string& path, const Details& details) {
+  void read_list(const Json& list, const std::string& path, const StopDetails& details) {
     for (std::size_t i = 0; i < list.size(); ++i)
       read_pair(list[i], path + "[" + std::to_string(i) + "]", details);
   }
 
-  void read_pair(const Json& pair, const std::string& path, const Details& details) {
+  void read_pair(const Json& pair, const std::string& path, const StopDetails& details) {
     const auto finite = [](const Json& value) {
       return value.is_number() && std::isfinite(value.get<double>());
     };
-    const auto both = [&](const Json& x, const Json& y, Details more) {
+    const auto both = [&](const Json& x, const Json& y, StopDetails more) {
       if (!finite(x) || !finite(y))
         fail({.path = path}, path + " is no [x, y] of finite numbers", kForms);
       add({x.get<double>(), y.get<double>()}, x.is_number_integer() && y.is_number_integer(),
@@ -232,8 +236,8 @@ class Reader {
     if (pair.is_object() && pair.contains("x") && pair.contains("y"))
       return both(pair["x"], pair["y"], details_of(pair, path));
     const bool long_enough = pair.is_array() && pair.size() >= 2;
-    Details more = details;
-    if (text_[text_.find_first_not_of(" \t\r\n")] == '[' && pair.is_array()) {  // no GeoJSON
+    StopDetails more = details;
+    if (is_list() && pair.is_array()) {
       if (pair.size() > (poses_ ? 3 : 2))
         fail({.path = path}, path + (poses_ ? " is no [x, y, yaw]" : " is no [x, y]"),
              poses_ ? kPoses : kNoPoses);
@@ -247,8 +251,8 @@ class Reader {
     return yaw(value.is_string() ? value.get<std::string>() : value.dump(), {.path = path});
   }
 
-  Details details_of(const Json& object, const std::string& path) {
-    Details details;
+  StopDetails details_of(const Json& object, const std::string& path) {
+    StopDetails details;
     const auto given = [&](const char* key) -> const Json* {
       return object.contains(key) && !object[key].is_null() ? &object[key] : nullptr;
     };
@@ -268,14 +272,15 @@ class Reader {
     }
     const Json* const turned = given("yaw");
     if (turned != nullptr && poses_) details.yaw = yaw_of(*turned, path);
-    stops_.yaws_unread |= turned != nullptr && !poses_;
+    for (const auto& [member, value] : object.items())
+      if (!value.is_null()) note_name(member, is_list());
     if (const Json* value = given("load"))
       details.load =
           load(value->is_number() ? value->get<double>() : 0.5, value->dump(), {.path = path});
     return details;
   }
 
-  void read_geometry(const Json& json, const std::string& path, const Details& details) {
+  void read_geometry(const Json& json, const std::string& path, const StopDetails& details) {
     const std::string type =
         json.is_object() && json.contains("type") && json["type"].is_string() ? json["type"] : "";
     const std::string in = path.empty() ? "" : path + ".";
@@ -294,8 +299,9 @@ class Reader {
     if (type == "GeometryCollection") return all("geometries");
     if (type == "Feature") {
       const bool more = json.contains("properties") && json["properties"].is_object();
-      return read_geometry(part("geometry"), in + "geometry",
-                           more ? details_of(json["properties"], in + "properties") : Details{});
+      return read_geometry(
+          part("geometry"), in + "geometry",
+          more ? details_of(json["properties"], in + "properties") : StopDetails{});
     }
     if (type == "Point") return read_pair(part("coordinates"), in + "coordinates", details);
     if (type == "MultiPoint") return read_list(part("coordinates"), in + "coordinates", details);
@@ -305,50 +311,22 @@ class Reader {
          kForms);
   }
 
-  // Names become indices, once all are known.
-  void add_details() {
-    const std::size_t n = details_.size();
-    const auto any = [&](const auto& has) { return std::ranges::any_of(details_, has); };
-    if (any([](const Details& one) { return !one.name.empty(); }))
-      for (const Details& one : details_) stops_.names.push_back(one.name);
-    if (any([](const Details& one) { return one.load.has_value(); }))
-      for (const Details& one : details_) stops_.loads.push_back(one.load.value_or(0));
-    if (any([](const Details& one) { return !one.group.empty(); }))
-      for (const Details& one : details_) stops_.groups.push_back(one.group);
-    if (any([](const Details& one) { return one.yaw.has_value(); }))
-      for (const Details& one : details_) stops_.yaws.push_back(one.yaw);
-    if (!any([](const Details& one) { return !one.after.empty(); })) return;
-    std::map<std::string_view, std::vector<int>> named;
-    std::vector<std::string_view> known;
-    for (std::size_t i = 0; i < n; ++i)
-      if (!details_[i].name.empty()) named[details_[i].name].push_back(static_cast<int>(i));
-    for (const auto& [name, stops] : named) known.push_back(name);
-    std::vector<tour::Before> relation;
-    stops_.after.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (const std::string& name : details_[i].after) {
-        const auto found = named.find(name);
-        if (found == named.end())
-          fail(places_[i], "\"after\": no stop is named \"" + name + "\"",
-               known.empty() ? "give each stop its name" : did_you_mean(name, known));
-        if (found->second.size() > 1)
-          fail(places_[i],
-               "\"after\": stops " + std::to_string(found->second[0]) + " and " +
-                   std::to_string(found->second[1]) + " are both named \"" + name + "\"",
-               "give each its own name");
-        stops_.after[i].push_back(found->second.front());
-        relation.emplace_back(found->second.front(), static_cast<int>(i));
-      }
-    const std::vector<int> circle = tour::circle_of(static_cast<int>(n), relation);
-    if (circle.empty()) return;
-    const auto shown = [&](int stop) {
-      const std::string& name = details_[static_cast<std::size_t>(stop)].name;
-      return name.empty() ? "stop " + std::to_string(stop) : name;
-    };
-    std::string text = "\"after\" is a circle: ";
-    for (const int stop : circle) text += shown(stop) + " before ";
-    fail(places_[static_cast<std::size_t>(circle.front())], text + shown(circle.front()),
-         "leave one of these out");
+  // A column or member that is not read; of GeoJSON's, which others made, no more than those that
+  // may be meant.
+  void note_name(const std::string& name, bool ours) {
+    if ((poses_ || name != "yaw") && std::ranges::count(kNames, name) > 0) return;
+    if (ours || nearest_name(name, kNames)) unread_.insert(name);
+  }
+  void note_unread() {
+    if (unread_.erase("yaw") > 0)
+      stops_.notes.push_back(file_ + ": its yaws have no effect without --vehicle");
+    std::string text;
+    for (const std::string& name : unread_) {
+      text += (text.empty() ? "\"" : ", \"") + name + "\"";
+      if (const auto meant = nearest_name(name, kNames))
+        text.append(" (did you mean \"").append(*meant).append("\"?)");
+    }
+    if (!text.empty()) stops_.notes.push_back(file_ + ": not read: " + text);
   }
 
   const std::string& file_;
@@ -356,8 +334,9 @@ class Reader {
   bool poses_;
   std::string text_;
   TourStops stops_;
-  std::vector<Details> details_;  // of the stops
-  std::vector<At> places_;        // of the stops
+  std::vector<StopDetails> details_;  // of the stops
+  std::vector<At> places_;            // of the stops
+  std::set<std::string> unread_;      // columns and members
 };
 
 }  // namespace

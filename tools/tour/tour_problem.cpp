@@ -23,7 +23,7 @@ namespace lasius::tool {
 
 std::optional<std::int64_t> TourProblem::read(const std::stop_token& token) {
   read_world(token);
-  note_yaws(command_.stops.yaws_unread, command_.stops_file, command_.run);
+  for (const std::string& note : command_.stops.notes) command_.run.notes.push_back(note);
   if (command_.capacity && command_.stops.loads.empty())
     throw UsageError("--capacity " + std::to_string(*command_.capacity) +
                      ": no stop has a load; give the stops a \"load\", or leave it out");
@@ -221,7 +221,8 @@ std::string TourProblem::why_not(const Place& place, const std::string& name) co
   const std::string text = name + place_text(place, frame);
   if (answer_.map.planner->clear_at(place.at())) return text + " cannot be reached from the others";
   const bool curved = route_of(answer_.map, command_.run).curved;
-  return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved));
+  return text + obstruction_text(answer_.map, frame, obstruction_of(answer_.map, place, curved)) +
+         metres_hint(answer_.map, frame, place);
 }
 
 // Asks for what `plan` says of an invalid end; nothing where it is none.
@@ -241,7 +242,9 @@ std::string TourProblem::summary(const Record& record) const {
   std::string text = counted(static_cast<std::int64_t>(tour.order.size()), "stop") + ", " +
                      robots_text(tour) + counted(tour.priced, "leg") + " priced";
   if (tour.cost) text += "; cost " + decimal_text(*tour.cost, 3);
-  if (tour.optimal) return text + (tour.cost ? "; proven cheapest" : "; proven shortest");
+  if (tour.optimal)
+    return text + (tour.cost ? "; proven cheapest" : "; proven shortest") +
+           (tour.left_out.empty() ? "" : " without what is left out");
   if (!tour.lower_bound) return text;
   const double scale = tour.cost ? 1 : record.scale;
   text += "; no order is below " + decimal_text(scale * *tour.lower_bound, 3);

@@ -100,7 +100,7 @@ class VehicleTour final : public TourProblem {
     std::string text = name + place_text(place, command_.run.frame);
     const auto behind = [&](std::string why) {  // a place in metres ends with a comma
       if (why.starts_with(':') && text.ends_with(',')) text.pop_back();
-      return text + why;
+      return text + why + metres_hint(answer_.map, command_.run.frame, place);
     };
     if (!said.ends_with(" is blocked")) return behind(said.substr(said.rfind(')') + 1));
     const auto& yaws = command_.stops.yaws;

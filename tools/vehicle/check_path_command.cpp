@@ -33,6 +33,7 @@ struct Verdict {
   std::string judged_as;                    ///< "point", "disc", "vehicle"
   std::optional<VehicleFault> fault;        ///< the first
   bool has_pose = false;                    ///< of the fault
+  std::string hint = {};                    ///< behind it
   std::optional<VehicleFault> remark = {};  ///< what is no fault of a table
   double length = 0;                        ///< cells
   std::size_t pieces = 0;
@@ -123,7 +124,7 @@ std::string place_of_fault(const LoadedMap& map, const Asked& asked, const Vehic
 std::string text_of(const LoadedMap& map, const Asked& asked, const Verdict& verdict) {
   if (verdict.fault)
     return "does not hold: " + verdict.fault->why +
-           place_of_fault(map, asked, *verdict.fault, verdict.has_pose) + "\n";
+           place_of_fault(map, asked, *verdict.fault, verdict.has_pose) + verdict.hint + "\n";
   return "holds: " + counted(static_cast<std::int64_t>(verdict.pieces), "piece") + ", " +
          length_text(map, asked.frame, verdict.length) + "\n";
 }
@@ -163,7 +164,9 @@ int check(Asked& asked) {
   asked.map.unknown_is_free |= file.unknown_free;
   const LoadedMap map = read_map(asked.map, file.metres ? Frame::world : asked.frame);
   file.metres |= file.metres_of_map && map.frame.has_value();
-  const Verdict verdict = verdict_of(asked, map, file);
+  Verdict verdict = verdict_of(asked, map, file);
+  if (verdict.fault && verdict.fault->along == 0 && !file.metres)
+    verdict.hint = metres_hint(map, asked.frame, {.point = verdict.fault->at});
   print(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
   if (verdict.remark && !asked.json)
     message("no fault of a table without --strict: " + verdict.remark->why +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <ostream>
 #include <utility>
 
@@ -40,11 +41,21 @@ bool refuse_numbers(VehicleAnswer& answer) {
 std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
                          const VehicleAnswer& answer) {
   const bool goal = at_goal(answer.result.fault);
-  std::string text = goal ? "goal " : "start ";
-  text += pose_text(on.map, command.run.frame, (goal ? answer.goal() : answer.start).pose);
+  const Frame frame = command.run.frame;
+  const VehicleEnd& end = goal ? answer.goal() : answer.start;
   const auto& cell = answer.result.touched;
-  return text + (cell ? touched_text(on.map, command.run.frame, *cell, answer.nearest_free)
-                      : ": " + answer.result.error);
+  return (goal ? "goal " : "start ") + pose_text(on.map, frame, end.pose) +
+         (cell ? touched_text(on.map, frame, *cell, answer.nearest_free)
+               : ": " + answer.result.error) +
+         metres_hint(on.map, frame, end.place);
+}
+
+/// A yaw that was meant in degrees, perhaps.
+void remark_on_yaw(Record& record, const char* name, const VehicleEnd& end) {
+  const double turns = end.asked.yaw / (2 * std::numbers::pi);
+  if (std::abs(turns) > 1)
+    record.remarks.push_back(
+        name + printed(" looks %g radians, %.1f turns; degrees end in deg", end.asked.yaw, turns));
 }
 
 /// All that decides the plan.
@@ -333,7 +344,11 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
     const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
     record.path.insert(record.path.end(), {pose.x, pose.y, pose.yaw});
   }
-  if (!command.run.json && answer.has_path()) record.remarks.push_back(summary(record, answer));
+  if (!command.run.json && answer.has_path()) {
+    remark_on_yaw(record, "start", answer.start);
+    remark_on_yaw(record, "goal", answer.goal());
+    record.remarks.push_back(summary(record, answer));
+  }
   record.answer =
       answer_json(record, path_json(on, command, answer), effort_json(answer), std::move(findings));
   return record;

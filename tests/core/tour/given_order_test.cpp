@@ -77,8 +77,11 @@ TEST(Tours, TellWhyNoOrderKeepsWhatIsGiven) {
     }
     return tour.error;
   };
-  EXPECT_EQ(why({{2}, {}, {}, {}}, {}), "stop 0 is the start, but stop 2 comes before it");
-  EXPECT_EQ(why({{}, {3}, {}, {}}, {}), "stop 3 is the goal, but stop 1 comes after it");
+  EXPECT_EQ(
+      why({{2}, {}, {}, {}}, {}),
+      "stop 0 is the start, but stop 2 comes before it; start elsewhere, or let it come after");
+  EXPECT_EQ(why({{}, {3}, {}, {}}, {}),
+            "stop 3 is the goal, but stop 1 comes after it; end elsewhere, or let it come before");
   request.capacity = 2;
   EXPECT_EQ(why({}, {0, 3, 0, 0}), "stop 1 alone exceeds the capacity of 2");
   EXPECT_EQ(why({}, {0, 4, -1, 0}), "stop 1 exceeds the capacity of 2, whatever comes before it");

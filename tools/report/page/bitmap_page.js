@@ -198,7 +198,7 @@ class BitmapStage {
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
-                               ...(map.level_lines ? [[`cost to the goal by the proof, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
+                               ...(map.level_lines ? [[`cost to the goal, where the proof looked, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
                                ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
