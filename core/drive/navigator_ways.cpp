@@ -43,7 +43,7 @@ void Navigator::Impl::walk_over_cells(const StopCondition& stop) {
 std::optional<Cell> Navigator::Impl::nearest_walked_to(Cell from, const StopCondition& stop) {
   if (options.goal_tolerance == 0) return std::nullopt;
   Poller poller(stop);
-  const auto near = nearest_free(map.passable(), goal, poller,
+  const auto near = nearest_free(map.passable(), Spot{goal}, poller,
                                  [&](Cell c) { return connected(from, c, corners, stop) == true; });
   return near && distance(*near, goal) <= options.goal_tolerance ? near : std::nullopt;
 }

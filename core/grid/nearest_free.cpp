@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace lasius {
 namespace {
@@ -30,10 +29,10 @@ int seek_right(const Grid& grid, const std::uint64_t* row, int x, std::uint64_t 
 
 using Taken = std::function<bool(Cell)>;
 
-/// The column nearest to x of a free cell of row y that is taken, the left one of two, or nothing
-/// where none is at most `most` columns away. x may lie outside.
-std::optional<int> nearest_in_row(const Grid& grid, const std::uint64_t* row, int x, int y,
-                                  double most, const Taken& taken) {
+/// The column nearest to x + aside of a free cell of row y that is taken, the left one of two, or
+/// nothing where none is at most `most` columns away from x, which may lie outside.
+std::optional<int> nearest_in_row(const Grid& grid, const std::uint64_t* row, int x, double aside,
+                                  int y, double most, const Taken& taken) {
   const auto within = [&](int column) { return column >= 0 && std::abs(1.0 * column - x) <= most; };
   const auto good = [&](int column) { return !taken || taken({column, y}); };
   const int inside = std::clamp(x, 0, grid.width() - 1);
@@ -49,35 +48,54 @@ std::optional<int> nearest_in_row(const Grid& grid, const std::uint64_t* row, in
   if (same && right >= 0) skip();
   while (within(right) && !good(right)) skip();
   if (!within(left)) return within(right) ? std::optional(right) : std::nullopt;
-  const std::int64_t at = x;  // perhaps far outside
-  return within(right) && std::abs(right - at) < std::abs(at - left) ? right : left;
+  return within(right) && 1.0 * right - x - aside < 1.0 * x - left + aside ? right : left;
 }
+
+/// A squared distance, less the square of what a spot is aside of its centre.
+struct Squared {
+  std::uint64_t whole;  ///< from centre to centre
+  double rest;
+
+  double minus(const Squared& other) const {
+    return static_cast<double>(static_cast<std::int64_t>(whole - other.whole)) +
+           (rest - other.rest);
+  }
+};
 
 }  // namespace
 
-std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller, const Taken& taken,
+std::optional<Cell> nearest_free(const Grid& grid, Spot spot, Poller& poller, const Taken& taken,
                                  const RowOfBits& row_of) {
+  const auto [c, aside] = spot;
   std::optional<Cell> best;
-  std::uint64_t best_squared = std::numeric_limits<std::uint64_t>::max();
+  Squared least{std::uint64_t{1} << 63, 0};
   // Rows outwards from the cell's own, the upper one first.
   const std::int64_t above = c.y, below = static_cast<std::int64_t>(grid.height()) - 1 - c.y;
   const std::int64_t last = std::max(above, below);
   for (std::int64_t d = std::max<std::int64_t>({0, -above, -below}); d <= last; ++d) {
     const auto dy = static_cast<std::uint64_t>(d);  // below 2^32: squares add up in 64 bits
-    if (dy * dy > best_squared) break;
+    double most = 1e10;                             // columns away
+    if (best) {
+      // More than it takes: large squares are rounded, and ties go to the upper row.
+      const double reach = std::sqrt(static_cast<double>(least.whole) + least.rest) + 1;
+      const double down = std::max(0.0, 1.0 * d - 0.5);
+      if (down > reach) break;
+      most = std::sqrt((reach - down) * (reach + down)) + 1;
+    }
     for (const std::int64_t y : {c.y - d, c.y + d}) {
       if (y < 0 || y >= grid.height()) continue;
-      // A column more: sums of large squares are rounded, and ties go to the upper row.
-      const double most = best ? std::sqrt(static_cast<double>(best_squared - dy * dy)) + 1 : 1e10;
       const int at = static_cast<int>(y);
-      const auto x = nearest_in_row(grid, row_of ? row_of(at) : grid.row(at), c.x, at, most, taken);
+      const auto x =
+          nearest_in_row(grid, row_of ? row_of(at) : grid.row(at), c.x, aside.x, at, most, taken);
       if (poller.stop_after(grid.words())) return std::nullopt;
       if (!x) continue;
-      const auto dx = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(*x) - c.x));
-      const std::uint64_t squared = dx * dx + dy * dy;
-      if (squared > best_squared || (squared == best_squared && y > best->y)) continue;
-      best_squared = squared;
-      best = Cell{*x, static_cast<int>(y)};
+      const double across = 1.0 * *x - c.x, down = 1.0 * at - c.y;
+      const auto dx = static_cast<std::uint64_t>(std::abs(across));
+      const Squared squared{dx * dx + dy * dy, -2 * (across * aside.x + down * aside.y)};
+      const double further = best ? squared.minus(least) : -1;
+      if (further > 0 || (further == 0 && y > best->y)) continue;
+      least = squared;
+      best = Cell{*x, at};
     }
   }
   return best;

@@ -72,9 +72,10 @@ bool find_nearest(SomeResult& result, const Grid& grid, Cell cell, const std::st
                   const std::function<bool(Cell)>& joined) {
   const StopCondition no_deadline{.token = token};  // it is named whatever the deadline
   Poller poller(no_deadline);
-  const auto free = result.nearest_free = nearest_free(grid, cell, poller);
+  const auto free = result.nearest_free = nearest_free(grid, Spot{cell}, poller);
   if (free && joined)
-    result.nearest_reachable = joined(*free) ? free : nearest_free(grid, cell, poller, joined);
+    result.nearest_reachable =
+        joined(*free) ? free : nearest_free(grid, Spot{cell}, poller, joined);
   return !poller.stopped();
 }
 /// @throws Error(invalid_parameter) for a radius that the algorithm does not serve.

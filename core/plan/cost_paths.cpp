@@ -8,16 +8,11 @@
 namespace lasius {
 
 cost::Terrain narrowed(const cost::Terrain& terrain, const Grid& grid) {
-  std::vector<double> weights;
-  weights.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
-  Grid free = grid;
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      weights.push_back(terrain.weight(x, y));
-      if (!terrain.free(x, y)) free.set_blocked({x, y});
-    }
-  }
-  return cost::Terrain(free, weights);
+  cost::Terrain narrow = terrain;
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x)
+      if (grid.blocked({x, y})) narrow.set({x, y}, kInfinity);
+  return narrow;
 }
 
 Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, Cell goal) {
@@ -34,6 +29,7 @@ Grid wide_cells(const disc::DiscSpace& space, const Grid& passable, Cell start, 
 
 std::vector<Point> repaired(const disc::DiscSpace& space, const std::vector<Point>& path,
                             const StopCondition& stop) {
+  if (path.empty()) return {};  // none was found in time
   std::vector<Point> made{path.front()};
   disc::DiscSearch search;
   disc::DiscAnswer way;

@@ -67,7 +67,7 @@ class Judge {
 
 }  // namespace
 
-std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& poller,
+std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Spot spot, Poller& poller,
                                   const std::optional<Point>& other) {
   const Grid& blocked = space.blocked_cells();
   std::vector<std::uint64_t> row(static_cast<std::size_t>(blocked.words()));
@@ -85,7 +85,7 @@ std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& 
   };
   std::function<bool(Cell)> joined;
   if (other) joined = [&](Cell at) { return space.joined(centre(at), *other); };
-  return nearest_free(blocked, c, poller, joined, clear_row);
+  return nearest_free(blocked, spot, poller, joined, clear_row);
 }
 
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,

@@ -10,9 +10,9 @@
 
 namespace lasius {
 
-/// The cell nearest to `c` whose centre is clear, of those from which a disc can go to `other`, if
-/// given; order and ends as of nearest_free().
-std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Cell c, Poller& poller,
+/// The cell whose clear centre is nearest to a spot, of those from which a disc can go to `other`,
+/// if given; order and ends as of nearest_free().
+std::optional<Cell> nearest_clear(const disc::DiscSpace& space, Spot spot, Poller& poller,
                                   const std::optional<Point>& other = {});
 
 /// Why a disc's path, or its curve if there is one, is none, or comes nearer than the radius (up to

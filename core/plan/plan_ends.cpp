@@ -9,14 +9,13 @@ namespace {
 /// The answer to a start or goal that is blocked or outside; `other` is the other end, if good.
 Result invalid(const Ends& ends, bool at_start, const Asked& end, const std::stop_token& token,
                const std::optional<Point>& other) {
-  const Cell cell = end.cell;
   const auto [fault, text] = ends.fault(at_start, end);
   auto result = failed<Result>(Status::invalid, fault, text);
-  result.nearest_free = ends.nearest(cell, token);
+  result.nearest_free = ends.nearest(end, token);
   if (result.nearest_free && other) {
     result.nearest_reachable = ends.joined(*other, centre(*result.nearest_free)) == true
                                    ? result.nearest_free
-                                   : ends.nearest(cell, token, other);
+                                   : ends.nearest(end, token, other);
   }
   if (result.nearest_free) {
     const auto& reachable = result.nearest_reachable;
@@ -51,7 +50,7 @@ Result apart(const Ends& ends, const Request& request, const Asked& start, const
                                "start " + start.name() + " and goal " + goal.name() +
                                    " lie in different regions of free cells");
   if (request.goal_tolerance > 0)
-    result.nearest_reachable = ends.nearest(goal.cell, request.stop.token, from);
+    result.nearest_reachable = ends.nearest(goal, request.stop.token, from);
   return result;
 }
 

@@ -34,6 +34,12 @@ struct Asked {
   Asked(const Grid& map, Cell c, const std::optional<Point>& p)
       : at(p.value_or(centre(c))), cell(p ? cell_of(map, *p) : c), is_point(at != centre(cell)) {}
   std::string name() const { return is_point ? pair_text(at.x, at.y) : cell_name(cell); }
+  /// Of one far outside the cell's centre.
+  Spot spot() const {
+    const Point middle = centre(cell), aside{at.x - middle.x, at.y - middle.y};
+    const bool inside = std::abs(aside.x) <= 0.5 && std::abs(aside.y) <= 0.5;
+    return {cell, inside ? aside : Point{}};
+  }
 
  private:
   /// The last column and row hold the map's border.
@@ -114,22 +120,22 @@ class Ends {
         if (map_.grid.free({x, y})) cells.add({x, y});
     return cells;
   }
-  /// Of those that serve, if given of those joined to `other`, the nearest to `c`. It is found
+  /// Of the cells that serve, if given of those joined to `other`, the nearest. It is found
   /// whatever the deadline.
-  std::optional<Cell> nearest(Cell c, const std::stop_token& token,
+  std::optional<Cell> nearest(const Asked& end, const std::stop_token& token,
                               const std::optional<Point>& other = {}) const {
     const StopCondition no_deadline{.token = token};
     Poller poller(no_deadline);
-    if (space_ != nullptr) return nearest_clear(*space_, c, poller, other);
-    if (!other) return nearest_free(map_.grid, c, poller);
+    if (space_ != nullptr) return nearest_clear(*space_, end.spot(), poller, other);
+    if (!other) return nearest_free(map_.grid, end.spot(), poller);
     const auto leads_on = [&](Cell at) { return joined(*other, centre(at)).value_or(false); };
-    return nearest_free(map_.grid, c, poller, leads_on);
+    return nearest_free(map_.grid, end.spot(), poller, leads_on);
   }
   /// The same, of a disc's curve any point, if it is not walked.
   std::optional<Point> nearest_point(const Asked& end, const std::stop_token& token,
                                      Point other) const {
     if (space_ == nullptr || map_.walked) {
-      const auto cell = nearest(end.cell, token, other);
+      const auto cell = nearest(end, token, other);
       return cell ? std::optional(centre(*cell)) : std::nullopt;
     }
     const StopCondition no_deadline{.token = token};

@@ -112,14 +112,14 @@ bool Planner::connected(Cell a, Cell b, Corners corners) const {
 std::optional<Cell> Planner::nearest_free(Cell c) const {
   const StopCondition never;
   Poller poller(never);
-  return lasius::nearest_free(impl_->grid, c, poller);
+  return lasius::nearest_free(impl_->grid, Spot{c}, poller);
 }
 
 std::optional<Cell> Planner::nearest_reachable(Cell c, Cell from, Corners corners) const {
   const StopCondition never;
   Poller poller(never);
   const auto joined = [&](Cell at) { return connected(from, at, corners); };
-  return lasius::nearest_free(impl_->grid, c, poller, joined);
+  return lasius::nearest_free(impl_->grid, Spot{c}, poller, joined);
 }
 
 Result Planner::plan(const Request& request, const Params& params,

@@ -122,20 +122,17 @@ class LegsOverCosts {
   void set_costs(int a, int b) {
     const Leg& leg = legs_[index(a, b)];
     // Those that are not priced are dear, the longer the dearer.
-    const Cost cost = leg.known ? grains(leg.cost) : tour::kLargest / 2 + tour::grains(apart(a, b));
+    const Cost cost =
+        leg.known ? tour::grains(leg.cost, scale_) : tour::kLargest / 2 + tour::grains(apart(a, b));
     matrix_[index(a, b)] = matrix_[index(b, a)] = cost;
-    lower_[index(a, b)] = lower_[index(b, a)] = grains(std::max(leg.lower, least(a, b)));
+    lower_[index(a, b)] = lower_[index(b, a)] =
+        tour::grains(std::max(leg.lower, least(a, b)), scale_);
   }
   double apart(int a, int b) const { return distance(places_[a], places_[b]); }
   /// What the straight way costs at the least weight.
   double least(int a, int b) const { return planner_.least_weight() * apart(a, b); }
 
   std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * n_ + b; }
-  /// Rounded down, by what costs may be off too.
-  Cost grains(double cost) const {
-    return static_cast<Cost>(
-        std::min<double>(tour::kLargest, std::floor(cost * (1 - 1e-9) * scale_)));
-  }
   void plan(int a, int b, double gap, const StopCondition& stop) {
     CostResult found = planner_.plan(
         {.stop = stop, .target_gap = gap, .start_point = places_[a], .goal_point = places_[b]},

@@ -26,12 +26,12 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
   tour::RouteOptions options{.seed = request.seed,
                              .generations = request.generations,
                              .stop = earlier(request.stop, kOrderShare)};
+  BestTold told(observer, stops.indices, scale);
   if (observer)
     options.observer = [&](const RoutesFound& found) {
-      std::vector<int> told;
-      for (const auto& order : found.orders)
-        for (const int v : order) told.push_back(stops.indices[v]);
-      return observer(told, static_cast<double>(found.cost) / scale) == Go::on;
+      std::vector<int> all;
+      for (const auto& order : found.orders) all.insert(all.end(), order.begin(), order.end());
+      return told(all, found.cost);
     };
   Poller poller(request.stop);
   const bool own_bounds = &lower != &costs;
@@ -41,7 +41,8 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
                       : routes_bound(problem, lower, found.cost, poller);
   };
   const auto answer = [&](RoutesFound&& found, std::int64_t bound) {
-    return Orders{std::move(found.orders), bound, found.optimal, found.cause};
+    return Orders{std::move(found.orders), bound, found.optimal,
+                  told.stopped() ? StopCondition::Cause::token : found.cause};
   };
   if (request.target_gap > 0) {  // the first solution's bound tells how short is short enough
     tour::RouteOptions first = options;
@@ -49,7 +50,8 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     RoutesFound early = find_routes(problem, costs, first);
     const std::int64_t bound = bound_of(early);
     options.target = target_of(bound, request.target_gap);
-    if (early.optimal || early.cost <= options.target) return answer(std::move(early), bound);
+    if (early.optimal || early.cost <= options.target || told.stopped())
+      return answer(std::move(early), bound);
   }
   RoutesFound found = find_routes(problem, costs, options);
   const std::int64_t bound = bound_of(found);
@@ -139,14 +141,13 @@ Orders orders_and_bound(const Costs& costs, const Costs& lower, const TourStops&
 }
 
 void add_legs(std::span<const int> order, bool open, TourResult& tour) {
-  const std::size_t n = order.size(), count = n < 2 ? 0 : open ? n - 1 : n;
-  for (std::size_t i = 0; i < count; ++i)
-    tour.legs.push_back({order[i], order[(i + 1) % n], 0, {}, 0});
+  for (const auto& [from, to] : tour::legs_of({{order.begin(), order.end()}}, open))
+    tour.legs.push_back({from, to, 0, {}, 0});
 }
 
 void settle_optimal(TourResult& tour) {
   constexpr double kRounding = 1e-9;
-  tour.optimal = tour.gap() && *tour.gap() <= kRounding && tour.status == Status::solved;
+  tour.optimal = tour.gap() && *tour.gap() <= kRounding;
 }
 
 void set_orders(const TourRequest& request, const TourStops& stops, const Orders& found,

@@ -65,8 +65,9 @@ Status status_after(StopCondition::Cause cause, const StopCondition& stop) {
 }
 
 std::int64_t target_of(std::int64_t bound, double gap) {
-  constexpr double kMost = 1e6;  // bounds
-  return static_cast<std::int64_t>(static_cast<double>(bound) * std::min(1 + gap, kMost));
+  constexpr double kMostGap = 1e6, kMost = 9e18;
+  return static_cast<std::int64_t>(
+      std::min(static_cast<double>(bound) * std::min(1 + gap, kMostGap), kMost));
 }
 
 void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
@@ -136,13 +137,8 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
       .generations = request.generations,
       .given = &given,
       .stop = earlier(request.stop, given.any_order() ? kOrderShare : kGivenOrderShare)};
-  std::vector<int> told;
-  if (observer)
-    options.observer = [&](std::span<const int> order, std::int64_t cost) {
-      told.clear();
-      for (const int v : order) told.push_back(named[v]);
-      return observer(told, static_cast<double>(cost) / scale) == Go::on;
-    };
+  BestTold told(observer, named, scale);
+  if (observer) options.observer = std::ref(told);
   Poller poller(request.stop);
   const bool ants = by_ants(request), own_bounds = &lower != &costs;
   const auto bound_of = [&](const tour::OrderFound& found) {
@@ -155,10 +151,14 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
   if (request.target_gap > 0) {  // the first tour's bound tells how short is short enough
     tour::OrderOptions first = options;
     first.generations = 0;
+    if (ants) first.observer = {};
     Ordered early{.found = find_order(costs, ends, places, first)};
     early.bound = bound_of(early.found);
     options.target = target_of(early.bound, request.target_gap);
-    if (!ants && (early.found.order.empty() || early.found.cost <= options.target)) return early;
+    if (told.stopped()) early.found.cause = StopCondition::Cause::token;
+    if (!ants &&
+        (early.found.order.empty() || early.found.cost <= options.target || told.stopped()))
+      return early;
   }
   Ordered ordered;
   if (ants && !contradiction(given, ends, named).empty()) {
@@ -173,6 +173,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
   } else {
     ordered.found = find_order(costs, ends, places, options);
   }
+  if (told.stopped()) ordered.found.cause = StopCondition::Cause::token;
   ordered.bound = bound_of(ordered.found);
   return ordered;
 }
@@ -234,7 +235,10 @@ TourStops stops_of(const StopPlaces& places, const TourRequest& request, TourRes
 TourStops stops_of(const Planner& planner, const TourRequest& request, TourResult& tour) {
   const std::vector<Point> points = points_of(request);
   check(request, static_cast<int>(points.size()));
-  return stops_of(places_of(planner, points), request, tour);
+  const StopPlaces places = places_of(planner, points, request.stop);
+  if (places.cause == StopCondition::Cause::none) return stops_of(places, request, tour);
+  tour.status = status_after(places.cause, request.stop);
+  return {.points = points};
 }
 
 }  // namespace lasius

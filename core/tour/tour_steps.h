@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,31 @@ void tell_no_order(const tour::PartialOrder& given, const tour::Ends& ends,
 /// what stops the search leaves it its legs.
 void plan_legs(const Planner& planner, std::span<const Point> points, int threads,
                TourResult& tour);
+
+/// Tells an observer of each tour that is better than those before, until it says stop.
+class BestTold {
+ public:
+  /// `named`: the stops' indices; `scale`: how many of a cost make a length.
+  BestTold(const TourObserver& observer, std::span<const int> named, double scale)
+      : observer_(observer), named_(named), scale_(scale) {}
+  /// Whether to go on. `order`: places, of several robots one after the other.
+  bool operator()(std::span<const int> order, std::int64_t cost) {
+    if (stopped_ || cost >= least_) return !stopped_;
+    least_ = cost;
+    std::vector<int> stops;
+    for (const int v : order) stops.push_back(named_[v]);
+    stopped_ = observer_(stops, static_cast<double>(cost) / scale_) == Go::stop;
+    return !stopped_;
+  }
+  bool stopped() const noexcept { return stopped_; }
+
+ private:
+  const TourObserver& observer_;
+  std::span<const int> named_;
+  double scale_;
+  std::int64_t least_ = std::numeric_limits<std::int64_t>::max();
+  bool stopped_ = false;
+};
 
 struct Ordered {
   tour::OrderFound found;

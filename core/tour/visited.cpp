@@ -1,10 +1,12 @@
 #include "core/tour/visited.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 
 namespace lasius {
 
@@ -43,21 +45,28 @@ int chosen_region(const StopPlaces& places, const TourRequest& request,
   int regions = 0;
   for (const auto& own : places.regions)
     for (const int region : own) regions = std::max(regions, region + 1);
-  int chosen = -1;
-  std::vector<std::int64_t> most;
-  for (int region = 0; region < regions; ++region) {
-    const auto in = [&](int stop) { return holds(places, stop, region); };
-    std::vector<std::int64_t> worth{std::count_if(ends.begin(), ends.end(), in)};
-    if (request.robots.empty()) worth[0] = 0;
-    for (const auto& end : {request.start, request.goal})
-      if (request.robots.empty()) worth.push_back(end && in(*end));
-    if (!request.robots.empty()) worth.push_back(in(request.robots.front()));
-    worth.push_back(std::count_if(tasks.begin(), tasks.end(), [&](const auto& stops) {
-      return std::any_of(stops.begin(), stops.end(), in);
-    }));
-    if (chosen < 0 || worth > most) chosen = region, most = std::move(worth);
+  const bool robots = !request.robots.empty();
+  std::vector<std::array<std::int64_t, 4>> worth(static_cast<std::size_t>(regions));
+  const auto count = [&](int stop, int what) {
+    for (const int region : places.regions[stop]) ++worth[region][what];
+  };
+  for (const int end : ends)
+    if (robots) count(end, 0);
+  if (robots) count(request.robots.front(), 1);
+  if (request.start) count(*request.start, 1);
+  if (request.goal) count(*request.goal, 2);
+  std::vector<int> of_task;
+  for (const std::vector<int>& stops : tasks) {
+    of_task.clear();
+    for (const int stop : stops)
+      of_task.insert(of_task.end(), places.regions[stop].begin(), places.regions[stop].end());
+    std::ranges::sort(of_task);
+    const auto twice = std::ranges::unique(of_task);
+    of_task.erase(twice.begin(), twice.end());
+    for (const int region : of_task) ++worth[region][3];
   }
-  return chosen;
+  const auto best = std::ranges::max_element(worth);
+  return best == worth.end() ? -1 : static_cast<int>(best - worth.begin());
 }
 
 }  // namespace
@@ -84,10 +93,12 @@ std::vector<int> ends_of(const TourRequest& request) {
   return ends;
 }
 
-StopPlaces places_of(const Planner& planner, std::span<const Point> points) {
+StopPlaces places_of(const Planner& planner, std::span<const Point> points,
+                     const StopCondition& stop) {
   StopPlaces places{std::vector<std::vector<int>>(points.size()), {}};
   const Grid& map = planner.grid();
   std::vector<Point> regions;  // a place of each
+  Poller poller(stop, 1 << 20);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
     const bool inside = p.x >= 0 && p.x <= map.width() && p.y >= 0 && p.y <= map.height();
@@ -99,6 +110,10 @@ StopPlaces places_of(const Planner& planner, std::span<const Point> points) {
       const auto found = std::find_if(regions.begin(), regions.end(), joined);
       const int region = static_cast<int>(found - regions.begin());
       if (found == regions.end()) regions.push_back(at);
+      if (poller.stop_after(region)) {
+        places.cause = poller.cause();
+        return places;
+      }
       if (std::find(own.begin(), own.end(), region) == own.end()) own.push_back(region);
     }
   }

@@ -12,8 +12,11 @@ namespace lasius {
 struct StopPlaces {
   std::vector<std::vector<int>> regions;  ///< of each; none of one that is outside or blocked
   std::vector<char> outside;
+  StopCondition::Cause cause = StopCondition::Cause::none;  ///< why the rest is not known
 };
-StopPlaces places_of(const Planner& planner, std::span<const Point> points);
+/// Stopped only among thousands of regions.
+StopPlaces places_of(const Planner& planner, std::span<const Point> points,
+                     const StopCondition& stop);
 StopPlaces places_of(const TourWorld& world, std::span<const Point> points);
 
 /// The stops that a tour can visit, by their index in the request; names the others in `tour`, but

@@ -247,7 +247,9 @@ class Blender {
 }  // namespace
 
 Vehicle with_room(Vehicle vehicle) {
-  if (vehicle.curvature_rate > 0) vehicle.turning_radius *= 1.1;
+  constexpr double kMost = 1e5;  // that a vehicle has
+  if (vehicle.curvature_rate > 0)
+    vehicle.turning_radius = std::min(1.1 * vehicle.turning_radius, kMost);
   return vehicle;
 }
 

@@ -74,7 +74,7 @@ class Escape {
   /// From poses on, by what is left of each.
   void cross(std::span<const Pose> from, const std::function<double(int, int)>& left) {
     left_ = &left;
-    for (const Pose& pose : from) put(pose, -1, {});
+    for (std::size_t i = 0; i < from.size(); ++i) put(from[i], -1 - static_cast<int>(i), {});
   }
   /// The next place that is nearer by a cell than all before; -1: none.
   int nearer(Poller& poller) {
@@ -88,10 +88,10 @@ class Escape {
     }
     return -1;
   }
-  /// The one of the poses from which a place was reached.
+  /// Which of the poses a place was reached from.
   int root(int at) const {
-    while (places_[at].before >= 0) at = places_[at].before;
-    return at;
+    while (at >= 0) at = places_[at].before;
+    return -1 - at;
   }
 
   const std::vector<Place>& places() const { return places_; }

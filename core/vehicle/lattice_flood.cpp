@@ -30,13 +30,11 @@ LatticeFlood::LatticeFlood(const EdgePlanes& planes, const Lattice& lattice, int
 
 int LatticeFlood::run(std::span<const Connector> starts, std::span<const Connector> ends,
                       Poller& poller, int levels) {
-  ran_out_ = false;
   std::vector<std::pair<int, std::uint32_t>> sources;  // level, index
-  for (std::uint32_t i = 0; i < starts.size(); ++i) {
-    const double most = kNever - 1.0;
-    sources.emplace_back(units(std::min(starts[i].cost, most * kUnit)), i);
-  }
+  for (std::uint32_t i = 0; i < starts.size(); ++i)
+    if (const int at = units(starts[i]); at < kNever) sources.emplace_back(at, i);
   std::ranges::sort(sources);
+  ran_out_ = sources.size() < starts.size();
   double least = std::numeric_limits<double>::infinity();
   for (const Connector& end : ends) least = std::min(least, end.cost);
   std::size_t next_source = 0;
@@ -45,8 +43,10 @@ int LatticeFlood::run(std::span<const Connector> starts, std::span<const Connect
   for (int now = 0;; ++now) {
     if (waiting_ == 0 && next_source == sources.size()) break;
     if (best >= 0 && best_cost <= least + now * kUnit) break;
-    ran_out_ = now >= levels;
-    if (ran_out_) break;
+    if (now >= levels) {
+      ran_out_ = true;
+      break;
+    }
     std::vector<Item>& bucket = memory_.buckets[now % kBuckets];
     for (; next_source < sources.size() && sources[next_source].first <= now; ++next_source) {
       const Connector& start = starts[sources[next_source].second];
@@ -124,7 +124,7 @@ void LatticeFlood::append(std::span<const Connector> starts, Cell at, int headin
   const auto first = [&] {
     return std::ranges::find_if(starts, [&](const Connector& c) {
       return c.x == at.x && c.y == at.y && c.heading == heading &&
-             units(c.cost) == level(at.x, at.y, heading);
+             units(c) == level(at.x, at.y, heading);
     });
   };
   auto start = first();

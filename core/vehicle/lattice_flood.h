@@ -48,6 +48,10 @@ class LatticeFlood {
   static int units(double cost) noexcept {
     return static_cast<int>(std::floor(cost / kUnit + 0.5));
   }
+  /// Of a start; kNever where it is dearer than every level.
+  static int units(const Connector& start) noexcept {
+    return start.cost < (kNever - 1) * kUnit ? units(start.cost) : kNever;
+  }
   static int units(const Edge& edge) noexcept {
     const int whole = units(static_cast<double>(edge.cost));
     return whole > 0 ? whole : 1;

@@ -114,7 +114,7 @@ std::vector<PathPose> poses(std::span<const Segment> segments, double spacing) {
     const double extent = s.extent();
     require_parameter(extent / spacing <= kMost, "spacing", spacing,
                       "give a wider one: a segment has more than 100000000 poses");
-    const int pieces = std::max(1, static_cast<int>(std::ceil(extent / spacing)));
+    const int pieces = static_cast<int>(std::ceil(extent / spacing));
     const bool new_gear = told.empty() || told.back().gear != s.gear;
     for (int k = new_gear ? 0 : 1; k <= pieces; ++k) {
       const double at = k == pieces ? extent : extent * k / pieces;

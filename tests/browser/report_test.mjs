@@ -192,7 +192,7 @@ test("over costs the weights lie under the path, and path and bound meet", async
   });
   assert.ok(pale > 5, `${pale} tones of weights`);
   await tab.getByText(/^weight of a cell, from 1/).waitFor();
-  await tab.getByText(/^cost to the goal by the proof, a line every/).waitFor();
+  await tab.getByText(/^cost to the goal, where the proof looked, a line every/).waitFor();
   await tab.getByText("no path is below").first().waitFor({ state: "attached" });
   await tab.getByRole("heading", { name: "Certified gap" }).waitFor();
   assert.match(await tab.locator(".curves", { hasText: "Certified gap" }).locator("title").textContent(), /above the bound, %: from [\d.]+ to [\d.]+/);

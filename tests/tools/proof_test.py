@@ -45,8 +45,10 @@ class Proofs(ProgramTest):
     def test_proofs_hold(self):
         for i in range(12):
             run = self.quiet(self.check(i))
-            bound = json.loads(self.read(f"{i}.proof.json"))["lower_bound"]
-            self.assertEqual(run.out, f"holds: no path costs less than {bound}\n")
+            proof = json.loads(self.read(f"{i}.proof.json"))
+            ends = "({}, {}) and ({}, {})".format(*proof["start"], *proof["goal"])
+            self.assertEqual(run.out, f"holds: no path between the centres of cells {ends} costs less than "
+                             f"{proof['lower_bound']}\n")
             self.assertEqual(self.check(i, f"{i}.proof.cbor").out, run.out)
 
     @unittest.skipUnless(has_numpy(), f"{sys.executable} has no numpy, which tools/check_proof needs")
@@ -88,6 +90,13 @@ class Proofs(ProgramTest):
             run = self.script(i, "changed.json")
             self.assertEqual(run.returncode, 1)
             self.holds(run.stderr, "the proof does not hold: ")
+
+    def test_proofs_are_of_one_plan(self):
+        self.write("s.tsv", "x y\n0 0\n9 9\n")
+        for command in (("tour", "0.map", "--stops", "s.tsv"), ("drive", "0.map", "--start", "0,0", "--goal", "9,9"),
+                        ("batch", "0.map", "q.tsv")):
+            for ending in ("json", "cbor"):
+                self.refused(self.run_program(*command, "-o", f"t.proof.{ending}"), 2, "-o t.proof." + ending)
 
     def test_other_inputs(self):
         self.holds(self.check(0, None, "--cost", "0.pfm*2", *INFLATION).out, "does not hold: the proof is of other costs")

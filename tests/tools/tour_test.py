@@ -165,6 +165,8 @@ class Tour(ProgramTest):
                 ("a.json", '[{"x": 1, "y": 2},\n{"x": 1}]', ["line 2", "[1] is no [x, y]"]),
                 ("a.geojson", '{"type": "Feature",\n"geometry": {"type": "Polygon"}}', ["line 2", "a Polygon, no point"]),
                 ("a.geojson", '{"type": "Feature"}', ["lacks its \"geometry\""]),
+                ("a.geojson", '{"type": "Feature",\n"geometry": null}', ["line 2", "the stop has no place"]),
+                ("a.json", '[{"x": 1, "y": 2, "load": 1000001}]', ["line 1", "of at most 1000000"]),
                 ("a.geojson", '{"a": 1}', ["no GeoJSON object"])):
             with self.subTest(text):
                 self.write(name, text)

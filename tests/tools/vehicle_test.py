@@ -136,6 +136,12 @@ class Vehicles(ProgramTest):
                 self.assertEqual(self.run_program("check-path", "yard.map", "run.json").code, 0)
         self.assertGreaterEqual(solved, 17)
 
+    def test_who_is_there_already_has_one_vertex(self):
+        for goal in ("4,4,0", "4,4,360deg"):
+            run = self.drive("car.json", "4,4,0", goal, "--json", "-o", "one.csv")
+            self.assertEqual((run.json["path"], run.json["length"]), ([[4.5, 4.5]], 0))
+            self.assertEqual(len(self.rows("one.csv")), 1)
+
     def test_files_of_poses(self):
         run = self.drive("car.json", "4,4,0", "38,26,180deg", "-o", "run.csv", "-o", "run.yaml", "-o", "run.svg", "--json")
         self.assertEqual(run.code, 0, run.err)
@@ -328,7 +334,8 @@ class Vehicles(ProgramTest):
                  ({"segments": [{**segment, "length": "far"}]}, '"length"'), ({"path": 7}, '"path"'), ({"path": [[1]]}, '"path"'),
                  ({"parameters": {"vehicle": {"footprint": [[0, 0], [1, 0]]}}}, "turning_radius"),
                  ({"segments": []}, '"segments" are none'), ({"segments": None}, '"segments" is no list'),
-                 ({"parameters": {}}, "no vehicle"), ({"curve": [1]}, '"curve"')]
+                 ({"parameters": {}}, "no vehicle"), ({"curve": [1]}, '"curve"'),
+                 ({"segments": good["segments"][:-1]}, '"segments" begin or end elsewhere than "path"')]
         for change, word in cases:
             with self.subTest(change=change):
                 self.write("bad.json", json.dumps({**good, **change}))

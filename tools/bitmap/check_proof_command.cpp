@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/cost/proof.h"
@@ -54,7 +55,10 @@ Subcommand add_check_proof(CLI::App& app) {
           print("does not hold: " + *fault + "\n");
           return static_cast<int>(kInternal);
         }
-        print("holds: no path costs less than " + to_text(proof.lower_bound) + "\n");
+        print("holds: no path between the centres of cells " +
+              pair_text(proof.start.x, proof.start.y) + " and " +
+              pair_text(proof.goal.x, proof.goal.y) + " costs less than " +
+              to_text(proof.lower_bound) + "\n");
         return static_cast<int>(kFound);
       });
 }

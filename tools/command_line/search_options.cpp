@@ -141,6 +141,8 @@ void add_part(OptionTable& table, Part& to, const char* help) {
 }
 
 void check_ending(const std::string& file, std::span<const std::string_view> endings) {
+  if (is_proof(file) && std::ranges::count(endings, ".proof.cbor") == 0)
+    throw UsageError("-o " + file + ": a proof is of one plan over costs");
   if (is_stream(file) ||
       std::ranges::any_of(endings, [&](auto ending) { return has_ending(file, ending); }))
     return;

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   int code = kFound;
   if (!ranks.leads())  // one rank speaks for all
     for (std::FILE* const stream : {stdout, stderr})
-      if (std::freopen("/dev/null", "w", stream) == nullptr) return kInternal;
+      if (std::freopen("/dev/null", "w", stream) == nullptr) code = kInternal;
   if (shares) {
     set_crew(&ranks);
     try {

@@ -61,7 +61,7 @@ class Lines {
     }
     fail(std::string(name) + " is '" + std::string(field) + "'",
          metres  ? "give a whole number, or metres with --frame world"
-         : whole ? "give a whole number"
+         : whole ? "give a whole number, or of a point one with decimals"
                  : "give a finite number");
   }
 

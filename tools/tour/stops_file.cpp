@@ -95,7 +95,8 @@ class Reader {
   int load(double value, std::string_view text, const At& at) const {
     if (value != std::floor(value) || std::abs(value) > TourCommand::kMostLoad)
       fail(at, "load is '" + std::string(text) + "'",
-           "give a whole number, as 1 where something is picked and -1 where it is delivered");
+           "give a whole number of at most " + std::to_string(TourCommand::kMostLoad) +
+               ", as 1 where something is picked and -1 where it is delivered");
     return static_cast<int>(value);
   }
   double yaw(const std::string& text, const At& at) const {
@@ -299,6 +300,9 @@ class Reader {
     if (type == "GeometryCollection") return all("geometries");
     if (type == "Feature") {
       const bool more = json.contains("properties") && json["properties"].is_object();
+      if (part("geometry").is_null())
+        fail({.path = in + "geometry"}, in + "geometry is null: the stop has no place",
+             "give a point, or leave the feature out");
       return read_geometry(
           part("geometry"), in + "geometry",
           more ? details_of(json["properties"], in + "properties") : StopDetails{});

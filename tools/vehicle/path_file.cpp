@@ -168,8 +168,11 @@ const Json& list_at(const Json& result, const std::string& key, const std::strin
   return list;
 }
 
+bool apart(Point a, Point b) { return !(std::hypot(a.x - b.x, a.y - b.y) <= kOnePlace); }
+
 /// Appends its points and segments. @throws UsageError naming the key
 void take_path(PathFile& path, const Json& part, const std::string& key) {
+  const std::size_t from = path.points.size();
   for (const Json& vertex : list_at(part, key)) {
     if (!vertex.is_array() || vertex.size() < 2)
       throw UsageError("\"" + key + "\" is no list of points");
@@ -179,6 +182,11 @@ void take_path(PathFile& path, const Json& part, const std::string& key) {
   }
   if (!part.contains("segments")) return;
   const auto segments = recorded_segments(part);
+  if (!segments.empty() && from < path.points.size()) {
+    const vehicle::Pose begin = segments.front().begin, end = segments.back().end();
+    if (apart({begin.x, begin.y}, path.points[from]) || apart({end.x, end.y}, path.points.back()))
+      throw UsageError("\"segments\" begin or end elsewhere than \"" + key + "\"");
+  }
   path.segments.insert(path.segments.end(), segments.begin(), segments.end());
 }
 
@@ -230,9 +238,6 @@ PathFile path_of(const std::string& file, const Json& result, const std::string&
     take_path(path, result, key);
   if (told(result, "curve")) {
     path.curve = recorded_curve(result["curve"]);
-    const auto apart = [](Point a, Point b) {
-      return !(std::hypot(a.x - b.x, a.y - b.y) <= kOnePlace);
-    };
     if (path.points.empty() || apart(path.curve.front().from, path.points.front()) ||
         apart(path.curve.back().to, path.points.back()))
       throw UsageError("\"curve\" begins or ends elsewhere than \"path\"");

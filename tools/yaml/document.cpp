@@ -50,7 +50,8 @@ class DocumentReader {
     most_ = std::max(kMostNodes, text.size());
     try {
       if (const int documents = documents_in(text); documents != 1)
-        root.fail(documents == 0 ? "the file is empty" : kMoreDocuments, kOneDocument);
+        root.fail(documents == 0 ? "the file is empty" : kMoreDocuments,
+                  documents == 0 ? "write what it is to say" : kOneDocument);
       const YAML::Node document = YAML::Load(text);
       root = node_of(document, "", document.Mark().line + 1);
     } catch (const YAML::Exception& error) {

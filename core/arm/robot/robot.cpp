@@ -33,6 +33,7 @@ Robot parse_short(std::string_view text, const std::string& file) {
   if (base_radius > 0)
     robot.links[0].solids = {capsule({base.x, base.y, 0}, {0, 0, base.z}, base_radius)};
   Vec3 origin = base;
+  std::string bare;  // joints whose links have no body
   for (const JsonFields& fields : top.list("joints", 1, Robot::kMaxJoints,
                                            {"name", "type", "axis", "link", "radius", "limits",
                                             "velocity", "acceleration", "jerk"})) {
@@ -54,13 +55,16 @@ Robot parse_short(std::string_view text, const std::string& file) {
     joint.jerk = fields.number_or("jerk", 0, 1e9, 0);
     joint.frame.translation() = Eigen::Vector3d(origin);
     const Vec3 link = fields.vector("link", kFar);
-    const double radius = fields.number_or("radius", 0, kFar, 0);
+    const double radius = fields.number_or("radius", 0, kFar, -1);  // as not given
     const int number = robot.size();
+    if (radius < 0) bare += (bare.empty() ? "" : ", ") + std::to_string(number);
     robot.joints.push_back(std::move(joint));
     robot.links.push_back({.name = {}, .body = number + 1, .parent = number, .solids = {}});
     if (radius > 0) robot.links.back().solids = {capsule({}, link, radius)};
     origin = link;
   }
+  if (!bare.empty())
+    robot.notes.push_back("without a \"radius\" links have no body: those of joints " + bare);
   robot.tip.translation() = Eigen::Vector3d(origin);
   robot.may_touch = top.pairs("may_touch", robot.size());
   return robot;

@@ -39,7 +39,7 @@ constexpr int kSoon = 1'500'000;  // cells, of which the first swaths are laid w
 
 bool stopped(const StopCondition& stop) { return stop.poll() != StopCondition::Cause::none; }
 
-void check(const Grid& grid, const CoverRequest& request) {
+void check(const Grid& grid, double radius, const CoverRequest& request) {
   const int longest = std::max(grid.width(), grid.height());
   const auto refuse = [](const std::string& problem, const std::string& remedy) {
     throw Error(ErrorCode::invalid_parameter, problem, remedy);
@@ -52,7 +52,7 @@ void check(const Grid& grid, const CoverRequest& request) {
                number_text(kMostSwaths) + " swaths",
            "give a larger one, or parts of the map");
   const double lines = longest / request.width;
-  const double samples = CoverGround::samples_asked(grid, request.width);
+  const double samples = CoverGround::samples_asked(grid, request.width, radius);
   if (samples > kMostSamples || lines > kMostLines)
     refuse(
         "a width of " + number_text(request.width) + " cells asks for " +
@@ -130,9 +130,11 @@ void join_swaths(const Planner& planner, const CoverRequest& request, double bet
                              .generations = request.generations,
                              .first = order_by_chains(links, result, request.start),
                              .stop = ordering};
+  bool told_to_stop = false;
   if (observer)
     options.observer = [&](std::span<const int> order, std::int64_t cost) {
-      return observer(order, cells(cost)) == Go::on;
+      told_to_stop = observer(order, cells(cost)) == Go::stop;
+      return !told_to_stop;
     };
   const tour::OrderFound order = find_order(costs, ends, result.stops, options);
   found.order = whole_swaths(order.order, pricer, request.open);
@@ -158,14 +160,14 @@ void join_swaths(const Planner& planner, const CoverRequest& request, double bet
           cells(tour_bound(costs, ends, result.stops, order.cost, kRounds, poller, alike)));
   }
   found.priced = known ? std::int64_t{n} * (n - 1) / 2 - swaths : legs.priced();
-  found.status = status_after(order.cause, request.stop);
+  found.status = told_to_stop ? Status::interrupted : status_after(order.cause, request.stop);
 }
 
 }  // namespace
 
 CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
                        const TourObserver& observer) {
-  check(unprepared.grid(), request);
+  check(unprepared.grid(), unprepared.robot().radius, request);
   CoverResult result;
   TourResult& found = result.tour;
   if (request.start && !unprepared.clear_at(*request.start)) {

@@ -21,11 +21,14 @@ struct Part {
 enum State : std::uint8_t { kBlocked, kPlace, kSeen, kReached };
 
 // Odd, so that the middle of a cell has one.
+int odd(double least) { return 2 * static_cast<int>(std::ceil((least - 1) / 2)) + 1; }
+
+int least_samples_of_cell(double width, bool tight) {
+  return std::max(tight ? 3 : 1, odd(kSamplesOfWidth / width));
+}
+
 int samples_of_cell(const Grid& grid, double width, double radius, bool tight) {
-  const auto odd = [](double least) {
-    return 2 * static_cast<int>(std::ceil((least - 1) / 2)) + 1;
-  };
-  const int asked = std::max(tight ? 3 : 1, odd(kSamplesOfWidth / width));
+  const int asked = least_samples_of_cell(width, tight);
   if (radius == 0) return asked;
   const double cells = 1.0 * grid.width() * grid.height();
   int count = std::max(asked, odd(std::max(kSamplesOfRadius, kSamplesOfRadius / radius)));
@@ -43,8 +46,8 @@ bool reaches(const Planner& planner, Point from, Point to, const StopCondition& 
          !planner.plan({.stop = stop, .start_point = to, .goal_point = from}, exact).path.empty();
 }
 
-double CoverGround::samples_asked(const Grid& grid, double width) noexcept {
-  const double per_cell = std::max(1.0, kSamplesOfWidth / width);
+double CoverGround::samples_asked(const Grid& grid, double width, double radius) noexcept {
+  const double per_cell = least_samples_of_cell(width, ToolLines::fits_tightly(radius));
   return per_cell * grid.width() * per_cell * grid.height();
 }
 

@@ -28,8 +28,8 @@ class CoverGround {
                                          double width, const std::optional<Point>& start,
                                          const StopCondition& stop);
 
-  /// How many a width asks for, about.
-  static double samples_asked(const Grid& grid, double width) noexcept;
+  /// How many a width and a radius ask for at least.
+  static double samples_asked(const Grid& grid, double width, double radius) noexcept;
 
   double half_width() const noexcept { return half_; }
   double spacing() const noexcept { return 1.0 / per_cell_; }

@@ -67,7 +67,7 @@ double Swath::length() const noexcept { return distance(from, to); }
 void SwathCounts::add(const Swath& swath, int by) {
   ground_.each_row_near(swath.from, swath.to, [&](std::int64_t first, std::int64_t last) {
     for (std::int64_t i = first; i <= last; ++i)
-      counts_[i] = static_cast<std::uint16_t>(counts_[i] + by);
+      counts_[i] = static_cast<std::uint16_t>(std::min(counts_[i] + by, 0xffff));
   });
 }
 

@@ -60,12 +60,16 @@ const std::vector<Heading>& headings() {
   return kAll;
 }
 
+bool ToolLines::fits_tightly(double radius) noexcept {
+  return radius > 0 && std::abs(2 * radius - std::round(2 * radius)) < 1e-9;
+}
+
 ToolLines::ToolLines(const Grid& grid, double radius)
     : width_(grid.width()),
       height_(grid.height()),
       radius_(radius),
       kept_(radius > 0 ? radius - kLeeway : kTouch),
-      tight_(radius > 0 && std::abs(2 * radius - std::round(2 * radius)) < 1e-9),
+      tight_(fits_tightly(radius)),
       first_run_{0} {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {

@@ -49,6 +49,7 @@ class ToolLines {
   double radius() const noexcept { return radius_; }
   /// Are there corridors, along axes, that are just as wide as the tool?
   bool tight() const noexcept { return tight_; }
+  static bool fits_tightly(double radius) noexcept;
   static constexpr double kDrawnIn = 1e-3;  ///< cells
   /// Replaces `places` by the stretches of a line that keep the radius from blocked cells and from
   /// what lies outside the map, rising; those shorter than ten times what they are drawn in by are

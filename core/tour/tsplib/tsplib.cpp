@@ -4,13 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <istream>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/tour/order/costs.h"
 #include "core/tour/order/partial_order.h"
+#include "kernels/base/arctangent.h"
+#include "kernels/base/sine.h"
 #include "lasius/base/error.h"
 
 namespace lasius {
@@ -31,18 +35,32 @@ double radians(double degrees_and_minutes) {
 
 using Rule = double (*)(const Point&, const Point&);
 
+double cosine(double x) { return kernels::sine_cosine(x).cosine; }
+
+double arc_cosine(double c) {
+  const double angle = kernels::quadrant_angle(std::abs(c), std::sqrt((1 - c) * (1 + c)));
+  return c < 0 ? std::numbers::pi - angle : angle;
+}
+
 double geographic(const Point& a, const Point& b) {
+  constexpr double kMost = 1e6;  // degrees; no place is so far
+  for (const double degrees : {a.x, a.y, b.x, b.y})
+    if (!(std::abs(degrees) < kMost)) return std::numeric_limits<double>::infinity();
   const double lat_a = radians(a.x), lat_b = radians(b.x);
-  const double q1 = std::cos(radians(a.y) - radians(b.y));
-  const double q2 = std::cos(lat_a - lat_b), q3 = std::cos(lat_a + lat_b);
-  return std::floor(6378.388 * std::acos(0.5 * ((1 + q1) * q2 - (1 - q1) * q3)) + 1);
+  const double q1 = cosine(radians(a.y) - radians(b.y));
+  const double q2 = cosine(lat_a - lat_b), q3 = cosine(lat_a + lat_b);
+  const double c = 0.5 * ((1 + q1) * q2 - (1 - q1) * q3);
+  return std::floor(6378.388 * arc_cosine(std::clamp(c, -1.0, 1.0)) + 1);
+}
+
+double straight(const Point& a, const Point& b) {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 const std::map<std::string, Rule, std::less<>> kRules = {
-    {"EUC_2D", [](const Point& a,
-                  const Point& b) { return std::floor(std::hypot(a.x - b.x, a.y - b.y) + 0.5); }},
-    {"CEIL_2D",
-     [](const Point& a, const Point& b) { return std::ceil(std::hypot(a.x - b.x, a.y - b.y)); }},
+    {"EUC_2D", [](const Point& a, const Point& b) { return std::floor(straight(a, b) + 0.5); }},
+    {"CEIL_2D", [](const Point& a, const Point& b) { return std::ceil(straight(a, b)); }},
     {"MAN_2D",
      [](const Point& a, const Point& b) {
        return std::floor(std::abs(a.x - b.x) + std::abs(a.y - b.y) + 0.5);
@@ -74,7 +92,7 @@ class Reader {
       if (colon != std::string::npos) {
         head(key, std::string(bare(std::string_view(line).substr(colon + 1))));
       } else if (key == "NODE_COORD_SECTION" || key == "DISPLAY_DATA_SECTION") {
-        coordinates();
+        coordinates(key == "NODE_COORD_SECTION");
       } else if (key == "EDGE_WEIGHT_SECTION") {
         weights();
       } else if (number_of<double>(key.substr(0, key.find_first_of(" \t")))) {
@@ -165,21 +183,21 @@ class Reader {
     std::string word;
     if (words_ >> word) too_many();
   }
-  // Nodes 1 to DIMENSION, each once, a line each, in any order.
-  void coordinates() {
+  // Nodes 1 to DIMENSION, each once, a line each, in any order. Without costs, for pictures: where
+  // there are no others.
+  void coordinates(bool with_costs) {
     need_size();
     const int n = result_.size;
     std::vector<Point> places(n);
-    node_lines_.assign(n, 0);
+    std::vector<std::int64_t> lines(n);  // 0: not given
     std::string line;
     for (int left = n; left > 0;) {
       const bool more = next(line);
       if (more && line.empty()) continue;
       if (!more || line == "EOF" || line.ends_with("_SECTION")) {
-        const auto missing = std::find(node_lines_.begin(), node_lines_.end(), 0);
+        const auto missing = std::find(lines.begin(), lines.end(), 0);
         fail(ErrorCode::file_broken,
-             "node " + number_text(missing - node_lines_.begin() + 1) + " is missing of " +
-                 dimension(),
+             "node " + number_text(missing - lines.begin() + 1) + " is missing of " + dimension(),
              "add its coordinates, or correct DIMENSION");
       }
       const auto fields = words_of(line, " \t");
@@ -194,17 +212,19 @@ class Reader {
              "node " + number_text(node) + " is none of 1 to " + dimension(),
              "number the nodes from 1, or correct DIMENSION");
       const auto i = static_cast<std::size_t>(node) - 1;
-      if (node_lines_[i] > 0)
-        fail(ErrorCode::file_broken,
-             "node " + number_text(node) + " is given again, first on line " +
-                 number_text(node_lines_[i]),
-             "give each node its own number");
-      node_lines_[i] = line_;
+      if (lines[i] > 0)
+        fail(
+            ErrorCode::file_broken,
+            "node " + number_text(node) + " is given again, first on line " + number_text(lines[i]),
+            "give each node its own number");
+      lines[i] = line_;
       places[i].x = number();
       places[i].y = number();
       --left;
     }
+    if (!with_costs && !node_lines_.empty()) return;
     result_.places = std::move(places);
+    if (with_costs) node_lines_ = std::move(lines);
   }
   Cost cost(double value) const {
     const double least = result_.ordered ? -1 : 0;
@@ -260,7 +280,7 @@ class Reader {
     if (rule_.empty()) fail(ErrorCode::file_broken, "there is no EDGE_WEIGHT_TYPE", kTypes);
     if (rule_ == "EXPLICIT" || result_.ordered)
       fail(ErrorCode::file_broken, "there is no EDGE_WEIGHT_SECTION", "give the matrix");
-    if (result_.places.empty())
+    if (node_lines_.empty())
       fail(ErrorCode::file_broken, "there are no coordinates", "give a NODE_COORD_SECTION");
     const auto rule = kRules.find(rule_);
     const int n = result_.size;
@@ -297,7 +317,7 @@ class Reader {
   std::istringstream words_;
   std::string rule_, format_;
   std::int64_t format_line_ = 0;
-  std::vector<std::int64_t> node_lines_;  // 0: not given
+  std::vector<std::int64_t> node_lines_;  // of coordinates with costs
   Tsplib result_;
 };
 

@@ -232,7 +232,10 @@ class TourSearch {
       for (const auto& order : best_)
         for (const int a : order) told.push_back(stops_.indices[legs_.at(a).place]);
       const double length = static_cast<double>(best_cost_) / legs_.scale();
-      if (observer_(told, length) == Go::stop) return false;
+      if (observer_(told, length) == Go::stop) {
+        cause_ = StopCondition::Cause::token;
+        return false;
+      }
     }
     return request_.target_gap <= 0 || length() > bound() * (1 + request_.target_gap);
   }

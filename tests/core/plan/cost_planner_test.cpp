@@ -13,6 +13,7 @@
 #include "lasius/base/error.h"
 #include "lasius/cost/planner.h"
 #include "lasius/path/path.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 #include "tests/worlds/weights.h"
 
@@ -124,6 +125,31 @@ TEST(CostPlanner, ADiscKeepsItsRadius) {
   }
   EXPECT_GT(solved, 40);
   EXPECT_LT(gaps / solved, 0.05);
+}
+
+// A corridor with a step that cells pass and the disc does not: the second search is cut, too.
+TEST(CostPlanner, ADiscIsCutAnywhere) {
+  Grid grid(300, 300);
+  grid.fill({140, 4, 20, 296}, true);
+  grid.fill({140, 150, 10, 2}, false);
+  grid.fill({150, 151, 10, 2}, false);
+  std::mt19937 random(5);
+  CostField costs(300, 300);
+  std::vector<double> values(std::size_t{300} * 300);
+  for (double& value : values) value = random_in(0, 59, random);
+  costs.add(values);
+  const CostPlanner planner(Planner(grid, Disc{0.9}), costs);
+  Request request{.start = {138, 150}, .goal = {162, 151}};
+  const CountingTime counted(1 << 30);
+  request.stop = counted.is_up();
+  ASSERT_EQ(planner.plan(request).status, Status::solved);
+  ASSERT_GT(counted.polls(), 40);
+  for (int i = 0; i < 40; ++i) {
+    const CountingTime time(counted.polls() * i / 40);
+    request.stop = time.is_up();
+    const CostResult cut = planner.plan(request);
+    if (!cut.path.empty()) EXPECT_FALSE(disc_path_fault(grid, 0.9, cut.path, {})) << i;
+  }
 }
 
 TEST(CostPlanner, AProofChangesNoAnswer) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/grid/distance.h"
 #include "lasius/base/error.h"
 #include "lasius/plan/batch.h"
 #include "lasius/plan/planner.h"
@@ -46,6 +47,37 @@ TEST(GoalTolerance, TheNearestIsTheOneOfASearchThroughAllCells) {
   }
   EXPECT_GT(found, 500);
   EXPECT_GT(other, 100);
+}
+
+TEST(GoalTolerance, OfAPointTheNearestCentreCounts) {
+  int found = 0, of_another_cell = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    const int width = random_in(1, 12, random), height = random_in(1, 9, random);
+    const Planner planner(random_grid(width, height, random_in(20, 70, random), random));
+    const Cell from = random_cell(planner.grid(), random);
+    if (planner.grid().blocked(from)) continue;
+    for (int i = 0; i < 20; ++i) {
+      const Point goal{random_in(-8, 4 * width + 8, random) / 4.0 + 0.02,
+                       random_in(-8, 4 * height + 8, random) / 4.0 - 0.013};
+      const Cell cell{static_cast<int>(std::floor(goal.x)), static_cast<int>(std::floor(goal.y))};
+      if (planner.grid().contains(cell) && planner.connected(from, cell)) continue;
+      std::optional<std::tuple<double, int, int>> best;
+      for (const Cell c : cells_of(planner.grid()))
+        if (const std::tuple order(distance(centre(c), goal), c.y, c.x);
+            planner.connected(from, c) && (!best || order < *best))
+          best = order;
+      const auto [apart, y, x] = *best;
+      Request request{.start = from, .goal_tolerance = apart, .goal_point = goal};
+      ASSERT_EQ(planner.plan(request).goal_reached, (Cell{x, y})) << seed << ", " << i;
+      request.goal_tolerance = 0.999 * apart;
+      ASSERT_EQ(planner.plan(request).goal_reached, std::nullopt) << seed << ", " << i;
+      ++found;
+      of_another_cell += planner.nearest_reachable(cell, from) != Cell{x, y};
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(of_another_cell, 50);
 }
 
 /// A goal in a shelf that is shut, with a door on no side.

@@ -185,6 +185,17 @@ TEST(LatticeFlood, TellsThatItsLevelsRanOut) {
   LatticeFlood dry(*planes, lattice, grid.width(), grid.height(), memory);
   EXPECT_EQ(dry.run(starts, {}, poller), -1);
   EXPECT_FALSE(dry.ran_out());
+  std::vector<Connector> dear{{.x = 5, .y = 20, .cost = 2e4, .motions = {}},
+                              {.x = 6, .y = 20, .cost = 3e9, .motions = {}}};
+  LatticeFlood above(*planes, lattice, grid.width(), grid.height(), memory);
+  EXPECT_EQ(above.run(dear, ends, poller), -1);
+  EXPECT_TRUE(above.ran_out());
+  dear.push_back(starts[0]);
+  LatticeFlood below(*planes, lattice, grid.width(), grid.height(), memory);
+  ASSERT_EQ(below.run(dear, ends, poller), 0);
+  std::vector<Segment> way;
+  below.append(dear, {65, 20}, 0, way);
+  EXPECT_NEAR(driven_length(way), 60, 1e-9);
   // Nor is it over at the nearer end, the dearer one.
   const std::vector<Connector> two{{.x = 15, .y = 20, .cost = 100, .motions = {}}, ends[0]};
   LatticeFlood further(*planes, lattice, grid.width(), grid.height(), memory);

@@ -275,6 +275,10 @@ TEST(Planner, TakesVehiclesThatHardlyTurn) {
   const Result ahead = planner.plan({.start = {10, 15, 0}, .goals = {{50, 15, 0}}});
   EXPECT_EQ(ahead.status, Status::solved);
   EXPECT_NEAR(ahead.length, 40, 1e-6);
+  Vehicle slow = train;
+  slow.curvature_rate = 1e-6;  // for which there is room within the largest radius
+  EXPECT_EQ(Planner(Grid(60, 30), slow).plan({.start = {10, 15, 0}, .goals = {{50, 15, 0}}}).status,
+            Status::solved);
 }
 
 TEST(Planner, TellsOfEveryCut) {

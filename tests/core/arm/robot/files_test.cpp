@@ -27,6 +27,8 @@ TEST(ShortRobot, WhatItsFieldsMean) {
   EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, 0, 1));
   ASSERT_EQ(robot.links.size(), 3u);
   EXPECT_TRUE(robot.links[1].solids.empty()) << "no radius, no body";
+  ASSERT_EQ(robot.notes.size(), 1u);
+  expect_says(robot.notes[0], "without a \"radius\" links have no body: those of joints 0");
   EXPECT_EQ(robot.joints[1].frame.translation(), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(robot.links[0].solids.size(), 1u);
   EXPECT_EQ(robot.may_touch.size(), 1u);

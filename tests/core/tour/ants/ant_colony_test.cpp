@@ -210,6 +210,10 @@ TEST(AntColony, StopsAndRefuses) {
   wrong.greedy = 0.5;
   EXPECT_THROW(validate(wrong), Error);
   EXPECT_THROW(AntParams("mmaz"), Error);
+  AntParams many("as");
+  many.ants = 1'000'000;
+  const Instance wide = random_instance(101, 5, true);
+  EXPECT_THROW(find_order_by_ants(wide.costs(), {}, true, many, 1, {}, run), Error);
   AntParams set("acs");
   set_parameter(set, "evaporation", "0.25");
   set_parameter(set, "local_search", "two-edges");

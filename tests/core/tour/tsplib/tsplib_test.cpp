@@ -35,6 +35,27 @@ TEST(Tsplib, RoundsAsItsRulesSay) {
   EXPECT_EQ(cost("MAX_2D", "1 0 0\n2 3 4\n"), 4);
   EXPECT_EQ(cost("ATT", "1 0 0\n2 3 4\n"), 2);                    // sqrt(2.5) up
   EXPECT_EQ(cost("GEO", "1 38.24 20.42\n2 39.57 26.15\n"), 509);  // ulysses16, stops 1 and 2
+  EXPECT_EQ(cost("GEO", "1 38.24 20.42\n2 38.24 20.42\n"), 1);    // one place
+  EXPECT_EQ(cost("GEO", "1 10.30 20\n2 -10.30 -160\n"), 20039);   // half a turn about the earth
+  EXPECT_THROW(cost("GEO", "1 0 0\n2 1e9 0\n"), Error);
+}
+
+TEST(Tsplib, DisplayDataAreForPicturesAlone) {
+  const std::string display = "DISPLAY_DATA_SECTION\n1 0 0\n2 90 0\n";
+  const std::string nodes = "NODE_COORD_SECTION\n1 0 0\n2 7 0\n";
+  const std::string head = "DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\n";
+  for (const std::string& text : {head + nodes + display, head + display + nodes}) {
+    const Tsplib both = read(text);
+    EXPECT_EQ(both.matrix[1], 7) << text;
+    EXPECT_EQ(both.places[1], (Point{7, 0})) << text;
+  }
+  EXPECT_THROW(read(head + display), Error);
+  const Tsplib given = read(
+      "DIMENSION: 2\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: UPPER_ROW\n"
+      "EDGE_WEIGHT_SECTION\n5\n" +
+      display);
+  EXPECT_EQ(given.matrix[1], 5);
+  EXPECT_EQ(given.places[1], (Point{90, 0}));
 }
 
 TEST(Tsplib, ReadsHalvesOfAMatrixAlike) {
