@@ -61,8 +61,7 @@ int chosen_region(const StopPlaces& places, const TourRequest& request,
     for (const int stop : stops)
       of_task.insert(of_task.end(), places.regions[stop].begin(), places.regions[stop].end());
     std::ranges::sort(of_task);
-    const auto twice = std::ranges::unique(of_task);
-    of_task.erase(twice.begin(), twice.end());
+    of_task.erase(std::unique(of_task.begin(), of_task.end()), of_task.end());
     for (const int region : of_task) ++worth[region][3];
   }
   const auto best = std::ranges::max_element(worth);

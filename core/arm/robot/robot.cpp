@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/arm/robot/json_fields.h"
 #include "core/arm/robot/kinematics.h"
@@ -219,13 +220,19 @@ Robot parse_robot(std::string_view text, const std::string& file, const Chain& c
   const bool named = has_ending(file, ".urdf") || has_ending(file, ".xml");
   if (begins == '<' || (named && begins != '{')) return parse_urdf(text, file, chain);
   Robot robot = parse_short(text, file);
-  if (!chain.base.empty() || !chain.tip.empty() || !chain.set_joints.empty() ||
-      !chain.srdf.empty() || !chain.joint_limits.empty() || !chain.allow_contact.empty() ||
-      !chain.packages.empty() || chain.use_visual || chain.bodiless) {
-    refuse("options of a URDF robot are given (links, joints, bodies or files), but " + file +
-               " is no URDF file",
-           "say it in the file; leave them out");
-  }
+  const std::pair<const char*, bool> given[] = {{"base", !chain.base.empty()},
+                                                {"tip", !chain.tip.empty()},
+                                                {"set_joints", !chain.set_joints.empty()},
+                                                {"srdf", !chain.srdf.empty()},
+                                                {"joint_limits", !chain.joint_limits.empty()},
+                                                {"allow_contact", !chain.allow_contact.empty()},
+                                                {"packages", !chain.packages.empty()},
+                                                {"use_visual", chain.use_visual},
+                                                {"bodiless", chain.bodiless}};
+  for (const auto& [name, is_given] : given)
+    if (is_given)
+      refuse(std::string(name) + " is given, for URDF robots, but " + file + " is no URDF file",
+             "say it in the file; leave it out");
   return robot;
 }
 

@@ -212,6 +212,12 @@ Placement RobotMaker::placement_of(const urdf::Joint& joint) {
   if (!std::isfinite(value))
     broken(source_.joint(joint.name), "joint \"" + joint.name + "\" has limits that are no numbers",
            "give it a <limit> with lower below upper");
+  constexpr double kMost = 1e6;  // radians, or metres
+  if (std::abs(value) > kMost)
+    broken(
+        source_.joint(joint.name),
+        "joint \"" + joint.name + "\" stands at " + number_text(value) + ", farther than 1000000",
+        "correct its <limit> or <mimic>");
   robot_.notes.push_back("joint " + in_quotes(joint.name) + " stands at " + number_text(value));
   const Vec3 axis = vec(joint.axis);
   if (value == 0 || !(length(axis) > 1e-9)) return at;

@@ -203,6 +203,13 @@ TEST(Body, JointsThatFollowTheChainAreRefused) {
   EXPECT_EQ(parse_robot(text, "r.urdf", chain).size(), 1);
 }
 
+TEST(Body, JointsThatStandTooFarAreRefused) {
+  const std::string text =
+      with(kUrdf, "lower=\"-0.2\" upper=\"0.3\"", "lower=\"2e20\" upper=\"4e20\"");
+  expect_says(error_of([&] { return parse_robot(text, "r.urdf", {.tip = "c"}); }),
+              "joint \"j2\" stands at 3e+20, farther than 1000000");
+}
+
 using FilesOfRobot = Files;
 
 TEST_F(FilesOfRobot, Srdf) {
