@@ -20,6 +20,8 @@ inline std::int64_t line_at(std::string_view text, std::size_t byte) {
   return line;
 }
 
+inline constexpr std::string_view kBlanksOfLines = " \t\r\v\f";
+
 /// A text without the `blanks` around it.
 inline std::string_view trimmed(std::string_view text, std::string_view blanks) {
   const auto from = text.find_first_not_of(blanks);
@@ -38,19 +40,22 @@ inline std::vector<std::string_view> words_of(std::string_view line, std::string
   return words;
 }
 
-/// The fields of a line between its commas, without blanks about them; in quotes, which are left
-/// out, commas count as letters. Nothing where a quote is not closed.
+/// The fields of a line of CSV (RFC 4180), without blanks about them. Nothing where a quote is not
+/// closed.
 inline std::vector<std::string> csv_fields(std::string_view line) {
   std::vector<std::string> fields;
   std::string field;
   bool quoted = false;
-  for (const char c : std::string(line) + ",") {
-    if (c == '"') {
+  const std::string text = std::string(line) + ",";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"' && quoted && text[i + 1] == '"') {
+      field += text[++i];
+    } else if (text[i] == '"' && (quoted || trimmed(field, kBlanksOfLines).empty())) {
       quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back(trimmed(std::exchange(field, {}), " \t\r\v\f"));
+    } else if (text[i] == ',' && !quoted) {
+      fields.emplace_back(trimmed(std::exchange(field, {}), kBlanksOfLines));
     } else {
-      field += c;
+      field += text[i];
     }
   }
   if (quoted) fields.clear();

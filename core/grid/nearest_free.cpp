@@ -66,7 +66,8 @@ struct Squared {
 
 std::optional<Cell> nearest_free(const Grid& grid, Spot spot, Poller& poller, const Taken& taken,
                                  const RowOfBits& row_of) {
-  const auto [c, aside] = spot;
+  auto [c, aside] = spot;
+  if (aside.x == -0.5) --c.x, aside.x = 0.5;  // as near to the left column
   std::optional<Cell> best;
   Squared least{std::uint64_t{1} << 63, 0};
   // Rows outwards from the cell's own, the upper one first.

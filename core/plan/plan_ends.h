@@ -34,7 +34,7 @@ struct Asked {
   Asked(const Grid& map, Cell c, const std::optional<Point>& p)
       : at(p.value_or(centre(c))), cell(p ? cell_of(map, *p) : c), is_point(at != centre(cell)) {}
   std::string name() const { return is_point ? pair_text(at.x, at.y) : cell_name(cell); }
-  /// Of one far outside the cell's centre.
+  /// Of a point far outside the map its cell's centre.
   Spot spot() const {
     const Point middle = centre(cell), aside{at.x - middle.x, at.y - middle.y};
     const bool inside = std::abs(aside.x) <= 0.5 && std::abs(aside.y) <= 0.5;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
@@ -44,16 +45,23 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     return Orders{std::move(found.orders), bound, found.optimal,
                   told.stopped() ? StopCondition::Cause::token : found.cause};
   };
+  std::optional<RoutesFound> early;
+  std::int64_t early_bound = 0;
   if (request.target_gap > 0) {  // the first solution's bound tells how short is short enough
     tour::RouteOptions first = options;
     first.generations = 0;
-    RoutesFound early = find_routes(problem, costs, first);
-    const std::int64_t bound = bound_of(early);
-    options.target = target_of(bound, request.target_gap);
-    if (early.optimal || early.cost <= options.target || told.stopped())
-      return answer(std::move(early), bound);
+    early = find_routes(problem, costs, first);
+    early_bound = bound_of(*early);
+    options.target = target_of(early_bound, request.target_gap);
+    if (early->optimal || early->cost <= options.target || told.stopped() ||
+        early->cause != StopCondition::Cause::none)
+      return answer(std::move(*early), early_bound);
   }
   RoutesFound found = find_routes(problem, costs, options);
+  if (early && early->cost < found.cost) {
+    early->cause = found.cause;
+    return answer(std::move(*early), early_bound);
+  }
   const std::int64_t bound = bound_of(found);
   return answer(std::move(found), bound);
 }

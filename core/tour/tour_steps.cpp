@@ -148,16 +148,17 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     if (!symmetric) return std::int64_t{0};
     return tour_bound(lower, ends, places, found.cost, kBoundRounds, poller);
   };
+  Ordered early;
   if (request.target_gap > 0) {  // the first tour's bound tells how short is short enough
     tour::OrderOptions first = options;
     first.generations = 0;
     if (ants) first.observer = {};
-    Ordered early{.found = find_order(costs, ends, places, first)};
+    early.found = find_order(costs, ends, places, first);
     early.bound = bound_of(early.found);
     options.target = target_of(early.bound, request.target_gap);
     if (told.stopped()) early.found.cause = StopCondition::Cause::token;
-    if (!ants &&
-        (early.found.order.empty() || early.found.cost <= options.target || told.stopped()))
+    if (!ants && (early.found.order.empty() || early.found.cost <= options.target ||
+                  early.found.cause != StopCondition::Cause::none))
       return early;
   }
   Ordered ordered;
@@ -174,6 +175,10 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     ordered.found = find_order(costs, ends, places, options);
   }
   if (told.stopped()) ordered.found.cause = StopCondition::Cause::token;
+  if (!ants && !early.found.order.empty() && early.found.cost < ordered.found.cost) {
+    early.found.cause = ordered.found.cause;
+    return early;
+  }
   ordered.bound = bound_of(ordered.found);
   return ordered;
 }

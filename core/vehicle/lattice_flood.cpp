@@ -42,7 +42,10 @@ int LatticeFlood::run(std::span<const Connector> starts, std::span<const Connect
   double best_cost = std::numeric_limits<double>::infinity();
   for (int now = 0;; ++now) {
     if (waiting_ == 0 && next_source == sources.size()) break;
-    if (best >= 0 && best_cost <= least + now * kUnit) break;
+    if (best >= 0 && best_cost <= least + now * kUnit) {
+      ran_out_ = false;
+      break;
+    }
     if (now >= levels) {
       ran_out_ = true;
       break;

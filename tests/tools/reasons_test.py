@@ -100,7 +100,7 @@ class Reasons(ProgramTest):
                    "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",
                    "(for a disc of radius 0.16 m)", "the widest radius that joins start and goal is 0.15 m")
         closed = self.asked("--radius", "0.4", "--json", goal="18,4")
-        self.ended(closed, 5, "no radius joins them", "with --unknown-free they are joined")
+        self.ended(closed, 5, "no radius joins start and goal", "with --unknown-free they are joined")
         self.assertIsNone(closed.json["widest_radius"])
         self.write("q.tsv", "sx sy gx gy\n3 4 13 4\n3 4 18 4\n")
         for line, alone in zip(self.run_program("batch", "map.yaml", "q.tsv", "--radius", "1.6").lines,
@@ -131,7 +131,7 @@ class Reasons(ProgramTest):
         turned = self.asked("--vehicle", "cart.yaml", start="3,4,90", goal="6,4,90deg")
         self.ended(turned, 0, "start looks 90 radians, 14.3 turns; degrees end in deg")
         self.assertNotIn("goal looks", turned.err)
-        self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: it reaches 0.5 cells, and no other cell; "
+        self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: its radius of 0.5 cells reaches no other cell; "
                    "with --frame world its radius is in metres")
 
     def test_the_widest_radius_passes_and_a_hair_more_does_not(self):

@@ -168,10 +168,13 @@ Route route_of(const LoadedMap& map, const RunOptions& run) {
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer) {
   const Result& found = answer.result;
-  // An end that is too near to what is blocked, in a region that the other end does not reach.
-  const bool apart = found.status == Status::invalid && map.radius > 0 && found.nearest_reachable &&
-                     found.nearest_reachable != found.nearest_free;
-  if ((found.status != Status::unreachable && !apart) || !run.via.empty()) return;
+  const auto centred = [&](const Place& end) {
+    return map.as_read().free(end.cell) && end.at() == centre(end.cell);
+  };
+  const bool near = found.status == Status::invalid && map.radius > 0 && found.nearest_reachable &&
+                    found.nearest_reachable != found.nearest_free && centred(answer.start) &&
+                    centred(answer.goal);
+  if ((found.status != Status::unreachable && !near) || !run.via.empty()) return;
   answer.remedy = remedy_of(map, answer.start.cell, answer.goal.cell, route_of(map, run), token);
 }
 

@@ -42,7 +42,8 @@ std::optional<Point> short_end(const Answer& answer);
 
 /// How the algorithm goes about on a map with a planner.
 Route route_of(const LoadedMap& map, const RunOptions& run);
-/// Looks for what would join ends that are not.
+/// Looks for what would join ends that are not; also of two centres of free cells, one of which is
+/// too near to what is blocked, and the nearest free cell does not lead to the other.
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer);
 /// Is the run of a colony whose islands the ranks of a crew send together? Pictures of ants are of

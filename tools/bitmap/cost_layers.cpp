@@ -226,10 +226,11 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
   costs.inflation = inflation_of(asked, cells_a_unit, radius);
   if (costs.inflation) costs.field.add(grid, *costs.inflation);
   if (costs.inflation && costs.inflation->radius < 1)  // from centre to centre
-    costs.notes.push_back(
-        "--inflation has no effect: it reaches " + rounded_text(costs.inflation->radius) +
-        " cells, and no other cell" +
-        (frame && cells_a_unit == 1 ? "; with --frame world its radius is in metres" : ""));
+    costs.notes.push_back("--inflation has no effect: its radius of " +
+                          rounded_text(costs.inflation->radius) + " cells reaches no other cell" +
+                          (frame && cells_a_unit == 1 && frame->resolution != 1
+                               ? "; with --frame world its radius is in metres"
+                               : ""));
   return costs;
 }
 

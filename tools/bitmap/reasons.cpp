@@ -142,7 +142,7 @@ std::string remedy_text(const LoadedMap& map, Frame frame, const Remedy& remedy)
     text = "; the widest radius that joins start and goal is " +
            length_text(map, frame, *remedy.widest_radius, 3, true);
   else if (remedy.searched)
-    text = "; no radius joins them";
+    text = "; no radius joins start and goal";
   if (remedy.unknown_free) text += "; with --unknown-free they are joined";
   return text;
 }

@@ -75,7 +75,7 @@ void add_run_options(OptionTable& table, RunOptions& to, const SearchHelp& help)
   table.real(
       "--goal-tolerance", to.goal_tolerance, 0, kNoLimit,
       "Where the goal cannot be reached, end at the free cell nearest to it that can be (with "
-      "--radius exact ends at the nearest point), at most R away from centre to centre; R in cells "
+      "--radius exact ends at the nearest point), at most R away; R in cells "
       "(metres with --frame world)",
       "R");
   table.flag("--unknown-free", to.map.unknown_is_free, "Unknown cells of a ROS map count as free");

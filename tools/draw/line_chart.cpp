@@ -72,8 +72,8 @@ std::vector<Key> keys_of(const LineChart& chart) {
   std::vector<Key> keys;
   for (const Curve& curve : chart.curves)
     keys.push_back(line_key(curve.label, curve.colour, curve.dots ? 4 : 2.5));
-  if (chart.level_keys)
-    for (const auto& level : chart.levels) keys.push_back(dashed_key(level.label, level.colour));
+  for (const auto& level : chart.levels)
+    if (!level.label.empty()) keys.push_back(dashed_key(level.label, level.colour));
   return keys;
 }
 
@@ -114,19 +114,26 @@ void draw_convergence(Canvas& canvas, const Box& box, const Convergence& converg
   // Of the best path so far, then of the tours.
   static constexpr Colour kColours[] = {
       {0.8, 0.15, 0.15}, {0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}, {0.55, 0.3, 0.1}};
+  std::vector<Level> of_best = convergence.levels, of_tours = convergence.levels;
+  Range best;
+  for (const double value : convergence.best.values) best.add(convergence.scale * value);
+  if (!best.empty())
+    std::erase_if(of_best, [&](const Level& level) { return level.value > best.high; });
+  for (Level& level : of_tours)
+    if (std::ranges::count(of_best, level.label, &Level::label) > 0) level.label.clear();
   const auto chart_of = [&](std::span<const Convergence::Series> all, std::size_t colour) {
+    const bool is_best = colour == 0;
     LineChart chart{.title = "",
                     .x_label = kIteration,
                     .y_label = "length, " + convergence.unit,
-                    .levels = convergence.levels,
+                    .levels = is_best ? of_best : of_tours,
                     .lengths = false,
-                    .logarithmic = true,
-                    .level_keys = colour == 0};
+                    .logarithmic = true};
     for (const auto& [label, values] : all) {
       Curve curve{.label = label,
                   .colour = kColours[colour++],
                   .stairs = false,
-                  .width = chart.level_keys ? 2.5 : 1.5};
+                  .width = is_best ? 2.5 : 1.5};
       for (const double value : values) {
         curve.x.push_back(static_cast<double>(curve.x.size() + 1));
         curve.y.push_back(convergence.scale * value);

@@ -22,7 +22,7 @@ struct Curve {
 
 /// A dashed line.
 struct Level {
-  std::string label;
+  std::string label;  ///< empty: the legend does not name it
   double value;
   Colour colour{0.15, 0.17, 0.2};
 };
@@ -33,7 +33,6 @@ struct LineChart {
   std::vector<Level> levels = {};
   bool lengths = true;       ///< values are 0 or more, and far larger ones at first may be left out
   bool logarithmic = false;  ///< y, where some values are many times others
-  bool level_keys = true;    ///< the legend names the levels
 };
 
 /// Draws over the whole box: title, axes, curves, and the legend below. With `lengths` the vertical
@@ -45,7 +44,8 @@ void draw(Canvas& canvas, const Box& box, const LineChart& chart);
 Colour palette(std::size_t index);
 
 /// How a search converged, in two charts above or beside each other: the best so far, and an
-/// iteration's tours, each with the dashed levels.
+/// iteration's tours, each with the dashed levels, but that of the best without those above all of
+/// it, as the optimum of walks is where paths are smoothed.
 struct Convergence {
   struct Series {
     std::string label;

@@ -1,6 +1,7 @@
 #include "tools/tour/stops_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -66,7 +67,9 @@ class Reader {
  private:
   static constexpr std::string_view kNames[] = {"x", "y", "name", "after", "load", "group", "yaw"};
   static constexpr std::string_view kSeparators = " \t\r\v\f,";
-  static std::string bare(std::string_view text) { return std::string(trimmed(text, " \t\r\v\f")); }
+  static std::string bare(std::string_view text) {
+    return std::string(trimmed(text, kBlanksOfLines));
+  }
 
   [[noreturn]] void fail(const At& at, const std::string& problem,
                          const std::string& remedy) const {
@@ -118,6 +121,7 @@ class Reader {
     std::size_t x = 0, y = 1;
     std::optional<std::size_t> name, after, loads, group, yaw;
     char separator = 0;  // blanks
+    bool named = false;
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
       ++at.line;
@@ -131,9 +135,13 @@ class Reader {
       if (separator != ',')
         for (const auto field : separator != 0 ? split(row, separator) : words_of(row, kSeparators))
           fields.push_back(bare(field));
+      const bool numbers = header.empty() ? parse_real(fields.front()).has_value() : !named;
+      while (numbers && fields.size() > (poses_ ? 3 : 2) && fields.back().empty())
+        fields.pop_back();
       if (header.empty()) {
         header = fields;
-        if (!parse_real(fields.front())) {
+        named = !numbers;
+        if (named) {
           x = *column(header, "x", at);
           y = *column(header, "y", at);
           name = column(header, "name", at);
@@ -157,7 +165,8 @@ class Reader {
             at,
             counted(static_cast<std::int64_t>(fields.size()), "field") +
                 ", but the first line has " + std::to_string(header.size()),
-            separator == ',' ? "put quotes about a field that has commas in it"
+            separator == ',' && fields.size() > header.size()
+                ? "put quotes about a field that has commas in it"
             : after
                 ? "split columns at tabs, each name in \"after\" from the next at a comma"
                 : "give every column a value, or split columns at tabs, between which may be none");
@@ -318,14 +327,25 @@ class Reader {
   // A column or member that is not read; of GeoJSON's, which others made, no more than those that
   // may be meant.
   void note_name(const std::string& name, bool ours) {
-    if ((poses_ || name != "yaw") && std::ranges::count(kNames, name) > 0) return;
-    if (ours || nearest_name(name, kNames)) unread_.insert(name);
+    if (name.empty() || ((poses_ || name != "yaw") && std::ranges::count(kNames, name) > 0)) return;
+    const auto meant = nearest_name(name, kNames);
+    const auto nearly = [&] {
+      const int first = std::tolower(static_cast<unsigned char>(name[0]));
+      return meant->size() > 3 && first == (*meant)[0] && edit_distance(name, *meant) < 2;
+    };
+    if (ours || name == "yaw" || (meant && nearly())) unread_.insert(name);
   }
   void note_unread() {
     if (unread_.erase("yaw") > 0)
       stops_.notes.push_back(file_ + ": its yaws have no effect without --vehicle");
     std::string text;
+    constexpr std::size_t kTold = 10;
+    std::size_t told = 0;
     for (const std::string& name : unread_) {
+      if (told++ == kTold) {
+        text += " and " + std::to_string(unread_.size() - kTold) + " more";
+        break;
+      }
       text += (text.empty() ? "\"" : ", \"") + name + "\"";
       if (const auto meant = nearest_name(name, kNames))
         text.append(" (did you mean \"").append(*meant).append("\"?)");

@@ -51,7 +51,7 @@ class DocumentReader {
     try {
       if (const int documents = documents_in(text); documents != 1)
         root.fail(documents == 0 ? "the file is empty" : kMoreDocuments,
-                  documents == 0 ? "write what it is to say" : kOneDocument);
+                  documents == 0 ? "give it its keys, or name another" : kOneDocument);
       const YAML::Node document = YAML::Load(text);
       root = node_of(document, "", document.Mark().line + 1);
     } catch (const YAML::Exception& error) {

@@ -53,12 +53,16 @@ void check(const Grid& grid, double radius, const CoverRequest& request) {
            "give a larger one, or parts of the map");
   const double lines = longest / request.width;
   const double samples = CoverGround::samples_asked(grid, request.width, radius);
-  if (samples > kMostSamples || lines > kMostLines)
-    refuse(
-        "a width of " + number_text(request.width) + " cells asks for " +
-            (samples > kMostSamples ? "more samples of the map's area than " : "more lines than ") +
-            number_text(samples > kMostSamples ? kMostSamples : kMostLines),
-        "give a larger one, or parts of the map");
+  if (samples > kMostSamples || lines > kMostLines) {
+    const bool is_width = CoverGround::samples_asked(grid, request.width, 0) > kMostSamples;
+    refuse((is_width || lines > kMostLines
+                ? "a width of " + number_text(request.width) + " cells"
+                : "a radius of " + number_text(radius) + " cells, which just fits corridors,") +
+               " asks for more " +
+               (samples > kMostSamples ? "samples of the map's area than " : "lines than ") +
+               number_text(samples > kMostSamples ? kMostSamples : kMostLines),
+           "give a larger one, or parts of the map");
+  }
   if (request.generations < 0)
     refuse("generations are " + number_text(request.generations), "give 0 or more");
 }

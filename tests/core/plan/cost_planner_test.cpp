@@ -143,9 +143,9 @@ TEST(CostPlanner, ADiscIsCutAnywhere) {
   const CountingTime counted(1 << 30);
   request.stop = counted.is_up();
   ASSERT_EQ(planner.plan(request).status, Status::solved);
-  ASSERT_GT(counted.polls(), 40);
-  for (int i = 0; i < 40; ++i) {
-    const CountingTime time(counted.polls() * i / 40);
+  ASSERT_GT(counted.polls(), 20);
+  for (int i = 0; i < 20; ++i) {
+    const CountingTime time(counted.polls() * i / 20);
     request.stop = time.is_up();
     const CostResult cut = planner.plan(request);
     if (!cut.path.empty()) EXPECT_FALSE(disc_path_fault(grid, 0.9, cut.path, {})) << i;

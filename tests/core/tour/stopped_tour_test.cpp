@@ -16,12 +16,12 @@ TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
   const Planner planner(Grid(300, 300));
   std::mt19937 random(4);
   std::vector<Cell> stops;
-  for (int i = 0; i < 120; ++i)
+  for (int i = 0; i < 100; ++i)
     stops.push_back({random_in(0, 299, random), random_in(0, 299, random)});
   int of_several = 0;
-  for (const double gap : {0.0, 1e-6, 0.001}) {
+  for (const double gap : {0.0, 1e-6}) {
     for (const bool two : {false, true}) {
-      TourRequest request{.stops = stops, .generations = 5, .target_gap = gap};
+      TourRequest request{.stops = stops, .generations = 2, .target_gap = gap};
       if (two) request.robots = {0, 1};
       std::vector<double> told;
       const TourResult whole = plan_tour(
@@ -32,18 +32,18 @@ TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
       int calls = 0;
       const TourResult cut =
           plan_tour(planner, request, [&](std::span<const int> order, double length) {
-            EXPECT_EQ(order.size(), 120u);
+            EXPECT_EQ(order.size(), 100u);
             EXPECT_EQ(length, told[0]);
             ++calls;
             return Go::stop;
           });
       EXPECT_EQ(calls, 1);
       EXPECT_EQ(cut.status, Status::interrupted);
-      EXPECT_EQ(cut.order.size(), 120u);
+      EXPECT_EQ(cut.order.size(), 100u);
       EXPECT_EQ(cut.length > whole.length + 1e-6, told.size() > 1) << gap << " " << two;
     }
   }
-  EXPECT_GE(of_several, 4);
+  EXPECT_GE(of_several, 2);
 }
 
 TEST(Tour, IsStoppedAmongManyRegions) {
@@ -58,7 +58,9 @@ TEST(Tour, IsStoppedAmongManyRegions) {
   EXPECT_EQ(plan_tour(planner, request).order.size(), 1u);
   const CountingTime now(0);
   request.stop = now.is_up();
-  EXPECT_EQ(plan_tour(planner, request).status, Status::limit);
+  const TourResult cut = plan_tour(planner, request);
+  EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_TRUE(cut.order.empty());
 }
 
 }  // namespace

@@ -193,6 +193,7 @@ TEST(LatticeFlood, TellsThatItsLevelsRanOut) {
   dear.push_back(starts[0]);
   LatticeFlood below(*planes, lattice, grid.width(), grid.height(), memory);
   ASSERT_EQ(below.run(dear, ends, poller), 0);
+  EXPECT_FALSE(below.ran_out());
   std::vector<Segment> way;
   below.append(dear, {65, 20}, 0, way);
   EXPECT_NEAR(driven_length(way), 60, 1e-9);

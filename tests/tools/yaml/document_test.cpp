@@ -42,7 +42,7 @@ TEST(Document, LinesEndInAnyWay) {
 }
 
 TEST(Document, RefusesWhatIsNoDocument) {
-  EXPECT_EQ(fault(""), "1: the file is empty; write what it is to say");
+  EXPECT_EQ(fault(""), "1: the file is empty; give it its keys, or name another");
   EXPECT_EQ(fault("a: 1\n---\nb: 2\n"),
             "1: something follows the document; keep one document a file");
   EXPECT_EQ(fault(", a: b"), "1: something follows the document; keep one document a file");
