@@ -75,11 +75,11 @@ std::optional<Cell> nearest_free(const Grid& grid, Spot spot, Poller& poller, co
   const std::int64_t last = std::max(above, below);
   for (std::int64_t d = std::max<std::int64_t>({0, -above, -below}); d <= last; ++d) {
     const auto dy = static_cast<std::uint64_t>(d);  // below 2^32: squares add up in 64 bits
-    double most = 1e10;                             // columns away
+    double most = 1e10;
     if (best) {
-      // More than it takes: large squares are rounded, and ties go to the upper row.
+      // So many columns away, and more: large squares are rounded, and ties go to the upper row.
       const double reach = std::sqrt(static_cast<double>(least.whole) + least.rest) + 1;
-      const double down = std::max(0.0, 1.0 * d - 0.5);
+      const double down = std::max(0.0, static_cast<double>(d) - 0.5);
       if (down > reach) break;
       most = std::sqrt((reach - down) * (reach + down)) + 1;
     }
