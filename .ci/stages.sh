@@ -76,6 +76,7 @@ fuzz_one() {
   local name=${1##*/fuzz_} found=${1%/bin/*}/found streams=0
   [[ $name != command ]] || streams=3  # what commands print
   mkdir -p "$found/$name"
+  tar -xzf "tests/fuzz/corpus/$name.tar.gz" -C "$found/$name"
   "$1" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=0 \
     -close_fd_mask="$streams" -artifact_prefix="$found/$name-" "$found/$name" "tests/fuzz/corpus/$name"
 }
