@@ -37,9 +37,9 @@ struct Request {
   /// Stop at this certified gap, as a fraction, 0 or more; above 0 only for algorithms that certify
   /// one (Algorithm::Kind::exact).
   double target_gap = 0;
-  /// Where the goal cannot be reached, the path ends at the nearest centre of a cell that can be, at
-  /// most so far from it, in cells, ties to the smaller row, then column. For a disc, by `exact`, at
-  /// the nearest point. 0 or more.
+  /// Where the goal cannot be reached, the path ends at the nearest centre of a cell that can be,
+  /// at most so far from it, in cells, ties to the smaller row, then column. For a disc, by
+  /// `exact`, at the nearest point. 0 or more.
   double goal_tolerance = 0;
   /// Where the path begins and ends, in place of a cell's centre, which is not looked at then: any
   /// points of the map, on a free cell or its border. A centre is the same as its cell.

@@ -53,8 +53,9 @@ struct TourRequest {
   double target_gap = 0;  ///< a tour with this gap ends the search; 0: as short as it can
   int threads = 0;        ///< that legs are planned on; never changes the tour
   /// Ends the search with the best order so far, whose legs are planned all the same; without any
-  /// where the token asks before the search began, or time is up among thousands of regions. Three fifths of the time to a deadline are for
-  /// the order (four where it is given in part), the rest for the bound.
+  /// where the token asks before the search began, or time is up among thousands of regions. Three
+  /// fifths of the time to a deadline are for the order (four where it is given in part), the rest
+  /// for the bound.
   StopCondition stop = {};
 };
 
