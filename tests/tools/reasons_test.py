@@ -123,6 +123,8 @@ class Reasons(ProgramTest):
                    "free cell (3, 4): left out", "; proven shortest without what is left out")
         self.write("p.csv", "x,y\n-0.65,2.45\n0.35,2.45\n")
         self.assertIn("taken as metres, with --frame world", self.run_program("check-path", "map.yaml", "p.csv").out)
+        self.write("p.csv", "x,y\n1e15,2.45\n0.35,2.45\n")
+        self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
         self.write("p.csv", "x_m,y_m\n-5,2.45\n0.35,2.45\n")
         self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
         self.write("cart.yaml", "type: differential\nfootprint: [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]]\n")

@@ -165,10 +165,10 @@ int check(Asked& asked) {
   const LoadedMap map = read_map(asked.map, file.metres ? Frame::world : asked.frame);
   file.metres |= file.metres_of_map && map.frame.has_value();
   Verdict verdict = verdict_of(asked, map, file);
-  const Point first = points_of(file, map).front();
-  const Cell cell{static_cast<int>(std::floor(first.x)), static_cast<int>(std::floor(first.y))};
-  if (verdict.fault && !file.metres && !asked.path.ends_with(".json") && !map.as_read().free(cell))
-    verdict.hint = metres_hint(map, asked.frame, {.point = first});
+  if (verdict.fault && !file.metres && !asked.path.ends_with(".json")) {
+    const Place first = end_place(map, {file.points.front(), true}, Frame::cell);
+    if (!map.as_read().free(first.cell)) verdict.hint = metres_hint(map, asked.frame, first);
+  }
   print(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
   if (verdict.remark && !asked.json)
     message("no fault of a table without --strict: " + verdict.remark->why +
