@@ -148,7 +148,9 @@ TEST(CostPlanner, ADiscIsCutAnywhere) {
     const CountingTime time(counted.polls() * i / 20);
     request.stop = time.is_up();
     const CostResult cut = planner.plan(request);
-    if (!cut.path.empty()) EXPECT_FALSE(disc_path_fault(grid, 0.9, cut.path, {})) << i;
+    if (!cut.path.empty()) {
+      EXPECT_FALSE(disc_path_fault(grid, 0.9, cut.path, {})) << i;
+    }
   }
 }
 
