@@ -12,6 +12,7 @@
 #include <locale>
 #include <streambuf>
 
+#include "core/base/descriptor.h"
 #include "core/base/opening_pipe.h"
 #include "core/base/output_target.h"
 #include "lasius/base/error.h"
@@ -24,23 +25,6 @@ namespace {
   throw Error(ErrorCode::output_failed, {.file = path}, "could not be written whole (" + why + ")",
               error == EPIPE ? "keep its reader open" : "check the free space");
 }
-
-/// A file descriptor, closed at the end.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { reset(-1); }
-  void reset(int number) {
-    if (number_ >= 0) ::close(number_);
-    number_ = number;
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// A stream opened for writing; a named pipe once somebody reads it.
 Descriptor opened(const std::string& stream) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/disc/disc_space.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/labels/corner_labels.h"
 #include "core/grid/components.h"
@@ -128,6 +129,9 @@ class Planner::Impl {
   static constexpr std::size_t kMostRegions = 32;  ///< that are kept
   /// By the square of the radius in half cells. Nothing if stopped.
   std::shared_ptr<const Regions> regions(int squared_half_cells, const StopCondition& stop) const;
+  /// Likewise; the last one is kept: many questions of a map end at the same narrow place.
+  std::shared_ptr<const disc::DiscSpace> space_with(int squared_half_cells,
+                                                    const StopCondition& stop) const;
 
   /// Memory that components hold.
   std::int64_t component_bytes() const noexcept {
@@ -135,10 +139,10 @@ class Planner::Impl {
     return four.bytes() + (eight != nullptr ? eight->bytes() : 0);
   }
 
-  /// Memory that regions() keeps.
+  /// Memory that regions() and space_with() keep.
   std::int64_t region_bytes() const noexcept {
     const std::scoped_lock lock(regions_kept_);
-    std::int64_t bytes = 0;
+    std::int64_t bytes = last_space_ != nullptr ? last_space_->bytes() : 0;
     for (const auto& [radius, kept] : regions_)
       bytes += bitmap_bytes(kept->blocked) + kept->four.bytes();
     return bytes;
@@ -160,6 +164,8 @@ class Planner::Impl {
  private:
   mutable std::mutex regions_kept_;
   mutable std::map<int, std::shared_ptr<const Regions>> regions_;
+  mutable std::shared_ptr<const disc::DiscSpace> last_space_;
+  mutable int last_radius_ = 0;  ///< of it; the square, in half cells
   mutable std::once_flag eight_kept_;
   mutable std::optional<Components> made_eight_;
   mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept

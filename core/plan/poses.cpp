@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kMostParts = 1e8;
 
-double heading_of(double x, double y) noexcept {
-  double angle = kernels::quadrant_angle(std::abs(x), std::abs(y));
-  if (x < 0) angle = std::numbers::pi - angle;
-  return y < 0 ? -angle : angle;
-}
-
 /// A piece by the share of it that is gone.
 struct Stretch {
   CurvePiece piece;
@@ -29,14 +23,14 @@ struct Stretch {
     const auto& [from, to, turn, middle, angle, radius] = piece;
     if (turn == 0) {
       const double x = to.x - from.x, y = to.y - from.y;
-      const double yaw = heading_of(x, y);
+      const double yaw = kernels::direction(y, x);
       if (share == 1) return {to.x, to.y, yaw};
       return {from.x + share * x, from.y + share * y, yaw};
     }
     const double x = from.x - middle.x, y = from.y - middle.y;
     const auto [sine, cosine] = kernels::sine_cosine(turn * share * angle);
     const double right = x * cosine - y * sine, down = x * sine + y * cosine;
-    const double yaw = heading_of(-turn * down, turn * right);
+    const double yaw = kernels::direction(turn * right, -turn * down);
     if (share == 0) return {from.x, from.y, yaw};
     if (share == 1) return {to.x, to.y, yaw};
     return {middle.x + right, middle.y + down, yaw};

@@ -20,16 +20,13 @@ int squared_clearance(const Grid& map, Cell c) {
   return static_cast<int>(std::lround(clearance * clearance));
 }
 
-/// Can a disc go from one cell's centre to another's? Nothing if stopped.
-std::optional<bool> leads(const Grid& map, double radius, Cell a, Cell b,
-                          const StopCondition& stop) {
-  const auto space = disc::DiscSpace::make(map, radius, stop);
-  if (!space) return std::nullopt;
-  if (!space->clear(centre(a)) || !space->clear(centre(b))) return false;
+/// Does free space lead from one cell's centre to another's? Nothing if stopped.
+std::optional<bool> leads(const disc::DiscSpace& space, Cell a, Cell b, const StopCondition& stop) {
+  if (!space.clear(centre(a)) || !space.clear(centre(b))) return false;
   constexpr double kAny = 1e9;  // a gap that ends the search at the first path
   disc::DiscSearch search;
   disc::DiscAnswer answer;
-  search.search(*space, nullptr, centre(a), centre(b), {.target_gap = kAny}, stop, answer);
+  search.search(space, nullptr, centre(a), centre(b), {.target_gap = kAny}, stop, answer);
   if (!answer.path.empty()) return true;
   return answer.end == ExactEnd::unreachable ? std::optional(false) : std::nullopt;
 }
@@ -43,14 +40,28 @@ std::shared_ptr<const Planner::Impl::Regions> Planner::Impl::regions(
     if (const auto known = regions_.find(squared_half_cells); known != regions_.end())
       return known->second;
   }
-  const auto space = disc::DiscSpace::make(map(), radius_of(squared_half_cells), stop);
-  if (!space) return nullptr;
+  const auto space = space_with(squared_half_cells, stop);
+  if (space == nullptr) return nullptr;
   auto joined = Components::make(space->blocked_cells(), Components::Connectivity::four, stop);
   if (!joined) return nullptr;
   auto made = std::make_shared<const Regions>(Regions{space->blocked_cells(), std::move(*joined)});
   const std::scoped_lock lock(regions_kept_);
   if (regions_.size() >= kMostRegions) return made;
   return regions_.emplace(squared_half_cells, std::move(made)).first->second;
+}
+
+std::shared_ptr<const disc::DiscSpace> Planner::Impl::space_with(int squared_half_cells,
+                                                                 const StopCondition& stop) const {
+  {
+    const std::scoped_lock lock(regions_kept_);
+    if (last_space_ != nullptr && last_radius_ == squared_half_cells) return last_space_;
+  }
+  auto made = disc::DiscSpace::make(map(), radius_of(squared_half_cells), stop);
+  if (!made) return nullptr;
+  auto space = std::make_shared<const disc::DiscSpace>(std::move(*made));
+  const std::scoped_lock lock(regions_kept_);
+  last_radius_ = squared_half_cells;
+  return last_space_ = std::move(space);
 }
 
 // The narrowest place of the widest way lies midway between the two points of blocked squares that
@@ -61,21 +72,26 @@ std::optional<double> Planner::widest_disc(Cell a, Cell b, const StopCondition& 
   const Grid& map = impl_->map();
   if (map.blocked(a) || map.blocked(b)) return std::nullopt;
   constexpr int kMost = static_cast<int>(4 * disc::kLargestRadius * disc::kLargestRadius);
-  const int ends = std::min(squared_clearance(map, a), squared_clearance(map, b));
-  if (a == b) return radius_of(std::min(ends, kMost));
-  int open = 0, closed = std::min(ends, kMost) + 1;
+  const int ends = std::min({squared_clearance(map, a), squared_clearance(map, b), kMost});
+  if (a == b) return radius_of(ends);
+  int open = 0, closed = kMost + 1;  // whatever the ends: other questions ask for the same radii
   for (const bool searched : {false, true}) {
     if (searched) closed = std::exchange(open, 0) + 1;
     // Mostly nothing is closed but what cells say: then the first radius searched is the last.
     for (int next = searched ? closed - 1 : closed / 2; closed - open > 1;
          next = open + (closed - open) / 2) {
+      if (next > ends) {
+        closed = next;
+        continue;
+      }
       const auto regions = impl_->regions(next, stop);
       if (regions == nullptr) return std::nullopt;
       // A cell that keeps a clear point may count as blocked by rounding alone.
       bool joined = regions->blocked.free(a) && regions->blocked.free(b) &&
                     regions->four.connected(regions->blocked, a, b);
       if (joined && searched) {
-        const auto found = leads(map, radius_of(next), a, b, stop);
+        const auto space = impl_->space_with(next, stop);
+        const auto found = space != nullptr ? leads(*space, a, b, stop) : std::nullopt;
         if (!found) return std::nullopt;
         joined = *found;
       }

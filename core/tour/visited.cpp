@@ -45,14 +45,14 @@ int chosen_region(const StopPlaces& places, const TourRequest& request,
   int regions = 0;
   for (const auto& own : places.regions)
     for (const int region : own) regions = std::max(regions, region + 1);
-  const bool robots = !request.robots.empty();
   std::vector<std::array<std::int64_t, 4>> worth(static_cast<std::size_t>(regions));
   const auto count = [&](int stop, int what) {
     for (const int region : places.regions[stop]) ++worth[region][what];
   };
-  for (const int end : ends)
-    if (robots) count(end, 0);
-  if (robots) count(request.robots.front(), 1);
+  if (!request.robots.empty()) {
+    for (const int end : ends) count(end, 0);
+    count(request.robots.front(), 1);
+  }
   if (request.start) count(*request.start, 1);
   if (request.goal) count(*request.goal, 2);
   std::vector<int> of_task;

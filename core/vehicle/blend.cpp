@@ -247,9 +247,8 @@ class Blender {
 }  // namespace
 
 Vehicle with_room(Vehicle vehicle) {
-  constexpr double kMost = 1e5;  // that a vehicle has
   if (vehicle.curvature_rate > 0)
-    vehicle.turning_radius = std::min(1.1 * vehicle.turning_radius, kMost);
+    vehicle.turning_radius = std::min(1.1 * vehicle.turning_radius, kMostTurningRadius);
   return vehicle;
 }
 

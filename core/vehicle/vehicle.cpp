@@ -98,8 +98,8 @@ void validate(const Vehicle& vehicle) {
   const auto in = [](double value, double least, double most) {
     return value >= least && value <= most;
   };
-  require_parameter(in(vehicle.turning_radius, 0, 1e5), "turning_radius", vehicle.turning_radius,
-                    "give 0 to 100000 cells");
+  require_parameter(in(vehicle.turning_radius, 0, kMostTurningRadius), "turning_radius",
+                    vehicle.turning_radius, "give 0 to 100000 cells");
   require_parameter(vehicle.turning_radius == 0 || vehicle.turning_radius >= 0.1, "turning_radius",
                     vehicle.turning_radius, "give 0 or at least 0.1 cells");
   require_parameter(vehicle.turning_radius > 0 || vehicle.rotate_in_place, "turning_radius",

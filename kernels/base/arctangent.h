@@ -1,6 +1,8 @@
-// Angles in a quadrant from IEEE operations only: every machine and compiler agrees bit for bit.
+// Angles from IEEE operations only: every machine and compiler agrees bit for bit.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "kernels/base/horner.h"
@@ -37,5 +39,17 @@ inline double quadrant_angle(double x, double y) noexcept {
   if (!steep) return near.high + (t + (series + near.low));
   return (kQuarterTurn.high - near.high) - (t + (series + (near.low - kQuarterTurn.low)));
 }
+
+/// The angle of (x, y) from the x axis, in [-pi, pi]; 0 at the origin.
+inline double direction(double y, double x) noexcept {
+  const double wide = std::fabs(x), high = std::fabs(y);
+  if (wide == 0 && high == 0) return 0;
+  double angle = quadrant_angle(wide, high);
+  if (x < 0) angle = std::numbers::pi - angle;
+  return y < 0 ? -angle : angle;
+}
+/// Of [-1, 1].
+inline double arc_cosine(double c) noexcept { return direction(std::sqrt((1 - c) * (1 + c)), c); }
+inline double arc_sine(double s) noexcept { return direction(s, std::sqrt((1 - s) * (1 + s))); }
 
 }  // namespace lasius::kernels

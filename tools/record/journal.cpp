@@ -77,16 +77,13 @@ Journal::Journal(std::string file, const std::string& key)
   if (bytes.starts_with(header))
     whole = header.size() + read_entries(std::string_view(bytes).substr(header.size()), kept_);
   const auto length = static_cast<off_t>(whole);
-  if (descriptor_ < 0 || ::ftruncate(descriptor_, length) != 0 ||
-      ::lseek(descriptor_, length, SEEK_SET) != length)
+  const int descriptor = descriptor_.number();
+  if (descriptor < 0 || ::ftruncate(descriptor, length) != 0 ||
+      ::lseek(descriptor, length, SEEK_SET) != length)
     throw Error(ErrorCode::output_failed, {.file = file_},
                 std::string("cannot be written: ") + std::strerror(errno),
                 "go to a folder that may be written: what is done is kept there");
   if (whole == 0) write(header);
-}
-
-Journal::~Journal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void Journal::add(int number, std::string_view text) {
@@ -95,12 +92,12 @@ void Journal::add(int number, std::string_view text) {
 
 void Journal::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+    const auto written = ::write(descriptor_.number(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) break;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (bytes.empty() && ::fdatasync(descriptor_) == 0) return;
+  if (bytes.empty() && ::fdatasync(descriptor_.number()) == 0) return;
   throw Error(ErrorCode::output_failed, {.file = file_},
               std::string("cannot be written: ") + std::strerror(errno),
               "make room; the same command goes on from there");

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/descriptor.h"
+
 namespace lasius::tool {
 
 /// A file that is only appended to. Each entry has its length and a checksum of number and text; an
@@ -15,9 +17,6 @@ class Journal {
   /// Opens or makes the file of a command that `key` tells from all others; a file with another key
   /// is begun anew. @throws Error(output_failed), also while another job has it open.
   Journal(std::string file, const std::string& key);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
 
   /// The entries that were there, by number; they are the caller's to move from.
   std::map<int, std::string>& kept() noexcept { return kept_; }
@@ -32,7 +31,7 @@ class Journal {
   void write(std::string_view bytes);
 
   std::string file_;
-  int descriptor_;
+  Descriptor descriptor_;
   std::map<int, std::string> kept_;
 };
 

@@ -52,7 +52,7 @@ constexpr std::string_view to_string(Boundary v) noexcept { return name_of(v, kB
 /// How a world grows by the robot's margin.
 struct GrowOptions {
   static constexpr double kMostMargin = 1e12;  ///< largest margin, in the world's unit
-  std::optional<double> margin;                ///< in place of the world's own, 0 to kMostMargin
+  std::optional<double> margin = {};           ///< in place of the world's own, 0 to kMostMargin
   Join join = Join::round;                     ///< at corners, the boundary's too if it shrinks
   Boundary boundary = Boundary::shrink;        ///< whether the boundary keeps the margin, too
 };

@@ -26,9 +26,9 @@ struct TourRequest {
   std::vector<Cell> stops;  ///< each to be visited once, at its centre
   /// Stops as points of the map, on free cells or their borders; then `stops` are not looked at.
   std::vector<Point> points = {};
-  bool open = false;         ///< no way back to the first stop
-  std::optional<int> start;  ///< index of the first stop; none: any
-  std::optional<int> goal;   ///< of the last one, of an open tour; none: any
+  bool open = false;              ///< no way back to the first stop
+  std::optional<int> start = {};  ///< index of the first stop; none: any
+  std::optional<int> goal = {};   ///< of the last one, of an open tour; none: any
   /// What is given of the order: to each stop those that come before it; or empty.
   std::vector<std::vector<int>> after = {};
   std::vector<int> load = {};  ///< that each stop adds to what is carried, or takes off; or empty

@@ -19,12 +19,15 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+inline constexpr double kMostTurningRadius = 1e5;  ///< cells
+
 /// What moves. Lengths in cells.
 struct Vehicle {
   /// Corners of a simple polygon, of either orientation, in the frame of the vehicle: x forward, y
   /// to the side to which yaw grows. The reference point (0, 0) may lie outside.
   std::vector<Point> footprint = {};
-  double turning_radius = 0;     ///< least, of the reference point; 0: it turns in place alone
+  /// Of the reference point, the least: 0.1 to kMostTurningRadius; 0: it turns in place alone.
+  double turning_radius = 0;
   bool reverse = false;          ///< may drive backwards
   double reverse_cost = 2;       ///< of a cell backwards, at least 1; a cell forwards costs 1
   double cusp_cost = 0;          ///< of each change between forwards and backwards, cells

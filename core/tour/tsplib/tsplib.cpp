@@ -6,7 +6,6 @@
 #include <istream>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <sstream>
 
 #include "core/base/number_text.h"
@@ -37,11 +36,6 @@ using Rule = double (*)(const Point&, const Point&);
 
 double cosine(double x) { return kernels::sine_cosine(x).cosine; }
 
-double arc_cosine(double c) {
-  const double angle = kernels::quadrant_angle(std::abs(c), std::sqrt((1 - c) * (1 + c)));
-  return c < 0 ? std::numbers::pi - angle : angle;
-}
-
 double geographic(const Point& a, const Point& b) {
   constexpr double kMost = 1e6;  // degrees; no place is so far
   for (const double degrees : {a.x, a.y, b.x, b.y})
@@ -50,7 +44,7 @@ double geographic(const Point& a, const Point& b) {
   const double q1 = cosine(radians(a.y) - radians(b.y));
   const double q2 = cosine(lat_a - lat_b), q3 = cosine(lat_a + lat_b);
   const double c = 0.5 * ((1 + q1) * q2 - (1 - q1) * q3);
-  return std::floor(6378.388 * arc_cosine(std::clamp(c, -1.0, 1.0)) + 1);
+  return std::floor(6378.388 * kernels::arc_cosine(std::clamp(c, -1.0, 1.0)) + 1);
 }
 
 double straight(const Point& a, const Point& b) {

@@ -31,5 +31,17 @@ TEST(Arctangent, AgreesWithLibm) {
   }
 }
 
+TEST(Arctangent, DirectionsOfAllQuadrantsAgreeWithLibm) {
+  EXPECT_EQ(direction(0, 0), 0);
+  EXPECT_EQ(direction(0, -2), std::acos(-1.0));
+  EXPECT_EQ(direction(-2, 0), std::asin(-1.0));
+  for (int i = -999; i <= 999; ++i) {
+    const double turn = 3.1415 * i / 999, sine = i / 999.0;
+    EXPECT_NEAR(direction(std::sin(turn), std::cos(turn)), turn, 1e-15) << i;
+    EXPECT_NEAR(arc_cosine(sine), std::acos(sine), 1e-15) << i;
+    EXPECT_NEAR(arc_sine(sine), std::asin(sine), 1e-15) << i;
+  }
+}
+
 }  // namespace
 }  // namespace lasius::kernels
