@@ -40,8 +40,8 @@ inline std::vector<std::string_view> words_of(std::string_view line, std::string
   return words;
 }
 
-/// The fields of a line of CSV (RFC 4180), without blanks about them. Nothing where a quote is not
-/// closed.
+/// The fields of a line of CSV (RFC 4180, but for blanks about them, in quotes too, which are cut
+/// off, and line breaks in quotes). Nothing where a quote is not closed.
 inline std::vector<std::string> csv_fields(std::string_view line) {
   std::vector<std::string> fields;
   std::string field;

@@ -62,7 +62,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     early->cause = found.cause;
     return answer(std::move(*early), early_bound);
   }
-  const std::int64_t bound = bound_of(found);
+  const std::int64_t bound = std::max(early_bound, bound_of(found));  // either holds of any routes
   return answer(std::move(found), bound);
 }
 

@@ -160,6 +160,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     if (!ants && (early.found.order.empty() || early.found.cost <= options.target ||
                   early.found.cause != StopCondition::Cause::none))
       return early;
+    if (!ants) options.first = early.found.order;
   }
   Ordered ordered;
   if (ants && !contradiction(given, ends, named).empty()) {
@@ -179,7 +180,7 @@ Ordered order_and_bound(const Costs& costs, const Costs& lower, const tour::Ends
     early.found.cause = ordered.found.cause;
     return early;
   }
-  ordered.bound = bound_of(ordered.found);
+  ordered.bound = std::max(early.bound, bound_of(ordered.found));  // either holds of any order
   return ordered;
 }
 

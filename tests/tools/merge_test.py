@@ -1,6 +1,7 @@
 """--part of batch and study, and merge: the parts become what the undivided run prints."""
 import json
 import os
+import shutil
 import unittest
 
 from program import MAPS, ProgramTest
@@ -81,6 +82,10 @@ class Batches(ProgramTest):
         self.refused(self.run_program("merge", one, "other", three), 3, "other, result 1", "'algorithm'")
         self.write("foreign", self.read(two).replace(b'"index":1', b'"index":2'))
         self.refused(self.run_program("merge", one, "foreign", three), 3, "query 2 is none of its part")
+        self.write("twice", self.read(two) + self.read(two).splitlines(True)[0])
+        self.refused(self.run_program("merge", one, "twice", three), 3, "twice, result 5", "answers query 1 once more")
+        self.write("cut", self.read(two).replace(b'"solved"', b'"interrupted"'))
+        self.refused(self.run_program("merge", one, "cut", three), 3, "cut, result 1", "was interrupted")
         whole = self.run_program("batch", "small.map", "q.tsv", *self.ASKED)
         self.write("whole", whole.out)
         self.refused(self.run_program("merge", "whole"), 3, "--part I/N")
@@ -95,6 +100,13 @@ class Batches(ProgramTest):
             run = self.run_program("batch", "small.map", queries, "--part", "2/3", *asked)
             self.write(name, run.out)
             self.refused(self.run_program("merge", one, name, three), 3, words)
+        for asked, key in ((("--via", "1,0"), "via"), (("--cost", "small.pgm"), "layers")):
+            for number, grey in ((1, 3), (2, 4)):
+                self.write("small.pgm", b"P5 10 6 255\n" + bytes([grey]) * 60)
+                run = self.run_program("batch", "small.map", "q.tsv", "-q", "--part", f"{number}/2", *asked)
+                self.write(f"{key}{number}", run.out)
+                asked = ("--via", "2,0") if key == "via" else asked
+            self.refused(self.run_program("merge", f"{key}1", f"{key}2"), 3, f"'{key}'")
         self.refused(self.run_program("merge", one, "."), 2, "one kind")
         self.refused(self.run_program("merge", one, two, three, "-o", "x.png"), 2, ".png")
 
@@ -142,6 +154,17 @@ class Studies(ProgramTest):
             origins = [p for p in ("part1", "part2", "part3") if os.path.exists(self.path(os.path.join(p, inside)))]
             self.assertEqual(len(origins), 1)
             self.assertEqual(self.read(file), self.read(os.path.join(origins[0], inside)))
+
+    def test_a_part_is_taken_once_and_as_it_was_run(self):
+        self.write("m.map", self.read(FAN))
+        for number in (1, 2):
+            self.quiet(self.run_program("study", "run", "m.map", "--start", "14,14", "--goal", "380,179", "--algorithm", "as", "--set",
+                                        "iterations=2", "--seeds", "2", "-q", "-o", f"part{number}", "--part", f"{number}/2"))
+        shutil.copytree(self.path("part1"), self.path("copy"))
+        for again in ("copy", "part1/", "./part1"):
+            self.refused(self.run_program("merge", "part1", again, "part2", "-o", "joined"), 3, again, "is part 1 once more")
+        self.write("m.map", self.read("m.map").replace(b".", b"@", 1))
+        self.refused(self.run_program("merge", "part1", "part2", "-o", "joined"), 3, "joined", "of its runs 2 are missing or of other inputs")
 
     def test_parts_of_other_runs_are_refused(self):
         self.quiet(self.study("-o", "part1", "--part", "1/2"))

@@ -124,6 +124,23 @@ class Inputs(ProgramTest):
         self.assertEqual((status, first), ("solved", second))
         self.assertEqual(json.loads(first, parse_constant=refuse_constant)["status"], "solved")
 
+    def test_a_verdict_is_told_by_the_exit_code_where_nobody_reads(self):
+        self.plan("-o", "r.json")
+        self.write("bad.json", self.read("r.json").replace(b'"length":', b'"length":1'))
+        self.write("bad.csv", "x,y\n0.5,0.5\n9.5,5.5\n")
+        self.write("flat.pgm", b"P5 10 6 255\n" + bytes(60))
+        self.ended(self.plan("--algorithm", "exact", "--cost", "flat.pgm", "-o", "p.proof.json"), 0)
+        self.write("dear.pgm", b"P5 10 6 255\n" + bytes([9]) * 60)
+        for words, code in ((("verify", "bad.json"), 1), (("verify", "r.json"), 0), (("check-path", "small.map", "bad.csv"), 1),
+                            (("check-proof", "small.map", "p.proof.json", "--cost", "dear.pgm"), 1)):
+            with self.subTest(words=words):
+                reader, writer = os.pipe()
+                os.close(reader)
+                process = self.start_program(*words, stdout=writer)
+                os.close(writer)
+                err = process.communicate(timeout=120)[1]
+                self.assertEqual(process.returncode, code, err)
+
 
 class Names(ProgramTest):
     def test_are_looked_at_before_the_run(self):

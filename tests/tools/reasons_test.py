@@ -131,8 +131,8 @@ class Reasons(ProgramTest):
         self.ended(self.asked("--vehicle", "cart.yaml", start="-0.65,2.45,0", goal="5,4,0"), 4, "out of the map",
                    "taken as metres, with --frame world, it is in the free cell (3, 4)")
         turned = self.asked("--vehicle", "cart.yaml", start="3,4,90", goal="6,4,90deg")
-        self.ended(turned, 0, "start looks 90 radians, 14.3 turns; degrees end in deg")
-        self.assertNotIn("goal looks", turned.err)
+        self.ended(turned, 0, "--start: 90 radians are 14.32 turns; degrees end in deg")
+        self.assertNotIn("--goal:", turned.err)
         self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: its radius of 0.5 cells reaches no other cell; "
                    "with --frame world its radius is in metres")
 

@@ -314,7 +314,7 @@ class Vehicles(ProgramTest):
         self.quiet(self.run_program("verify", "-q", "b.jsonl"))
         for text, problem in [("sx sy gx gy\n", "line 1: the header has no column syaw"),
                               ("sx sy syaw gx gy gyaw\n1 2 3\n", "line 2: 3 fields"),
-                              ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle")]:
+                              ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle; write 1.57")]:
             self.write("bad.tsv", text)
             self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
         # Numbers out of range are of their query alone.

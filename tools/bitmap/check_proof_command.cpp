@@ -44,18 +44,18 @@ Subcommand add_check_proof(CLI::App& app) {
                  {kBadFile, "map, proof or a layer is missing or broken"}}},
       [=](const Call&) {
         LoadedMap map = read_map(asked->map, asked->frame);
-        const double unit = map.cells_of(asked->frame == Frame::world, 1);
+        const double cell = map.length_in(asked->frame, 1);
         const CostField costs =
-            load_costs(*map.grid_alone, map.frame, asked->costs, unit, map.radius).field;
+            load_costs(*map.grid_alone, map.frame, asked->costs, cell, map.radius).field;
         const auto read = has_ending(asked->proof, ".cbor") ? proof_from_cbor : proof_from_json;
         const CostProof proof =
             read(read_text(asked->proof, std::int64_t{1000} * map.width * map.height + (1 << 20)),
                  asked->proof);
         if (const auto fault = check_proof(map.as_read(), costs, proof)) {
-          print("does not hold: " + *fault + "\n");
+          print_verdict("does not hold: " + *fault + "\n");
           return static_cast<int>(kInternal);
         }
-        print("holds: no path between the centres of cells " +
+        print_verdict("holds: no path between the centres of cells " +
               pair_text(proof.start.x, proof.start.y) + " and " +
               pair_text(proof.goal.x, proof.goal.y) + " costs less than " +
               to_text(proof.lower_bound) + "\n");

@@ -195,7 +195,7 @@ LayerValues read_layer(const std::string& file, const Grid& grid) {
 }  // namespace
 
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
-                       double cells_a_unit, double radius) {
+                       double cell, double radius) {
   LoadedCosts costs{.asked = asked, .field = CostField(grid.width(), grid.height())};
   for (const auto& [file, factor] : asked.layers) {
     std::uint64_t hash = file_hash(file);
@@ -223,22 +223,27 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
     costs.field.add(raster.values, factor);
     costs.hashes.push_back(hash);
   }
-  costs.inflation = inflation_of(asked, cells_a_unit, radius);
+  costs.inflation = inflation_of(asked, cell, radius);
   if (costs.inflation) costs.field.add(grid, *costs.inflation);
   if (costs.inflation && costs.inflation->radius < 1)  // from centre to centre
     costs.notes.push_back("--inflation has no effect: its radius of " +
-                          rounded_text(costs.inflation->radius) + " cells reaches no other cell" +
-                          (frame && cells_a_unit == 1 && frame->resolution != 1
+                          number_text(costs.inflation->radius) + " cells reaches no other cell" +
+                          (frame && cell == 1 && frame->resolution != 1
                                ? "; with --frame world its radius is in metres"
                                : ""));
   return costs;
 }
 
-std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_unit, double radius) {
+double cells_in(double length, double resolution) {
+  const double cells = length / resolution, whole = std::round(cells);
+  return std::abs(cells - whole) <= 1e-12 * cells ? whole : cells;
+}
+
+std::optional<Inflation> inflation_of(const CostLayers& asked, double cell, double radius) {
   if (!asked.inflation) return std::nullopt;
   const auto [reach, scaling, weight] = *asked.inflation;
-  return Inflation{.radius = reach * cells_a_unit,
-                   .scaling = scaling / cells_a_unit,
+  return Inflation{.radius = cells_in(reach, cell),
+                   .scaling = scaling * cell,
                    .weight = weight,
                    .inscribed = std::max(1.0, radius)};
 }

@@ -24,16 +24,18 @@ struct LoadedCosts {
   std::optional<CostPlanner> planner = {};  ///< once there is one of the map
 };
 
-/// The weights of a map's cells: 1, each file's values times its factor, and the inflation, whose
-/// unit of length is so many cells and whose robot has `radius` cells. Blocks cells where a ROS
-/// map among the layers is occupied.
+/// The weights of a map's cells: 1, each file's values times its factor, and the inflation, of
+/// whose units of length a cell has `cell`, and whose robot has `radius` cells. Blocks cells where
+/// a ROS map among the layers is occupied.
 /// @throws Error for files that are missing, broken or of another size, and for inflation out of
 /// its range.
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
-                       double cells_a_unit, double radius);
+                       double cell, double radius);
 
+/// A length by a cell's in the same unit: what is whole but for rounding is whole.
+double cells_in(double length, double resolution);
 /// The inflation that is asked for, in cells.
-std::optional<Inflation> inflation_of(const CostLayers& asked, double cells_a_unit, double radius);
+std::optional<Inflation> inflation_of(const CostLayers& asked, double cell, double radius);
 
 /// What a result tells of costs: `layers` in what was found, `inflation` and `moves` in parameters.
 void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);

@@ -73,7 +73,7 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   const auto start = Clock::now();
   if (options.costs.asked())
     map.costs = load_costs(*map.grid_alone, map.frame, options.costs,
-                           map.cells_of(options.radius_metres, 1), map.radius);
+                           options.radius_metres ? map.frame->resolution : 1, map.radius);
   map.planner = make_planner(*map.grid_alone, {map.radius}, options, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
   if (map.planner && options.prepare && !options.prepared.empty()) prepare(map, threads, token);
@@ -100,9 +100,7 @@ void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
 }
 
 double LoadedMap::cells_of(bool metres, double length) const {
-  if (!metres) return length;
-  const double cells = length / frame->resolution, whole = std::round(cells);
-  return std::abs(cells - whole) <= 1e-12 * cells ? whole : cells;
+  return metres ? cells_in(length, frame->resolution) : length;
 }
 
 std::vector<Point> LoadedMap::to_world(const std::vector<Point>& path) const {

@@ -53,7 +53,7 @@ struct LoadedMap {
   double length_in(Frame wanted, double cells) const {
     return wanted == Frame::world ? metres(cells) : cells;
   }
-  /// A length that was given in metres, or in cells, in cells: what is whole stays whole.
+  /// A length that was given in metres, or in cells, in cells.
   double cells_of(bool metres, double length) const;
 };
 

@@ -228,9 +228,9 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
   }
   require("", "--start", text.start);
   require("", "--goal", text.goals.empty() ? "" : text.goals.front());
-  command.start = pose_value("--start", text.start, run.frame);
+  command.start = pose_value("--start", text.start, run);
   for (const std::string& goal : text.goals)
-    command.goals.push_back(pose_value("--goal", goal, run.frame));
+    command.goals.push_back(pose_value("--goal", goal, run));
   return command;
 }
 

@@ -142,7 +142,8 @@ void add_part(OptionTable& table, Part& to, const char* help) {
 
 void check_ending(const std::string& file, std::span<const std::string_view> endings) {
   if (is_proof(file) && std::ranges::count(endings, ".proof.cbor") == 0)
-    throw UsageError("-o " + file + ": a proof is of one plan over costs");
+    throw UsageError("-o " + file +
+                     ": a proof is of one plan over costs; name another file, or ask plan --cost");
   if (is_stream(file) ||
       std::ranges::any_of(endings, [&](auto ending) { return has_ending(file, ending); }))
     return;
@@ -170,21 +171,30 @@ double angle_value(std::string_view option, std::string_view text, double low, d
   const auto value = parse_real(text.substr(0, text.size() - (degrees ? 3 : 0)));
   const double angle = !value ? 0 : degrees ? *value / 180 * std::numbers::pi : *value;
   if (value && angle >= low && angle <= high) return angle;
-  throw UsageError(std::string(option) + ": \"" + std::string(text) + "\" is no angle from " +
-                   to_text(low) + " to " + to_text(high) +
-                   " radians; write 1.57, or in degrees 90deg");
+  const bool limited = high < kNoLimit;
+  throw UsageError(std::string(option) + ": \"" + std::string(text) + "\" is no angle" +
+                   (limited ? " from " + to_text(low) + " to " + to_text(high) + " radians" : "") +
+                   "; write 1.57, or in degrees 90deg");
 }
 
-PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame) {
+std::string turns_hint(std::string_view text, double yaw) {
+  const double turns = std::abs(yaw) / (2 * std::numbers::pi);
+  if (turns <= 1 || text.ends_with("deg")) return {};
+  return printed(": %g radians are %.2f turns; degrees end in deg", yaw, turns);
+}
+
+PoseEnd pose_value(std::string_view option, const std::string& text, RunOptions& run) {
   constexpr double kMostTurned = 1e5;
   const auto comma = text.find_last_of(',');
   if (comma == text.npos || text.find(',') == comma)
     throw UsageError(std::string(option) + ": \"" + text +
                      "\" is not X,Y,YAW; of a vehicle also say where it looks, in radians, as "
                      "1.57, or in degrees, as 90deg");
-  const double yaw =
-      angle_value(option, std::string_view(text).substr(comma + 1), -kMostTurned, kMostTurned);
-  return {point_value(option, text.substr(0, comma), frame), yaw};
+  const std::string_view angle = std::string_view(text).substr(comma + 1);
+  const double yaw = angle_value(option, angle, -kMostTurned, kMostTurned);
+  if (const std::string hint = turns_hint(angle, yaw); !hint.empty())
+    run.notes.push_back(std::string(option) + hint);
+  return {point_value(option, text.substr(0, comma), run.frame), yaw};
 }
 
 Point end_value(std::string_view option, const std::string& text, Frame frame) {

@@ -58,8 +58,12 @@ std::vector<std::string> texts(std::span<const std::string_view> words);
 End point_value(std::string_view option, const std::string& text, Frame frame);
 /// "1.57", radians, or "90deg". @throws UsageError
 double angle_value(std::string_view option, std::string_view text, double low, double high);
-/// "X,Y,YAW": a point as above, and an angle of at most 100000 radians. @throws UsageError
-PoseEnd pose_value(std::string_view option, const std::string& text, Frame frame);
+/// Of radians that may have been meant as degrees: as in ": 90 radians are 14.3 turns; degrees end
+/// in deg". Else empty.
+std::string turns_hint(std::string_view text, double yaw);
+/// "X,Y,YAW": a point as above, in the frame of `run`, whose notes tell of many turns, and an angle
+/// of at most 100000 radians. @throws UsageError
+PoseEnd pose_value(std::string_view option, const std::string& text, RunOptions& run);
 /// The same of what knows cells alone: the cell that holds it, or metres in it. @throws UsageError
 Point end_value(std::string_view option, const std::string& text, Frame frame);
 /// Options that must be there though CLI11 does not say so. @throws UsageError

@@ -31,6 +31,14 @@ void print(std::string_view text) {
               "send it to a file that has room");
 }
 
+void print_verdict(std::string_view text) {
+  try {
+    print(text);
+  } catch (const ClosedOutput&) {
+    return;
+  }
+}
+
 void message(std::string_view text) {
   std::fprintf(stderr, "lasius: %s\n", printable(text).c_str());
 }

@@ -15,6 +15,9 @@ struct ClosedOutput {};
 /// Writes data on standard output and flushes it.
 /// @throws ClosedOutput; Error(output_failed) for any other failure.
 void print(std::string_view text);
+/// The same of what the exit code says, too: it does where nobody reads any more.
+/// @throws Error(output_failed) for any other failure.
+void print_verdict(std::string_view text);
 
 /// "lasius: TEXT" on standard error.
 void message(std::string_view text);

@@ -118,7 +118,8 @@ void draw_convergence(Canvas& canvas, const Box& box, const Convergence& converg
   Range best;
   for (const double value : convergence.best.values) best.add(convergence.scale * value);
   if (!best.empty())
-    std::erase_if(of_best, [&](const Level& level) { return level.value > best.high; });
+    std::erase_if(of_best,
+                  [&](const Level& level) { return level.value > best.high * (1 + 1e-9); });
   for (Level& level : of_tours)
     if (std::ranges::count(of_best, level.label, &Level::label) > 0) level.label.clear();
   const auto chart_of = [&](std::span<const Convergence::Series> all, std::size_t colour) {

@@ -274,16 +274,16 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     const CostLayers& asked = command_.run.map.costs;
     CostLayers layers = asked;
     layers.inflation.reset();
-    const double unit = map.cells_of(command_.run.map.radius_metres, 1);
+    const double cell = command_.run.map.radius_metres ? map.frame->resolution : 1;
     const double radius =
         answer_.vehicle ? vehicle::inscribed_radius(answer_.vehicle->vehicle.vehicle) : map.radius;
     LoadedCosts& costs =
-        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, unit, radius));
+        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, cell, radius));
     if (answer_.world)
-      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, unit, radius);
+      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, cell, radius);
     answer_.layers = costs.field;
     costs.asked = asked;
-    costs.inflation = inflation_of(asked, unit, radius);
+    costs.inflation = inflation_of(asked, cell, radius);
     if (costs.inflation) costs.field.add(*map.grid_alone, *costs.inflation);
     if (answer_.vehicle) {
       answer_.vehicle->how.costs = answer_.layers;

@@ -58,9 +58,8 @@ void finish_vehicle(const OptionTable& table, DriveCommand& drive, const std::st
   require("", "--start", start);
   require("", "--goal", goals.empty() ? "" : goals.front());
   finish_run(run);
-  vehicle.start = pose_value("--start", start, run.frame);
-  for (const std::string& goal : goals)
-    vehicle.goals.push_back(pose_value("--goal", goal, run.frame));
+  vehicle.start = pose_value("--start", start, run);
+  for (const std::string& goal : goals) vehicle.goals.push_back(pose_value("--goal", goal, run));
   run.inputs.push_back(vehicle.file);
 }
 

@@ -221,6 +221,7 @@ struct StudyCommand {
   std::string called = {};  ///< as SearchOptions::called
   std::string page = {};    ///< file of the report's page; empty: report.html in `folder`
   Part part = {};
+  bool joined = false;  ///< its parts were: all runs are there
 };
 
 struct TuneCommand {

@@ -15,12 +15,11 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr const char* kRemedyMissing = "name a .scen or .tsv file of queries";
 
 std::vector<std::string_view> split_tabs(std::string_view line) {
   auto fields = split(line, '\t');
-  for (auto& field : fields) field = trimmed(field, kBlanks);
+  for (auto& field : fields) field = trimmed(field, kBlanksOfLines);
   return fields;
 }
 
@@ -35,7 +34,7 @@ class Lines {
     while (next_of_any()) {
       if (number_++ == 0 && text_.starts_with(kByteOrderMark))
         text_.remove_prefix(kByteOrderMark.size());
-      if (!trimmed(text_, kBlanks).empty()) return true;
+      if (!trimmed(text_, kBlanksOfLines).empty()) return true;
     }
     if (in_.bad())
       throw Error(ErrorCode::file_broken, {.file = file_, .line = number_}, "cannot be read on",
@@ -61,7 +60,7 @@ class Lines {
     }
     fail(std::string(name) + " is '" + std::string(field) + "'",
          metres  ? "give a whole number, or metres with --frame world"
-         : whole ? "give a whole number, or of a point one with decimals"
+         : whole ? "give a whole number for a cell, or decimals for a point"
                  : "give a finite number");
   }
 
@@ -96,18 +95,18 @@ QueryFile::Line make_line(const std::array<double, 4>& values, bool from_point =
 
 /// By the first line.
 bool is_scenario(const Lines& lines) {
-  const auto first = words_of(lines.text(), kBlanks);
+  const auto first = words_of(lines.text(), kBlanksOfLines);
   constexpr std::size_t kLeastColumns = 4;  // of a table, one of which may be its version
   return first.front() == "version" && first.size() < kLeastColumns;
 }
 
 QueryFile read_scenario(Lines& lines, int width, int height) {
-  const auto version = words_of(lines.text(), kBlanks);
+  const auto version = words_of(lines.text(), kBlanksOfLines);
   if (version.size() != 2 || (version[1] != "1" && version[1] != "1.0"))
     lines.fail("the first line is not 'version 1'", "only scenarios of version 1 are read");
   QueryFile file{.queries = {}, .scenario = true};
   while (lines.next()) {
-    auto fields = words_of(lines.text(), kBlanks);
+    auto fields = words_of(lines.text(), kBlanksOfLines);
     constexpr std::size_t kFields = 9;
     const auto fail_count = [&, count = fields.size()] {
       lines.fail(
@@ -140,7 +139,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
 QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   const bool tabs = lines.text().find('\t') != std::string_view::npos;
   const std::string header_text(lines.text());
-  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kBlanks);
+  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kBlanksOfLines);
   std::array<std::size_t, 4> column;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto found = std::find(header.begin(), header.end(), kColumnNames[i]);
@@ -155,7 +154,7 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   for (const std::string_view name : {"syaw", "gyaw"})
     file.yaws |= std::ranges::count(header, name) > 0;
   while (lines.next()) {
-    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kBlanks);
+    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kBlanksOfLines);
     if (fields.size() != header.size())
       lines.fail(std::to_string(fields.size()) + " fields, but the header has " +
                      std::to_string(header.size()),

@@ -74,6 +74,7 @@ class Answers {
       run["gap"] = answer.contains("optimum");
       for (const char* key : {"format", "version", "map", "algorithm", "parameters"})
         run[key] = answer.at(key);
+      for (const char* key : {"via", "layers"}) run[key] = answer.value(key, Json());
       if (run_.is_null()) run_ = run;
       for (const auto& [key, value] : run.items())
         if (run_[key] != value) throw wrong("differs from the first answer in '" + key + "'");
@@ -82,6 +83,10 @@ class Answers {
       if (index >= run.at("queries").get<std::size_t>() ||
           index % run.at("of").get<std::size_t>() != static_cast<std::size_t>(number - 1))
         throw wrong("query " + std::to_string(index) + " is none of its part");
+      if (answer.at("status") == "interrupted")
+        throw wrong("was interrupted: part " + std::to_string(number) + " is not whole");
+      if (!seen_.emplace(index, answer.value("seed", std::uint64_t{0})).second)
+        throw wrong("answers query " + std::to_string(index) + " once more");
       answers_[index].push_back(json::line(answer));
     } catch (const nlohmann::json::exception& fault) {
       throw wrong(fault.what());
@@ -116,6 +121,7 @@ class Answers {
   Json run_;                          ///< what all answers have in common
   std::map<int, std::string> files_;  ///< by the number of the part
   std::map<std::size_t, std::vector<std::string>> answers_;
+  std::set<std::pair<std::size_t, std::uint64_t>> seen_;  ///< query and seed
 };
 
 int merge_batch(const MergeCommand& command) {
@@ -165,7 +171,8 @@ int merge_study(const MergeCommand& command) {
           one.first_seed != whole->first_seed || one.seeds != whole->seeds ||
           one.maps != whole->maps)
         throw not_of_one(part, "is part of another run than " + command.parts.front());
-      there.insert(one.part.number);
+      if (!there.insert(one.part.number).second)
+        throw not_of_one(part, "is part " + std::to_string(one.part.number) + " once more");
     }
   }
   if (const auto missing = missing_parts(there, whole->part.of); !missing.empty())
@@ -179,6 +186,7 @@ int merge_study(const MergeCommand& command) {
   }
   if (whole->name == "run") whole->name = (folder / study::kShortStudy).string();
   whole->part = {};
+  whole->joined = true;
   whole->folder = folder.string();
   whole->threads = command.threads;
   whole->messages.quiet = command.quiet;

@@ -258,7 +258,7 @@ int verify_all(const VerifyCommand& command) {
     if (code != kInternal && one != kFound) code = one;
   }
   if (!command.quiet)
-    print(std::to_string(equal) + " of " + std::to_string(results.size()) +
+    print_verdict(std::to_string(equal) + " of " + std::to_string(results.size()) +
           (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
   return code;
 }

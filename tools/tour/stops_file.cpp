@@ -102,9 +102,11 @@ class Reader {
                ", as 1 where something is picked and -1 where it is delivered");
     return static_cast<int>(value);
   }
-  double yaw(const std::string& text, const At& at) const {
+  double yaw(const std::string& text, const At& at) {
     try {
-      return angle_value("yaw", text, -kMostTurned, kMostTurned);
+      const double yaw = angle_value("yaw", text, -kMostTurned, kMostTurned);
+      if (turned_.empty()) turned_ = turns_hint(text, yaw);
+      return yaw;
     } catch (const UsageError& error) {
       fail(at, error.what(), "leave it empty where any will do");
     }
@@ -136,8 +138,9 @@ class Reader {
         for (const auto field : separator != 0 ? split(row, separator) : words_of(row, kSeparators))
           fields.push_back(bare(field));
       const bool numbers = header.empty() ? parse_real(fields.front()).has_value() : !named;
-      while (numbers && fields.size() > (poses_ ? 3 : 2) && fields.back().empty())
-        fields.pop_back();
+      const std::size_t most = numbers ? (poses_ ? 3 : 2) : header.size();
+      while ((numbers || !header.empty()) && fields.size() > most && fields.back().empty())
+        fields.pop_back();  // as spreadsheets end lines
       if (header.empty()) {
         header = fields;
         named = !numbers;
@@ -256,7 +259,7 @@ class Reader {
     both(long_enough ? pair[0] : Json(), long_enough ? pair[1] : Json(), std::move(more));
   }
 
-  std::optional<double> yaw_of(const Json& value, const std::string& path) const {
+  std::optional<double> yaw_of(const Json& value, const std::string& path) {
     if (value.is_null()) return std::nullopt;
     return yaw(value.is_string() ? value.get<std::string>() : value.dump(), {.path = path});
   }
@@ -327,15 +330,19 @@ class Reader {
   // A column or member that is not read; of GeoJSON's, which others made, no more than those that
   // may be meant.
   void note_name(const std::string& name, bool ours) {
-    if (name.empty() || ((poses_ || name != "yaw") && std::ranges::count(kNames, name) > 0)) return;
+    if (name.empty() || !named_.insert(name).second) return;
+    if ((poses_ || name != "yaw") && std::ranges::count(kNames, name) > 0) return;
     const auto meant = nearest_name(name, kNames);
     const auto nearly = [&] {
-      const int first = std::tolower(static_cast<unsigned char>(name[0]));
-      return meant->size() > 3 && first == (*meant)[0] && edit_distance(name, *meant) < 2;
+      std::string small = name;
+      for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return small == *meant ||
+             (meant->size() > 3 && small[0] == (*meant)[0] && edit_distance(small, *meant) < 2);
     };
-    if (ours || name == "yaw" || (meant && nearly())) unread_.insert(name);
+    if (ours || (meant && nearly())) unread_.insert(name);
   }
   void note_unread() {
+    if (!turned_.empty()) stops_.notes.push_back(file_ + ": a yaw" + turned_);
     if (unread_.erase("yaw") > 0)
       stops_.notes.push_back(file_ + ": its yaws have no effect without --vehicle");
     std::string text;
@@ -358,9 +365,10 @@ class Reader {
   bool poses_;
   std::string text_;
   TourStops stops_;
-  std::vector<StopDetails> details_;  // of the stops
-  std::vector<At> places_;            // of the stops
-  std::set<std::string> unread_;      // columns and members
+  std::vector<StopDetails> details_;      // of the stops
+  std::vector<At> places_;                // of the stops
+  std::set<std::string> named_, unread_;  // columns and members, and those to be told
+  std::string turned_;                    // of the first yaw of several turns
 };
 
 }  // namespace

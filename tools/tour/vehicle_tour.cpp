@@ -197,8 +197,8 @@ void take_vehicle(const OptionTable& table, TourCommand& tour, const VehicleComm
                      " times, and one vehicle goes; give one --start");
   tour.vehicle = vehicle;
   tour.run.inputs.push_back(vehicle.file);
-  if (!starts.empty()) tour.start = pose_value("--start", starts.front(), tour.run.frame);
-  if (!goal.empty()) tour.goal = pose_value("--goal", goal, tour.run.frame);
+  if (!starts.empty()) tour.start = pose_value("--start", starts.front(), tour.run);
+  if (!goal.empty()) tour.goal = pose_value("--goal", goal, tour.run);
 }
 
 std::unique_ptr<Problem> vehicle_tour(TourCommand command, const Json* recorded) {

@@ -145,13 +145,15 @@ Json fault_json(const LoadedMap& map, const Asked& asked, const std::optional<Ve
 }
 
 Json json_of(const LoadedMap& map, const Asked& asked, const Verdict& verdict) {
+  Json fault = fault_json(map, asked, verdict.fault, verdict.has_pose);
+  if (verdict.fault) fault["why"] = verdict.fault->why + verdict.hint;
   return {{"format", "lasius-check-path/1"},
           {"version", LASIUS_VERSION},
           {"map", map_json(map)},
           {"path", asked.path},
           {"judged_as", verdict.judged_as},
           {"holds", !verdict.fault},
-          {"fault", fault_json(map, asked, verdict.fault, verdict.has_pose)},
+          {"fault", std::move(fault)},
           {"cannot_drive", fault_json(map, asked, verdict.remark, true)},
           {"length", number(verdict.length)},
           {"pieces", verdict.pieces},
@@ -169,7 +171,7 @@ int check(Asked& asked) {
     const Place first = end_place(map, {file.points.front(), true}, Frame::cell);
     if (!map.as_read().free(first.cell)) verdict.hint = metres_hint(map, asked.frame, first);
   }
-  print(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
+  print_verdict(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
   if (verdict.remark && !asked.json)
     message("no fault of a table without --strict: " + verdict.remark->why +
             place_of_fault(map, asked, *verdict.remark, true));

@@ -50,14 +50,6 @@ std::string invalid_text(const VehicleMap& on, const VehicleCommand& command,
          metres_hint(on.map, frame, end.place);
 }
 
-/// A yaw that was meant in degrees, perhaps.
-void remark_on_yaw(Record& record, const char* name, const VehicleEnd& end) {
-  const double turns = end.asked.yaw / (2 * std::numbers::pi);
-  if (std::abs(turns) > 1)
-    record.remarks.push_back(
-        name + printed(" looks %g radians, %.1f turns; degrees end in deg", end.asked.yaw, turns));
-}
-
 /// All that decides the plan.
 Json parameters_of(const VehicleMap& on, const VehicleCommand& command) {
   const RunOptions& run = command.run;
@@ -344,11 +336,7 @@ Record vehicle_record(const VehicleMap& on, const VehicleCommand& command,
     const vehicle::Pose pose = pose_in_frame(on, command, answer, timed.at.pose);
     record.path.insert(record.path.end(), {pose.x, pose.y, pose.yaw});
   }
-  if (!command.run.json && answer.has_path()) {
-    remark_on_yaw(record, "start", answer.start);
-    remark_on_yaw(record, "goal", answer.goal());
-    record.remarks.push_back(summary(record, answer));
-  }
+  if (!command.run.json && answer.has_path()) record.remarks.push_back(summary(record, answer));
   record.answer =
       answer_json(record, path_json(on, command, answer), effort_json(answer), std::move(findings));
   return record;

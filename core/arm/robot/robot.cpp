@@ -232,7 +232,7 @@ Robot parse_robot(std::string_view text, const std::string& file, const Chain& c
   for (const auto& [name, is_given] : given)
     if (is_given)
       refuse(std::string(name) + " is given, for URDF robots, but " + file + " is no URDF file",
-             "say it in the file; leave it out");
+             "leave it out; what it says stands in the file");
   return robot;
 }
 

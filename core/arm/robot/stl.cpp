@@ -48,7 +48,6 @@ Triangles parse_binary(const std::string& bytes, const std::string& file) {
 
 /// Word by word, however they are spread over lines: no vertex is passed over.
 Triangles parse_ascii(std::string_view text, const std::string& file) {
-  constexpr std::string_view kBlanks = " \t\r\v\f";
   Triangles triangles;
   std::size_t corner = 0;
   bool solid = false, begun = false;  // a facet that has no vertex yet
@@ -58,7 +57,7 @@ Triangles parse_ascii(std::string_view text, const std::string& file) {
   };
   for (; !text.empty(); ++number) {
     const auto end = std::min(text.find('\n'), text.size());
-    const auto words = words_of(text.substr(0, end), kBlanks);
+    const auto words = words_of(text.substr(0, end), kBlanksOfLines);
     text.remove_prefix(std::min(end + 1, text.size()));
     const auto real = [&](std::size_t i) {
       if (i >= words.size()) return std::optional<double>();

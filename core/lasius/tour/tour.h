@@ -105,7 +105,8 @@ struct TourResult {
   std::int64_t priced = 0;        ///< legs planned to find the order and the bound
 };
 
-/// Told each better order, and its length as known by then.
+/// Told each better order, and its length as known by then. Go::stop ends the search: the result is
+/// `interrupted`, with the best order so far.
 using TourObserver = Callback<std::span<const int>, double>;
 
 /// Plans a tour. Up to 12 stops the order is a shortest; above, it is searched (tours of the same

@@ -353,7 +353,7 @@ OrderFound find_order_by_ants(const Costs& costs, const Ends& ends, bool symmetr
     refuse(number_text(costs.size()) + " stops are too many for " + params.algorithm(),
            "give at most " + number_text(kMostForAnts) + ", or ask exact");
   constexpr int kMostChoices = 100'000'000;  // 9 to 13 bytes each
-  if (params.ants > kMostChoices / std::max(1, costs.size()))
+  if (params.ants > kMostChoices / costs.size())
     refuse(
         number_text(params.ants) + " ants are too many for " + number_text(costs.size()) + " stops",
         "give at most " + number_text(kMostChoices / costs.size()));

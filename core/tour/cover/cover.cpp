@@ -54,14 +54,16 @@ void check(const Grid& grid, double radius, const CoverRequest& request) {
   const double lines = longest / request.width;
   const double samples = CoverGround::samples_asked(grid, request.width, radius);
   if (samples > kMostSamples || lines > kMostLines) {
-    const bool is_width = CoverGround::samples_asked(grid, request.width, 0) > kMostSamples;
-    refuse((is_width || lines > kMostLines
-                ? "a width of " + number_text(request.width) + " cells"
-                : "a radius of " + number_text(radius) + " cells, which just fits corridors,") +
-               " asks for more " +
-               (samples > kMostSamples ? "samples of the map's area than " : "lines than ") +
-               number_text(samples > kMostSamples ? kMostSamples : kMostLines),
-           "give a larger one, or parts of the map");
+    const bool of_width = CoverGround::samples_asked(grid, request.width, 0) > kMostSamples;
+    const std::string width = "a width of " + number_text(request.width) + " cells asks for more ";
+    const std::string than = "samples of the map's area than " + number_text(kMostSamples);
+    if (lines > kMostLines)
+      refuse(width + "lines than " + number_text(kMostLines),
+             "give a larger one, or parts of the map");
+    if (of_width) refuse(width + than, "give a larger one, or parts of the map");
+    refuse("a radius of " + number_text(radius) +
+               " cells, which just fits corridors, asks for more " + than,
+           "give one that is no multiple of 0.5, or parts of the map");
   }
   if (request.generations < 0)
     refuse("generations are " + number_text(request.generations), "give 0 or more");

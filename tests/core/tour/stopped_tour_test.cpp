@@ -46,6 +46,34 @@ TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
   EXPECT_GE(of_several, 2);
 }
 
+TEST(Tour, ABoundThatWasProvenIsKeptWhateverEndsTheRun) {
+  const Planner planner(Grid(200, 200));
+  std::mt19937 random(4);
+  std::vector<Cell> stops;
+  for (int i = 0; i < 60; ++i)
+    stops.push_back({random_in(0, 199, random), random_in(0, 199, random)});
+  for (const bool two : {false, true}) {
+    TourRequest request{.stops = stops, .generations = 0, .target_gap = 1e-9};
+    if (two) request.robots = {0, 1};
+    const CountingTime first(1 << 30), counted(1 << 30);
+    request.stop = first.is_up();
+    const TourResult at_first = plan_tour(planner, request);
+    ASSERT_TRUE(at_first.lower_bound);
+    request.generations = 3;
+    request.stop = counted.is_up();
+    plan_tour(planner, request);
+    const int polls = first.polls(), more = counted.polls() - polls;
+    ASSERT_GT(more, 20);
+    for (int i = 0; i < 20; ++i) {
+      const CountingTime time(polls + more * i / 20);
+      request.stop = time.is_up();
+      const TourResult cut = plan_tour(planner, request);
+      EXPECT_GE(cut.lower_bound, at_first.lower_bound) << two << " " << i;
+      EXPECT_LE(cut.length, at_first.length) << two << " " << i;
+    }
+  }
+}
+
 TEST(Tour, IsStoppedAmongManyRegions) {
   Grid grid(80, 80);
   for (int i = 0; i < 80; ++i) grid.fill({0, i, 80, 1}, i % 2 == 1);

@@ -5,12 +5,11 @@
 
 #include <cmath>
 
+#include "core/vehicle/angle.h"
 #include "lasius/base/error.h"
 
 namespace lasius::vehicle {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// There and back, with a turn in place at the end.
 std::vector<Segment> path() {

@@ -199,7 +199,7 @@ class BitmapStage {
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
                                ...(map.level_lines ? [[`cost to the goal, where the proof looked, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
-                               ...(map.obstacles ? [[`centre nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
+                               ...(map.obstacles ? [[`no place for the centre: nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
     const note = (text) => this.card.append(element("p", { class: "note" }, text));

@@ -128,6 +128,11 @@ class Session {
 
   Findings run_remaining(const Study& study, const study::Domain& domain, const fs::path& folder) {
     const auto tell = [&](std::size_t runs, double seconds) {
+      if (command_.joined)
+        throw Error(ErrorCode::file_broken, {.file = folder.string()},
+                    "of its runs " + std::to_string(runs) +
+                        " are missing or of other inputs than those that are there now",
+                    "run the parts again, on one state of maps and layers");
       if (!command_.messages.quiet)
         message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
                 duration_text(seconds) + " with " + counted(command_.threads, "thread") +
