@@ -23,6 +23,11 @@ class Nearest {
   Nearest(const Ring& boundary, Point p) : p_(p) {
     const auto [low, high] = bounds_of(boundary);
     q_ = {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+    // Of what is far beyond the world the direction alone counts; products stay finite.
+    constexpr double kFar = 1e100;
+    const double dx = p.x / 4 - q_.x / 4, dy = p.y / 4 - q_.y / 4;
+    const double far = std::max(std::abs(dx), std::abs(dy));
+    if (far > kFar) p_ = {q_.x + dx / far * kFar, q_.y + dy / far * kFar};
   }
 
   void look(Point a, Point b) {

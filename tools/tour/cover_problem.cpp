@@ -65,6 +65,7 @@ class CoverProblem : public TourProblem {
     TourProblem::look_at_ends();
     if (!answer_.start || answer_.ends.fault != Fault::none) return;
     const Place& start = place_at(*answer_.start);
+    if (answer_.map.planner->clear_at(start.at())) return;
     const Frame frame = command_.run.frame;
     const bool curved = route_of(answer_.map, command_.run).curved;
     answer_.tour.error =

@@ -209,7 +209,8 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   }
   if (!plan || plan->swaths.empty()) {
     found.status = Status::invalid;
-    found.error = "the tool has no place on the map";
+    found.error = clear->count_free() > 0 ? "the tool has no place on the map that it can move in"
+                                          : "the tool has no place on the map";
     return result;
   }
   result.angle = plan->heading.degrees;

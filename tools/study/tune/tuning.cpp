@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "lasius/base/error.h"
 #include "tools/console/signals.h"
@@ -132,6 +134,24 @@ void weigh(Family& family) {
   family.ratios = resampled_interval(family.pairs, median_ratio);
 }
 
+/// Names of judging maps that differ from those of the training may name the same cells.
+/// @throws Error(file_broken)
+void check_maps_apart(const Tuning& tuning, const std::filesystem::path& maps) {
+  std::map<std::string, std::uint64_t> known;
+  const auto hash_of = [&](const Question& q) {
+    const auto [at, is_new] = known.try_emplace(q.map);
+    if (is_new) at->second = load_map(q, maps).hash();
+    return at->second;
+  };
+  for (const Question& judge : tuning.judging.experiments.front().questions)
+    for (const Question& trained : tuning.training.experiments.front().questions)
+      if (hash_of(judge) == hash_of(trained))
+        throw Error(
+            ErrorCode::file_broken, {.file = tuning.file},
+            "'judging' has \"" + judge.map + "\", which is trained on as \"" + trained.map + "\"",
+            "judge on other maps");
+}
+
 }  // namespace
 
 Tuned tune(Tuning& tuning, const TuneOptions& options) {
@@ -139,6 +159,7 @@ Tuned tune(Tuning& tuning, const TuneOptions& options) {
     const tool::EndAtOnce nothing_is_polled;
     draw_questions(tuning.training, options.maps);
     draw_questions(tuning.judging, options.maps);
+    check_maps_apart(tuning, options.maps);
   }
   return TuningRun(tuning, options).run();
 }

@@ -35,6 +35,17 @@ class ATuning : public Files {
   }
 };
 
+TEST_F(ATuning, JudgesOnNoMapThatItTrainedOnByAnotherName) {
+  file(
+      "algorithm: mmas\nparameters: {ants: [1, 10]}\n"
+      "training: [{map: blobs 40x30 0.3 5, draw: 2}]\njudging: [{map: blobs 40x30 0.30 5, draw: "
+      "2}]\n",
+      "same.yaml");
+  Tuning t = read_tuning(path("same.yaml"));
+  expect_says(error_of([&] { return tune(t, options(1, "out")); }),
+              "'judging' has \"blobs 40x30 0.30 5\", which is trained on as \"blobs 40x30 0.3 5\"");
+}
+
 TEST_F(ATuning, FindsThePlantedValueAndJudgesItBetter) {
   Tuning t = tuning();
   double estimated = 0;
