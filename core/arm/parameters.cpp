@@ -12,37 +12,52 @@ using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
+constexpr Table::Condition kLattice{"trees=0", [](const Params& p) { return p.trees == 0; }};
 
 constexpr std::array kEntries{
-    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m"),
-    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T"),
-    Table::number("alpha", &Params::alpha, 0, 8, "exponent of pheromone"),
+    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m").only_with(kLattice),
+    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T")
+        .only_with(kLattice),
+    Table::number("alpha", &Params::alpha, 0, 8, "exponent of pheromone").only_with(kLattice),
     Table::number(
         "beta", &Params::beta, 0, 20,
-        "exponent of 1 / weight of an edge; all that exist weigh the same: without effect"),
+        "exponent of 1 / weight of an edge; all that exist weigh the same: without effect")
+        .only_with(kLattice),
     Table::number("gamma", &Params::gamma, 0, 20,
-                  "exponent of u = 1 / (1 + theta), theta between a move and the way to the goal"),
+                  "exponent of u = 1 / (1 + theta), theta between a move and the way to the goal")
+        .only_with(kLattice),
     Table::number("persistence", &Params::persistence, 0, 1,
-                  "share of pheromone that remains after an iteration"),
+                  "share of pheromone that remains after an iteration")
+        .only_with(kLattice),
     Table::number("elite_weight", &Params::elite_weight, 0, 1e6,
-                  "weight of the iteration's best tour, e"),
+                  "weight of the iteration's best tour, e")
+        .only_with(kLattice),
     Table::number("initial_pheromone", &Params::initial_pheromone, 0, 1e9,
-                  "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"),
-    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone"),
+                  "pheromone everywhere at first, tau0; 0: ants / Manhattan distance")
+        .only_with(kLattice),
+    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone")
+        .only_with(kLattice),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
-                                                    "what an ant does when every move is closed"),
+                                                    "what an ant does when every move is closed")
+        .only_with(kLattice),
     Table::number("pitch", &Params::pitch, 0, 1000,
-                  "distance of lattice points, metres; 0: a twentieth of the arm's reach"),
+                  "distance of lattice points, metres; 0: a twentieth of the arm's reach")
+        .only_with(kLattice),
     Table::number("side", &Params::side, 0, 254,
-                  "lattice points a side, about the middle of start and goal; 0: all in reach"),
+                  "lattice points a side, about the middle of start and goal; 0: all in reach")
+        .only_with(kLattice),
     Table::number("joint_step", &Params::joint_step, 1e-6, 100,
-                  "an edge is closed where a joint moves further, radians or metres"),
+                  "an edge is closed where a joint moves further, radians or metres")
+        .only_with(kLattice),
     Table::number("patience", &Params::patience, 0, 1000000000,
-                  "stop after so many iterations without a shorter path; 0: never"),
+                  "stop after so many iterations without a shorter path; 0: never")
+        .only_with(kLattice),
     Table::number("line_ants", &Params::line_ants, 0, 1e6,
-                  "ants whose deposits lie on the straight way before the first iteration"),
+                  "ants whose deposits lie on the straight way before the first iteration")
+        .only_with(kLattice),
     Table::choice<&Params::shortcut, kSwitch>("shortcut",
-                                              "cut the lattice staircase before the trajectory"),
+                                              "cut the lattice staircase before the trajectory")
+        .only_with(kLattice),
     Table::choice<&Params::direct, kSwitch>("direct", "first try the straight joint-space line",
                                             "off"),
     Table::number("trees", &Params::trees, 0, 1000000000,
@@ -119,6 +134,12 @@ std::vector<std::string> formulas(const Params& parameters) {
       "tau is pheromone, L the length of a tour",
       "update: tau <- persistence tau + sum over the arrived ants of 1 / L + elite_weight / L of "
       "the iteration's best"};
+}
+
+std::string why_unread(const Params& parameters, std::string_view name) {
+  const Entry& e = kTable.entry(name);
+  if (e.is_read == nullptr || e.is_read(parameters)) return {};
+  return "it is read only with " + std::string(e.info.only_with);
 }
 
 std::string get_parameter(const Params& parameters, std::string_view name) {

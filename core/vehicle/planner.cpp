@@ -308,8 +308,9 @@ void Planner::Impl::tell_none(const Request& request, bool full, Result& result)
     result.error = "no way is wide enough for the disc inside the footprint";
     return;
   }
-  result.error = full ? "none was found before max_states states were entered"
-                      : "none in the lattice that was searched; another way may exist";
+  result.error =
+      full ? "none was found before max_states states were entered"
+           : "none in the lattice that was searched; on a map of finer cells one may be found";
 }
 
 Result Planner::plan(const Request& asked) const {

@@ -176,8 +176,15 @@ test("grown obstacles are paler than those of the map", async () => {
     return ["148,154,163", "211,214,218", "255,255,255"].map((colour) => colours.has(colour));
   });
   assert.deepEqual(seen, [true, true, true]);
-  await tab.getByText("centre nearer than 1 cell to that", { exact: true }).waitFor();
+  await tab.getByText("no place for the centre: nearer than 1 cell to that", { exact: true }).waitFor();
   await close();
+  const image = path.join(folder, "room.pgm"), room = path.join(folder, "room.yaml");
+  writeFileSync(image, `P2 20 20 255\n${"255 ".repeat(210)}0 ${"255 ".repeat(189)}\n`);
+  writeFileSync(room, `image: ${image}\nresolution: 0.05\norigin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.2\nnegate: 0\n`);
+  run("plan", room, "--frame", "world", "--start", "0.2,0.2", "--goal", "0.8,0.2", "--radius", "0.07", "-q", "-o", file("metres"));
+  const metres = await open(file("metres"));
+  await metres.tab.getByText("no place for the centre: nearer than 0.07 m to that", { exact: true }).waitFor();
+  await metres.close();
 });
 
 test("over costs the weights lie under the path, and path and bound meet", async () => {

@@ -127,6 +127,14 @@ class Reasons(ProgramTest):
         self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
         self.write("p.csv", "x_m,y_m\n-5,2.45\n0.35,2.45\n")
         self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
+        self.write("p.csv", "x_m,y_m,robot\n0.25,2.45,0\n0.35,2.45,0\n0.35,2.45,1\n")
+        self.refused(self.run_program("check-path", "map.yaml", "p.csv"), 3, "line 4: is of robot 1, the path of robot 0", "the rows of one")
+        self.write("p.csv", "x,y,x\n1,2,3\n")
+        self.refused(self.run_program("check-path", "map.yaml", "p.csv"), 3, "names x twice")
+        self.write("p.csv", "x,y\n3.5,4.5\n4.5,4.5\n")
+        self.write("q.tsv", "sx sy gx gy\n3 4 4 4\n")
+        for words in (("check-path", "map.yaml", "p.csv"), ("batch", "map.yaml", "q.tsv"), ("info", "map.yaml")):
+            self.ended(self.run_program(*words, "--radius", "0.3"), 0, "the radius is 0.3 cells, 0.03 m; with --frame world")
         self.write("cart.yaml", "type: differential\nfootprint: [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]]\n")
         self.ended(self.asked("--vehicle", "cart.yaml", start="-0.65,2.45,0", goal="5,4,0"), 4, "out of the map",
                    "taken as metres, with --frame world, it is in the free cell (3, 4)")

@@ -196,6 +196,7 @@ class Tour(ProgramTest):
             with self.subTest(words):
                 self.refused(run, 2, *words)
         self.ended(self.tour("--gap"), 0, "--gap has no effect")
+        self.ended(self.tour("--spacing", "2"), 0, "--spacing has no effect without --vehicle or -o FILE.yaml")
 
     def test_what_is_left_out(self):
         self.write("s.tsv", "x y\n0 0\n4 2\n40 1\n3 2\n9 5\n")
@@ -412,8 +413,10 @@ class Tour(ProgramTest):
         self.ended(self.tour("--frame", "world", stops="m.tsv", map_file="world.yaml"), 0, "proven shortest")
 
     def test_files(self):
-        self.ended(self.tour("-o", "a.json", "-o", "a.csv", "-o", "a.svg", "-o", "a.png"), 0)
-        self.check(json.loads(self.read("a.json")))
+        told = self.ended(self.tour("-o", "a.json", "-o", "a.csv", "-o", "a.svg", "-o", "a.png"), 0)
+        result = json.loads(self.read("a.json"))
+        self.check(result)
+        self.assertIn("lasius: in the order " + ", ".join(result["names"][i] for i in result["order"]) + "\n", told.err)
         self.assertEqual(len(self.rows("a.csv")), 5)
         self.assertEqual(list(self.rows("a.csv")[0]), ["x", "y"])
         self.assertGreater(min(self.png_size("a.png")), 200)

@@ -80,9 +80,6 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
     remarks.insert(remarks.end(), notes->begin(), notes->end());
   const auto say = [&](std::string text) { remarks.push_back(std::move(text)); };
   const std::string takes = "the motion takes ";
-  if (found.parameters.objective == arm::Objective::duration && motion.duration > 0)
-    say(takes + to_text(motion.duration) + " s; " + to_text(motion.length) +
-        " s is what its way takes at the joints' largest velocities throughout");
   if (motion.stops)
     say(std::string("the motion rests at each waypoint: ") +
         (motion.status == Status::solved    ? "no faster one between them was found free"
@@ -101,6 +98,10 @@ std::vector<std::string> remarks_of(const ArmCommand& command, const ArmAnswer& 
   if (command.json) return remarks;
   const bool moved =
       !motion.trajectory.empty() && motion.trajectory.knots().back().q != found.start;
+  if (moved)
+    say("the motion made of the way that was found: " + decimal_text(motion.tip_travel, 3) +
+        " m of the tip, " + decimal_text(motion.joint_travel, 3) + " rad of the joints, " +
+        decimal_text(motion.duration, 3) + " s");
   if (!found.nearest.empty()) say("at the start: " + nearest_text(found.nearest.front()));
   if (moved && found.nearest.size() > 1) say("at the end: " + nearest_text(found.nearest.back()));
   for (std::size_t i = 0; i < found.inverse.size(); ++i)

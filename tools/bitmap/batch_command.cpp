@@ -12,6 +12,7 @@
 #include "tools/bitmap/bitmap_problem.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
@@ -149,6 +150,7 @@ int run_bitmap_batch(const PlanCommand& command) {
   note_yaws(file.yaws, command.queries, run);
   keep_part(file.queries, command.queries, run.part);
   note_map(map, run, signals.token());
+  if (auto hint = radius_hint(map, run.frame); !hint.empty()) run.notes.push_back(std::move(hint));
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](const Batch::Part& asked, const BatchOptions& how,
                                const Batch::Take& take) {

@@ -236,6 +236,7 @@ Subcommand add_info(CLI::App& app) {
         Json json = info_json(map, info.corners);
         add_joined(json, map, info);
         print(info.json ? line(json) : info_text(json, map, info));
+        if (const std::string hint = radius_hint(map, info.frame); !hint.empty()) message(hint);
         return static_cast<int>(kFound);
       });
 }

@@ -7,6 +7,7 @@
 #include "core/base/nearest_text.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/poses_file.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 #include "tools/record/recorded.h"
@@ -96,12 +97,6 @@ std::string way_out_text(const MapEnds& ends) {
 }
 
 /// A radius that was meant in metres, perhaps.
-std::string radius_hint(const MapEnds& ends) {
-  const LoadedMap& map = ends.map;
-  return "the radius is " + to_text(map.radius) + " cells, " +
-         rounded_text(map.metres(map.radius), 6) + " m; with --frame world it is taken in metres";
-}
-
 /// How far a path ends from its goal.
 std::string short_of_goal(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
@@ -153,8 +148,8 @@ Record map_record(const MapEnds& ends, const SearchResult& result, const Algorit
   if (run.spacing) json["spacing"] = number(spacing_of(ends.map, run));
   if (run.alternatives > 0) json["alternatives"] = run.alternatives;
   if (run.json || !record.has_path()) return record;
-  if (ends.map.frame && !ends.in_metres() && ends.map.radius > 0 && ends.map.radius < 1)
-    record.remarks.push_back(radius_hint(ends));
+  if (auto hint = radius_hint(ends.map, run.frame); !hint.empty())
+    record.remarks.push_back(std::move(hint));
   if (ends.way_out) record.remarks.push_back(way_out_text(ends));
   if (ends.end && *ends.end != ends.goal.at()) record.remarks.push_back(short_of_goal(ends));
   return record;

@@ -109,9 +109,9 @@ void finish_costs(RunOptions& run, bool batch) {
   if (proof && (costs.eight_moves || batch))
     throw UsageError("-o of a proof is for one plan of any angle");
   if (run.map.prepare) {
+    run.notes.push_back(run.map.unprepared_note());
     run.map.prepare = run.map.labels = false;
     run.map.prepared.clear();
-    run.notes.push_back("--prepare has no effect over costs");
   }
   for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
   costs.proof = proof;
@@ -210,7 +210,7 @@ VehicleCommand vehicle_command(const OptionTable& table, const PlanText& text) {
   refuse({"--gap"}, "a vehicle's plan always tells its certified gap");
   refuse({"--ants", "--iterations", "--tracks", "--islands", "--exchange"}, "it is of colonies");
   refuse({"--set", "--preset", "--neighbours", "--corners"}, "it is of algorithms on cells");
-  refuse({"--prepare"}, "a vehicle's map is prepared without");
+  refuse({"--prepare", "--prepared"}, "a vehicle's map is prepared without");
   if (table.given("--polish")) {
     constexpr std::array<std::string_view, 2> kPolish{"none", "taut"};
     command.smooth = choice_value("--polish", table.in_order("--polish").front().second, kPolish);

@@ -105,6 +105,12 @@ std::string metres_hint(const LoadedMap& map, Frame frame, const Place& place) {
          place_text(meant, Frame::cell);
 }
 
+std::string radius_hint(const LoadedMap& map, Frame frame) {
+  if (frame == Frame::world || !map.frame || !(map.radius > 0 && map.radius < 1)) return {};
+  return "the radius is " + to_text(map.radius) + " cells, " +
+         rounded_text(map.metres(map.radius), 6) + " m; with --frame world it is taken in metres";
+}
+
 double metres_within(const LoadedMap& map, double cells) {
   double metres = std::nextafter(map.metres(cells), kNoLimit);
   while (metres / map.frame->resolution > cells) metres = std::nextafter(metres, 0);

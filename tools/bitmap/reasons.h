@@ -47,6 +47,9 @@ std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstructio
 /// Where a cell's numbers would be in metres, if that is a free cell: they may have been meant.
 std::string metres_hint(const LoadedMap& map, Frame frame, const Place& place);
 
+/// That a radius below a cell may have been meant in metres; else empty.
+std::string radius_hint(const LoadedMap& map, Frame frame);
+
 /// What would join a start and a goal that lie in different regions.
 struct Remedy {
   /// Maps of more cells are not searched for the widest radius: a colony's takes 24 bytes a cell.

@@ -81,7 +81,7 @@ macro(lasius_describe_packages)
     ${PROJECT_BINARY_DIR}/core/io ${PROJECT_BINARY_DIR}/core/arm ${PROJECT_BINARY_DIR}/core/polygon)
 
   # The package is named after its libraries, as Debian's policy 8.1 asks: what links one of them asks
-  # for liblasius.so.0.3, since before 1.0 every minor version may break the interface.
+  # for liblasius.so.MAJOR.MINOR, since before 1.0 every minor version may break the interface.
   set(lasius_runtime liblasius${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set(lasius_same "(= ${PROJECT_VERSION}-${LASIUS_DEBIAN_REVISION})")
   set(CPACK_COMPONENTS_ALL program runtime dev)

@@ -71,7 +71,7 @@ void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
 /// Says in the options which of the parameters that were asked for the others leave unread.
 template <class Params>
 void note_unread(SearchOptions& options, const Params& params, const Algorithm& algorithm) {
-  if constexpr (std::same_as<Params, lasius::Params>) {
+  if constexpr (requires { why_unread(params, std::string_view()); }) {
     const auto note = [&](const std::string& told, std::string_view name) {
       const std::string why = why_unread(params, name);
       if (!why.empty()) options.notes.push_back(told + " has no effect: " + why);

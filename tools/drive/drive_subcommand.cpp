@@ -33,8 +33,7 @@ void finish_costs(RunOptions& run) {
                      ": drives over costs are for exact; leave --algorithm out");
   if (run.target_gap > 0)
     throw UsageError("--target-gap: nothing is certified in a drive over costs; leave it out");
-  if (std::exchange(run.map.prepare, false))
-    run.notes.emplace_back("--prepare has no effect over costs");
+  if (std::exchange(run.map.prepare, false)) run.notes.push_back(run.map.unprepared_note());
   for (const auto& layer : run.map.costs.layers) run.inputs.push_back(layer.file);
 }
 

@@ -48,6 +48,11 @@ struct MapOptions {
   bool labels = false;         ///< and hub labels of its vertices
   std::string prepared = {};   ///< file that keeps both; empty: none
   CostLayers costs = {};
+
+  /// Says that nothing is prepared over costs, by the option that asked for it.
+  std::string unprepared_note() const {
+    return std::string(prepared.empty() ? "--prepare" : "--prepared") + " has no effect over costs";
+  }
 };
 
 /// `--part I/N`: of the queries or runs those whose number, from 0, leaves I - 1 by N.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -134,7 +135,10 @@ Record TourProblem::record() const {
     for (const LeftOut& out : tour.left_out)
       if (!is_end(out.stop))  // of which the error tells
         record.remarks.push_back(out.why + ": left out");
-  if (!command_.run.json && record.has_path()) record.remarks.push_back(summary(record));
+  if (!command_.run.json && record.has_path()) {
+    record.remarks.push_back(summary(record));
+    if (!command_.cover) std::ranges::move(orders(), std::back_inserter(record.remarks));
+  }
   if (wants_json(command_.run)) record.answer = answer_of(record, findings);
   return record;
 }
@@ -251,6 +255,26 @@ std::string TourProblem::summary(const Record& record) const {
   if (in_metres() && !tour.cost) text += " m";
   const auto gap = tour.gap();
   return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
+}
+
+std::vector<std::string> TourProblem::orders() const {
+  constexpr std::size_t kMost = 30;  // that a line shows
+  const TourResult& tour = answer_.tour;
+  if (tour.order.size() > kMost) return {};
+  const auto text = [&](std::string words, const std::vector<int>& order) {
+    for (const int& stop : order) {
+      const auto i = static_cast<std::size_t>(stop);
+      const bool named = i < answer_.names.size() && !answer_.names[i].empty();
+      words.append(&stop == order.data() ? " " : ", ")
+          .append(named ? answer_.names[i] : std::to_string(stop));
+    }
+    return words;
+  };
+  if (tour.tours.empty()) return {text("in the order", tour.order)};
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < tour.tours.size(); ++i)
+    texts.push_back(text("robot " + std::to_string(i) + ":", tour.tours[i].order));
+  return texts;
 }
 
 Json TourProblem::answer_of(const Record& record, const Json& findings) const {

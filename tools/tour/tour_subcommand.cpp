@@ -212,13 +212,15 @@ Subcommand add_tour(CLI::App& app) {
         for (const auto& layer : costs.layers) run.inputs.push_back(layer.file);
         if (run.map.prepare && (!costs.layers.empty() || costs.inflation)) {
           run.map.prepare = false;
-          run.notes.emplace_back("--prepare has no effect over costs");
+          run.notes.push_back(run.map.unprepared_note());
         }
         const Frame frame = polygons ? Frame::world : run.frame;  // any numbers
         if (!text->driven.file.empty()) {
           take_vehicle(table, tour, text->driven, text->starts, text->goal_text);
           return run_command(tour);
         }
+        if (run.spacing && std::ranges::none_of(run.outputs, is_yaml))
+          run.notes.emplace_back("--spacing has no effect without --vehicle or -o FILE.yaml");
         for (const std::string& start : text->starts)
           tour.robots.push_back(point_value("--start", start, frame));
         if (!text->goal_text.empty())

@@ -6,6 +6,7 @@
 #include "lasius/base/error.h"
 #include "lasius/version.h"
 #include "tools/bitmap/map_ends.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/command_line/option_table.h"
 #include "tools/command_line/search_options.h"
 #include "tools/console/exit_code.h"
@@ -172,6 +173,7 @@ int check(Asked& asked) {
     if (!map.as_read().free(first.cell)) verdict.hint = metres_hint(map, asked.frame, first);
   }
   print_verdict(asked.json ? line(json_of(map, asked, verdict)) : text_of(map, asked, verdict));
+  if (const std::string hint = radius_hint(map, asked.frame); !hint.empty()) message(hint);
   if (verdict.remark && !asked.json)
     message("no fault of a table without --strict: " + verdict.remark->why +
             place_of_fault(map, asked, *verdict.remark, true));

@@ -64,6 +64,8 @@ class TableReader {
   void read_header(const Fields& names) {
     columns_ = names.size();
     const auto column = [&](std::string_view name) {
+      if (std::ranges::count(names, name) > 1)
+        fail("the header names " + std::string(name) + " twice", "name each column once");
       const auto found = std::ranges::find(names, name);
       return found == names.end() ? std::nullopt
                                   : std::optional<std::size_t>(found - names.begin());
@@ -80,6 +82,7 @@ class TableReader {
            "begin with a line x,y or x,y,yaw or x,y,yaw,kappa,v,t,gear");
     yaw_ = column("yaw");
     kappa_ = column("kappa");
+    robot_ = column("robot");
   }
 
   void read_row(const Fields& fields) {
@@ -87,6 +90,10 @@ class TableReader {
       fail(counted(static_cast<std::int64_t>(fields.size()), "field") + " instead of " +
                std::to_string(columns_),
            "give every line what the header names");
+    if (path_.points.empty() && robot_) robot_of_path_ = fields[*robot_];
+    if (robot_ && fields[*robot_] != robot_of_path_)
+      fail("is of robot " + std::string(fields[*robot_]) + ", the path of robot " + robot_of_path_,
+           "give the rows of one");
     path_.points.push_back({number("x", fields[*x_]), number("y", fields[*y_])});
     if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_], kMostTurned, "radians"));
     if (kappa_) path_.curvatures.push_back(number("kappa", fields[*kappa_]));
@@ -104,7 +111,8 @@ class TableReader {
   PathFile path_;
   int line_ = 0;
   std::size_t columns_ = 0;
-  std::optional<std::size_t> x_, y_, yaw_, kappa_;
+  std::optional<std::size_t> x_, y_, yaw_, kappa_, robot_;
+  std::string robot_of_path_;
 };
 
 /// @throws UsageError naming the key

@@ -110,6 +110,9 @@ LASIUS_ARM_EXPORT void set_parameter(Params& parameters, std::string_view name,
 /// The value as text, which set_parameter reads. @throws Error(invalid_parameter) for an unknown
 /// name, with the nearest.
 LASIUS_ARM_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
+/// Why a run does not read a parameter, as "it is read only with trees=0"; empty where it does.
+/// @throws as get_parameter.
+LASIUS_ARM_EXPORT std::string why_unread(const Params& parameters, std::string_view name);
 /// The rules of a colony in a line each, see lasius::formulas(); empty for others.
 LASIUS_ARM_EXPORT std::vector<std::string> formulas(const Params& parameters);
 /// Checks every field.

@@ -57,10 +57,9 @@ void check(const Grid& grid, double radius, const CoverRequest& request) {
     const bool of_width = CoverGround::samples_asked(grid, request.width, 0) > kMostSamples;
     const std::string width = "a width of " + number_text(request.width) + " cells asks for more ";
     const std::string than = "samples of the map's area than " + number_text(kMostSamples);
-    if (lines > kMostLines)
-      refuse(width + "lines than " + number_text(kMostLines),
+    if (of_width || lines > kMostLines)
+      refuse(width + (of_width ? than : "lines than " + number_text(kMostLines)),
              "give a larger one, or parts of the map");
-    if (of_width) refuse(width + than, "give a larger one, or parts of the map");
     refuse("a radius of " + number_text(radius) +
                " cells, which just fits corridors, asks for more " + than,
            "give one that is no multiple of 0.5, or parts of the map");

@@ -193,13 +193,13 @@ class BitmapStage {
   }
 
   addKeys() {
-    const { radius, map, result } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
-    const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
+    const { radius, map, result, scale, unit } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
+    const clearance = unit ? `${numberText(Number((scale * radius).toFixed(6)))} ${unit}` : `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
                                ...(map.level_lines ? [[`cost to the goal, where the proof looked, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
-                               ...(map.obstacles ? [[`no place for the centre: nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"],
+                               ...(map.obstacles ? [[`no place for the centre: nearer than ${clearance} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
     const note = (text) => this.card.append(element("p", { class: "note" }, text));
