@@ -194,12 +194,12 @@ class BitmapStage {
 
   addKeys() {
     const { radius, map, result, scale, unit } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
-    const clearance = unit ? `${numberText(Number((scale * radius).toFixed(6)))} ${unit}` : `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
+    const told = unit ? `${numberText(Number((scale * radius).toFixed(6)))} ${unit}` : `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.weights ? [[`weight of a cell, from ${shortText(map.weights.least)} (clear) to ${shortText(map.weights.most)}`, "--cost"]] : []),
                                ...(map.level_lines ? [[`cost to the goal, where the proof looked, a line every ${shortText(map.lines_apart)}`, "--level-line", "line"]] : []),
-                               ...(map.obstacles ? [[`no place for the centre: nearer than ${clearance} to that`, "--grown"]] : []), ["path", "--path", "line"],
+                               ...(map.obstacles ? [[`no place for the centre: nearer than ${told} to that`, "--grown"]] : []), ["path", "--path", "line"],
                                ...(radius > 0 ? [["swept by the robot", "--swept"]] : []),
                                ...(result.way_out ? [["way out", "--start", "dot"]] : []), ...(this.end ? [["goal reached", "--goal", "dot"]] : [])]));
     const note = (text) => this.card.append(element("p", { class: "note" }, text));
@@ -209,7 +209,7 @@ class BitmapStage {
     if (this.end)
       note(`The goal asked for, ${placeText(map, this.goal)}, cannot be reached: the path ends ${leg(this.end, this.goal)} from it, at ${placeText(map, this.end)}.`);
     if (radius > 0)
-      this.card.append(element("p", { class: "note" }, `The robot is a disc with a radius of ${cells}; clearance is measured from its centre to what is blocked.`));
+      this.card.append(element("p", { class: "note" }, `The robot is a disc with a radius of ${told}; clearance is measured from its centre to what is blocked.`));
     if (this.content.thinned)
       this.card.append(element("p", { class: "note" }, `The path is long: the page holds one vertex in ${this.content.thinned}.`));
   }
