@@ -56,9 +56,9 @@ Subcommand add_check_proof(CLI::App& app) {
           return static_cast<int>(kInternal);
         }
         print_verdict("holds: no path between the centres of cells " +
-              pair_text(proof.start.x, proof.start.y) + " and " +
-              pair_text(proof.goal.x, proof.goal.y) + " costs less than " +
-              to_text(proof.lower_bound) + "\n");
+                      pair_text(proof.start.x, proof.start.y) + " and " +
+                      pair_text(proof.goal.x, proof.goal.y) + " costs less than " +
+                      to_text(proof.lower_bound) + "\n");
         return static_cast<int>(kFound);
       });
 }

@@ -53,7 +53,8 @@ std::size_t read_entries(std::string_view bytes, std::map<int, std::string>& kep
 /// @throws Error where another process holds it.
 int held(const std::string& file) {
   for (;;) {
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    constexpr int kOwn = O_NOFOLLOW | O_NONBLOCK;  // no other file behind a link, no waiting pipe
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | kOwn, 0666);
     if (descriptor < 0) return descriptor;
     const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     struct stat now {};
@@ -69,20 +70,22 @@ int held(const std::string& file) {
 
 Journal::Journal(std::string file, const std::string& key)
     : file_(std::move(file)), descriptor_(held(file_)) {
-  std::string bytes;
-  if (std::ifstream in(file_, std::ios::binary); in)
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  const int descriptor = descriptor_.number();
+  const auto require = [&](bool done) {
+    if (!done)
+      throw Error(ErrorCode::output_failed, {.file = file_},
+                  std::string("cannot be written: ") + std::strerror(errno),
+                  "go to a folder that may be written: what is done is kept there");
+  };
+  require(descriptor >= 0);
+  std::ifstream in(file_, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
   const std::string header = header_of(key);
   std::size_t whole = 0;
   if (bytes.starts_with(header))
     whole = header.size() + read_entries(std::string_view(bytes).substr(header.size()), kept_);
   const auto length = static_cast<off_t>(whole);
-  const int descriptor = descriptor_.number();
-  if (descriptor < 0 || ::ftruncate(descriptor, length) != 0 ||
-      ::lseek(descriptor, length, SEEK_SET) != length)
-    throw Error(ErrorCode::output_failed, {.file = file_},
-                std::string("cannot be written: ") + std::strerror(errno),
-                "go to a folder that may be written: what is done is kept there");
+  require(::ftruncate(descriptor, length) == 0 && ::lseek(descriptor, length, SEEK_SET) == length);
   if (whole == 0) write(header);
 }
 

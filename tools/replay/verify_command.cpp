@@ -259,7 +259,7 @@ int verify_all(const VerifyCommand& command) {
   }
   if (!command.quiet)
     print_verdict(std::to_string(equal) + " of " + std::to_string(results.size()) +
-          (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
+                  (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
   return code;
 }
 

@@ -2,7 +2,9 @@
 #include "tools/record/journal.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -91,6 +93,18 @@ TEST_F(Journals, AnotherCommandBeginsAnewAndTheEndLeavesNothing) {
   journal.remove();
   EXPECT_FALSE(std::filesystem::exists(file_));
   EXPECT_THROW(Journal(path("none/a"), "key"), Error);
+}
+
+TEST_F(Journals, AreFilesOfTheirOwn) {
+  const std::string other = path("other"), link = path("link"), pipe = path("pipe");
+  file("mine", "other");
+  std::filesystem::create_symlink(other, link);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& name : {link, pipe, path(".")}) {
+    SCOPED_TRACE(name);
+    EXPECT_THROW(Journal(name, "key"), Error);
+  }
+  EXPECT_EQ(bytes_of(other), "mine");
 }
 
 }  // namespace
