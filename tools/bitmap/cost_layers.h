@@ -24,9 +24,9 @@ struct LoadedCosts {
   std::optional<CostPlanner> planner = {};  ///< once there is one of the map
 };
 
-/// The weights of a map's cells: 1, each file's values times its factor, and the inflation, of
-/// whose units of length a cell has `cell`, and whose robot has `radius` cells. Blocks cells where
-/// a ROS map among the layers is occupied.
+/// The weights of a map's cells: 1, each file's values times its factor, and the inflation, whose
+/// robot has `radius` cells. Blocks cells where a ROS map among the layers is occupied. `cell` is a
+/// cell's length in the unit that the inflation is given in.
 /// @throws Error for files that are missing, broken or of another size, and for inflation out of
 /// its range.
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,

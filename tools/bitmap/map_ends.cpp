@@ -96,7 +96,6 @@ std::string way_out_text(const MapEnds& ends) {
          length_text(ends.map, frame, std::hypot(out.x - from.x, out.y - from.y)) + " away";
 }
 
-/// A radius that was meant in metres, perhaps.
 /// How far a path ends from its goal.
 std::string short_of_goal(const MapEnds& ends) {
   const Frame frame = ends.run.frame;
