@@ -39,6 +39,7 @@ class Formats(ProgramTest):
         self.assertEqual([(q["start"], q["goal"]) for q in run.lines],
                          [([0, 0], [9, 5]), ([1, 0], [9, 0])])
         self.refused(self.batch("sx sy gx gy\r0 0 9 5\r\r0 0 9\r"), 3, "line 4")
+        self.assertEqual([line["goal"] for line in self.batch("sx,sy,gx,gy\n0,0,9,5\n1, 0, 9, 0\n").lines], [[9, 5], [9, 0]])
 
     def test_scenarios(self):
         for version in ("1", "1.0"):

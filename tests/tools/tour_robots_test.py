@@ -141,7 +141,7 @@ class Robots(ProgramTest):
         rows = self.rows("a.csv")
         self.assertEqual(list(rows[0]), ["robot", "x_m", "y_m"])
         self.assertEqual([rows[0]["x_m"], rows[0]["y_m"]], ["0", "0"])
-        self.holds(self.words("a.svg"), "2 robots, 6 stops", "robot 1", "robot 2", "start")
+        self.holds(self.words("a.svg"), "2 robots, 6 stops", "robot 0", "robot 1", "start")
         paths = self.read("a.yaml").decode().split("---\n")[1:]
         self.assertEqual(len(paths), 2)
         self.holds(paths[1], "frame_id: map", "position: {x: 10.0, y: 7.0, z: 0.0}")

@@ -23,6 +23,10 @@ class Usage(ProgramTest):
     def test_no_command(self):
         self.refused(self.run_program(), 2, "no command", "plan", "verify")
 
+    def test_a_point_is_one_word(self):
+        self.refused(self.run_program("plan", "small.map", "--start", "0", "0", "--goal", "9,5"), 2,
+                     '"0" is one argument too many; points are X,Y, without a blank')
+
     def test_two_dashes_end_the_options(self):
         self.assertEqual(self.run_program("info", "--", "small.map").code, 0)
         self.write("-odd.map", self.read("small.map"))

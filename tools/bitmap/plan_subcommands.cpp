@@ -359,9 +359,9 @@ Subcommand add_batch(CLI::App& app) {
   add_planning(table, *text, help);
   table
       .file("QUERIES", text->queries,
-            "A TSV with columns sx sy gx gy, with --vehicle syaw and gyaw too; of a bitmap also a "
-            "MovingAI .scen",
-            {".scen", ".tsv", ".txt"})
+            "A TSV or CSV with columns sx sy gx gy, with --vehicle syaw and gyaw too; of a bitmap "
+            "also a MovingAI .scen",
+            {".scen", ".tsv", ".csv", ".txt"})
       ->required();
   add_part(table, text->run.part,
            "Answer the I-th of N parts of the queries; `lasius merge` joins the parts' outputs");

@@ -12,6 +12,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/kernel_choice.h"
+#include "core/base/number_text.h"
 #include "lasius/version.h"
 #include "tools/command_line/subcommands.h"
 #include "tools/console/exit_code.h"
@@ -43,7 +44,10 @@ void refuse_extras(const CLI::App& app, const std::vector<std::string>& words) {
     const std::string before = words.rend() - at > 1 ? at[1].substr(0, at[1].find('=')) : "";
     const bool may_have = before == "--prepare" || before == "--islands";
     throw UsageError("\"" + word + "\" is one argument too many" +
-                     (may_have ? ", and no value of " + before : "") + "; see --help");
+                     (may_have           ? ", and no value of " + before
+                      : parse_real(word) ? "; points are X,Y, without a blank"
+                                         : "") +
+                     "; see --help");
   }
   const auto dashes = std::ranges::find(words, "--");
   if (std::find(words.begin(), dashes, *extra) == dashes)

@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* kRemedyMissing = "name a .scen or .tsv file of queries";
 
+constexpr std::string_view kSeparators = " \t\r\v\f,";  // where there are no tabs
+
 std::vector<std::string_view> split_tabs(std::string_view line) {
   auto fields = split(line, '\t');
   for (auto& field : fields) field = trimmed(field, kBlanksOfLines);
@@ -139,7 +141,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
 QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   const bool tabs = lines.text().find('\t') != std::string_view::npos;
   const std::string header_text(lines.text());
-  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kBlanksOfLines);
+  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kSeparators);
   std::array<std::size_t, 4> column;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto found = std::find(header.begin(), header.end(), kColumnNames[i]);
@@ -154,7 +156,7 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   for (const std::string_view name : {"syaw", "gyaw"})
     file.yaws |= std::ranges::count(header, name) > 0;
   while (lines.next()) {
-    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kBlanksOfLines);
+    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kSeparators);
     if (fields.size() != header.size())
       lines.fail(std::to_string(fields.size()) + " fields, but the header has " +
                      std::to_string(header.size()),

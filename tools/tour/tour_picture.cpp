@@ -90,7 +90,7 @@ void write_tour_picture(const std::string& file, Page page, const TourGround& gr
     const std::size_t robots = answer.tour.tours.size();
     if (robots == 0) page.legend.push_back(line_key("tour", kPath, 2.5));
     for (std::size_t r = 0; r < std::min(robots, kMostKeys); ++r)
-      page.legend.push_back(line_key("robot " + std::to_string(r + 1), colour_of(r), 2.5));
+      page.legend.push_back(line_key("robot " + std::to_string(r), colour_of(r), 2.5));
     const std::string by = answer.names.empty() ? "number" : "name";
     page.legend.push_back(disc_key(numbered ? "stop, by its " + by : "stop", kStop));
   }

@@ -63,7 +63,7 @@ function tables(sheet, tours) {
   const { result } = sheet.content, several = Boolean(result.tours), { scale = 1, unit } = sheet.content;
   const rows = tours.flatMap(({ legs }, robot) => legs.map((i, place) => {
     const { from, to, length, cost } = result.legs[i];
-    return [...(several ? [robot + 1] : []), place + 1, nameOf(result, from), nameOf(result, to), numberText(scale * length, 3),
+    return [...(several ? [robot] : []), place + 1, nameOf(result, from), nameOf(result, to), numberText(scale * length, 3),
             ...(isNumber(cost) ? [numberText(cost, 3)] : [])];
   }));
   const columns = [...(several ? ["robot"] : []), "leg", "from", "to", `length, ${unit || "cells"}`, ...(isNumber(result.cost) ? ["cost"] : [])];
@@ -98,7 +98,7 @@ class TourStage {
       const images = map.unknown_free ? [unknown, walls, inner] : [walls, inner, unknown];
       for (const image of images) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
     }, (context, view) => this.drawTour(context, view)];
-    const several = result.tours?.slice(0, kMostKeys).map((_, robot) => [`robot ${robot + 1}`, colourOf(robot), "line"]);
+    const several = result.tours?.slice(0, kMostKeys).map((_, robot) => [`robot ${robot}`, colourOf(robot), "line"]);
     card.append(swatches([...(result.start || result.starts ? [["start", "--start"]] : []), ...(result.goal ? [["goal", "--goal"]] : []),
                           ["blocked", "--wall"], ...(several ?? (this.motion ? kMotionKeys : [["tour", "--path", "line"]])), ["stop", "--tour-mean", "dot"],
                           ...(result.left_out.length ? [["stop left out", "--no-data", "dot"]] : [])]));
