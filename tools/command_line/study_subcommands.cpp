@@ -216,7 +216,9 @@ Subcommand add_study(CLI::App& app) {
 Subcommand add_tune(CLI::App& app) {
   auto to = std::make_shared<TuneCommand>();
   OptionTable table(app, "tune", "Find an algorithm's parameters for your maps by racing");
-  table.file("FILE", to->file, "What is tuned, and on which maps: see lasius help studies", kDocuments)
+  table
+      .file("FILE", to->file, "What is tuned, and on which maps: see lasius help studies",
+            kDocuments)
       ->required();
   table.text("-o,--output", to->folder, "Folder to write (default tune-NAME)", "DIR");
   add_threads_and_maps(table, to->threads, to->maps);
