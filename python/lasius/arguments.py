@@ -56,6 +56,7 @@ FITS: Dict[str, Tuple[Callable[[Any], bool], str]] = {
     "bool": (lambda value: isinstance(value, (bool, np.bool_)), "True or False"),
     "str": (lambda value: isinstance(value, str), "a string"),
     "npt.ArrayLike": (fits_array, "an array of numbers"),
+    "Pose": (lambda value: fits_array(value) and np.shape(value) == (3,), "x, y and yaw"),
     "Observer": (callable, "a function"),
     "Schedule": (callable, "a function"),
     "Shown": (lambda v: v is None or isinstance(v, bool) or callable(v), "True or a function"),

@@ -6,6 +6,8 @@ import pytest
 import lasius
 from conftest import GOAL, START
 
+CAR = lasius.Vehicle.differential([[0, 0], [1, 0], [0, 1]])
+
 
 @pytest.mark.parametrize("use, meant", [
     (lambda p: p.plan(START, GOAL, time_limt=1), "time_limit"),
@@ -51,6 +53,7 @@ def test_a_keyword_of_another_function(planner):
     (lambda p: lasius.generate("maze", width=np.array([9, 9])), TypeError, "width is a ndarray: give an integer"),
     (lambda p: p.plan(START, GOAL, progress=1), TypeError, "progress is 1: give True or a function"),
     (lambda p: p.plan(START, GOAL, progress=np.zeros(2)), TypeError, "progress is a ndarray: give True or a function"),
+    (lambda p: lasius.plan_vehicle(p.grid, CAR, (2, 3), (9, 3, 0)), TypeError, "start is (2, 3): give x, y and yaw"),
     (lambda p: lasius.generate(5), TypeError, "kind is 5: give a string"),
     (lambda p: lasius.clearance(np.zeros((999, 9))), TypeError, "grid is a ndarray: give a lasius.Grid"),
     (lambda p: lasius.path_length("x"), TypeError, "path is 'x': give an array of numbers"),
