@@ -123,6 +123,8 @@ class Reasons(ProgramTest):
                    "free cell (3, 4): left out", "; proven shortest without what is left out")
         self.write("p.csv", "x,y\n-0.65,2.45\n0.35,2.45\n")
         self.assertIn("taken as metres, with --frame world", self.run_program("check-path", "map.yaml", "p.csv").out)
+        judged = self.run_program("check-path", "map.yaml", "p.csv", "--json").json
+        self.assertIn("taken as metres, with --frame world", judged["fault"]["why"])
         self.write("p.csv", "x,y\n1e15,2.45\n0.35,2.45\n")
         self.assertNotIn("taken as metres", self.run_program("check-path", "map.yaml", "p.csv").out)
         self.write("p.csv", "x_m,y_m\n-5,2.45\n0.35,2.45\n")
@@ -143,6 +145,11 @@ class Reasons(ProgramTest):
         self.assertNotIn("--goal:", turned.err)
         self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: its radius of 0.5 cells reaches no other cell; "
                    "with --frame world its radius is in metres")
+        for resolution in (0.042, 0.1, 0.104):  # r * (1 / r) is below 1 for some
+            self.ros([".........."] * 6, resolution, "[0, 0, 0]")
+            ends = f"{2.5 * resolution},{2.5 * resolution}", f"{7.5 * resolution},{2.5 * resolution}"
+            run = self.asked("--frame", "world", "--inflation", f"{resolution},3", start=ends[0], goal=ends[1])
+            self.assertNotIn("no effect", self.ended(run, 0).err)
 
     def test_the_widest_radius_passes_and_a_hair_more_does_not(self):
         for resolution in (0.1, 0.05, 0.07):

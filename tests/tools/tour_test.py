@@ -133,7 +133,8 @@ class Tour(ProgramTest):
         for name, text, words in (
                 ("a.tsv", "x y After z\n2 2 b 0\n", 'not read: "After" (did you mean "after"?), "z"'),
                 ("b.json", '[{"x": 2, "y": 2, "afer": "b", "yaw": 1}]', 'not read: "afer" (did you mean "after"?)'),
-                ("c.geojson", json.dumps(feature), 'not read: "After" (did you mean "after"?)\n')):
+                ("c.geojson", json.dumps(feature), 'not read: "After" (did you mean "after"?)\n'),
+                ("d.geojson", json.dumps(feature).replace("After", "LOAD"), 'not read: "LOAD" (did you mean "load"?)\n')):
             self.write(name, text)
             self.assertIn(f"lasius: {name}: {words}", self.ended(self.tour(stops=name), 0).err)
             self.quiet(self.tour("-q", stops=name))
@@ -142,6 +143,8 @@ class Tour(ProgramTest):
         self.write("a.csv", 'name,x,y,after\n"d, e",2, 2,\n "b" ,14,7,"d, e,c"\nc,14,2,\n,,,\n')
         self.refused(self.tour(stops="a.csv"), 3, 'line 3: "after": no stop is named "d"')
         self.write("a.csv", 'name,x,y,after\n"my desk",2, 2,\n "b" ,14,7,"my desk,c"\nc,14,2,\n,,,\n')
+        self.write("b.csv", "x,y\n2,2,\n14,7,,\n")  # as spreadsheets end lines
+        self.assertEqual(self.tour("--json", stops="b.csv").json["stops"], [[2, 2], [14, 7]])
         run = self.check(self.tour("--json", stops="a.csv").json)
         self.assertEqual((run["names"], run["after"]), (["my desk", "b", "c"], [[], [0, 2], []]))
         self.write("a.csv", 'name,x,y,\n"a ""b"", c" ,2,2,\n5" bolt,14,7,\n')
