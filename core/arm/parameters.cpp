@@ -13,24 +13,34 @@ using Entry = Table::Entry;
 
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 
-constexpr std::array kAll{
-    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m"),
-    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T"),
-    Table::number("alpha", &Params::alpha, 0, 8, "exponent of pheromone"),
+constexpr Table::Condition kAnts{"trees=0", [](const Params& p) { return p.trees == 0; }};
+
+constexpr std::array kEntries{
+    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m").only_with(kAnts),
+    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T")
+        .only_with(kAnts),
+    Table::number("alpha", &Params::alpha, 0, 8, "exponent of pheromone").only_with(kAnts),
     Table::number(
         "beta", &Params::beta, 0, 20,
-        "exponent of 1 / weight of an edge; all that exist weigh the same: without effect"),
+        "exponent of 1 / weight of an edge; all that exist weigh the same: without effect")
+        .only_with(kAnts),
     Table::number("gamma", &Params::gamma, 0, 20,
-                  "exponent of u = 1 / (1 + theta), theta between a move and the way to the goal"),
+                  "exponent of u = 1 / (1 + theta), theta between a move and the way to the goal")
+        .only_with(kAnts),
     Table::number("persistence", &Params::persistence, 0, 1,
-                  "share of pheromone that remains after an iteration"),
+                  "share of pheromone that remains after an iteration")
+        .only_with(kAnts),
     Table::number("elite_weight", &Params::elite_weight, 0, 1e6,
-                  "weight of the iteration's best tour, e"),
+                  "weight of the iteration's best tour, e")
+        .only_with(kAnts),
     Table::number("initial_pheromone", &Params::initial_pheromone, 0, 1e9,
-                  "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"),
-    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone"),
+                  "pheromone everywhere at first, tau0; 0: ants / Manhattan distance")
+        .only_with(kAnts),
+    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone")
+        .only_with(kAnts),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
-                                                    "what an ant does when every move is closed"),
+                                                    "what an ant does when every move is closed")
+        .only_with(kAnts),
     Table::number("pitch", &Params::pitch, 0, 1000,
                   "distance of lattice points, metres; 0: a twentieth of the arm's reach"),
     Table::number("side", &Params::side, 0, 254,
@@ -38,9 +48,11 @@ constexpr std::array kAll{
     Table::number("joint_step", &Params::joint_step, 1e-6, 100,
                   "an edge is closed where a joint moves further, radians or metres"),
     Table::number("patience", &Params::patience, 0, 1000000000,
-                  "stop after so many iterations without a shorter path; 0: never"),
+                  "stop after so many iterations without a shorter path; 0: never")
+        .only_with(kAnts),
     Table::number("line_ants", &Params::line_ants, 0, 1e6,
-                  "ants whose deposits lie on the straight way before the first iteration"),
+                  "ants whose deposits lie on the straight way before the first iteration")
+        .only_with(kAnts),
     Table::choice<&Params::shortcut, kSwitch>("shortcut",
                                               "cut the lattice staircase before the trajectory"),
     Table::choice<&Params::direct, kSwitch>("direct", "first try the straight joint-space line",
@@ -55,18 +67,6 @@ constexpr std::array kAll{
     Table::choice<&Params::timing, kTimingNames>(
         "timing", "rounded corners and the least time, or the source's splines", "splines"),
 };
-
-constexpr Table::Condition kLattice{"trees=0", [](const Params& p) { return p.trees == 0; }};
-
-// What stands before `direct` is of a search of the lattice.
-constexpr auto kEntries = [] {
-  auto entries = kAll;
-  for (Entry& entry : entries) {
-    if (entry.info.name == "direct") break;
-    entry = entry.only_with(kLattice);
-  }
-  return entries;
-}();
 
 constexpr auto kInfos = Table::infos(kEntries);
 

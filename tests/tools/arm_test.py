@@ -238,9 +238,15 @@ class Arm(ProgramTest):
         old["parameters"]["leash"] = 2
         self.write("old.json", json.dumps(old))
         self.ended(self.run_program("verify", "old.json"), 2, "parameter leash, which is gone")
-        self.ended(self.arm("--ants", "3", "--set", "pitch=0.2"), 0, "--ants has no effect: it is read only with trees=0",
-                   "--set pitch=0.2 has no effect")
         met = self.arm("--json", "--set", "direct=off").json
+        waiting = re.findall(r"^  (\w+)=.*\(trees=0\)$", self.run_program("algorithms", "postures").out, re.MULTILINE)
+        self.assertEqual(len(waiting), 12)
+        for name in waiting:
+            value = {"dead_end": "kill", "pheromone": "edges", "persistence": "0.3"}.get(name, "3")
+            run = self.ended(self.arm("--json", "--set", "direct=off", "--set", f"{name}={value}"), 0,
+                             f"--set {name}={value} has no effect: it is read only with trees=0")
+            self.assertEqual(*({**r, "parameters": {}, "elapsed_ms": 0} for r in (met, run.json)))
+        self.assertNotIn("no effect", self.arm("--set", "pitch=0.2", "--set", "shortcut=off").err)
         self.assertEqual((met["trees"], met["iterations"], met["status"]), (True, 0, "solved"))
         for objective in ("joint", "duration"):
             run = self.arm("--json", "--objective", objective)

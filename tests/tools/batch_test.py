@@ -39,7 +39,14 @@ class Formats(ProgramTest):
         self.assertEqual([(q["start"], q["goal"]) for q in run.lines],
                          [([0, 0], [9, 5]), ([1, 0], [9, 0])])
         self.refused(self.batch("sx sy gx gy\r0 0 9 5\r\r0 0 9\r"), 3, "line 4")
-        self.assertEqual([line["goal"] for line in self.batch("sx,sy,gx,gy\n0,0,9,5\n1, 0, 9, 0\n").lines], [[9, 5], [9, 0]])
+
+    def test_tables_of_commas(self):
+        text = 'sx,sy,gx,gy,note\n0,0,9,5,loading dock\n"1", 0, 9, 0,"a, ""b"""\n0,0,9,5,\n2,0,9,0,c,,\n'
+        self.assertEqual([(q["start"], q["goal"]) for q in self.batch(text).lines],
+                         [([0, 0], [9, 5]), ([1, 0], [9, 0]), ([0, 0], [9, 5]), ([2, 0], [9, 0])])
+        self.refused(self.batch("sx,sy,gx,gy,note\n1,,2,3,4 5\n"), 3, "line 2: sy is ''")
+        self.refused(self.batch("sx sy gx gy\n0,5 9,5\n"), 3, "line 2: 2 fields")
+        self.refused(self.batch('sx,sy,gx,gy\n"0,0,9,5\n'), 3, "line 2: a quote is not closed")
 
     def test_scenarios(self):
         for version in ("1", "1.0"):

@@ -164,7 +164,7 @@ class Studies(ProgramTest):
         for again in ("copy", "part1/", "./part1"):
             self.refused(self.run_program("merge", "part1", again, "part2", "-o", "joined"), 3, again, "is part 1 once more")
         self.write("m.map", self.read("m.map").replace(b".", b"@", 1))
-        self.refused(self.run_program("merge", "part1", "part2", "-o", "joined"), 3, "joined", "of its runs 2 are missing or of other inputs")
+        self.refused(self.run_program("merge", "part1", "part2", "-o", "joined"), 3, "joined", "lacks 2 runs, or they were made of other maps")
 
     def test_parts_of_other_runs_are_refused(self):
         self.quiet(self.study("-o", "part1", "--part", "1/2"))

@@ -84,7 +84,7 @@ class Robots(ProgramTest):
             self.check(result)
             self.ended(self.replay_of(result), 0)
         self.ended(self.replay_of({**result, "starts": [[0, 0], [0, 19]]}), 1)
-        self.ended(self.tour("--start", "0,0", "--start", "29,19", stops="p.tsv"), 0, "of 2 robots, ", "proven shortest", "robot 0: ", "robot 1: ")
+        self.ended(self.tour("--start", "0,0", "--start", "29,19", stops="p.tsv"), 0, "of 2 robots, ", "proven shortest", "robot 0: start, ", "robot 1: start, ")
 
     def check(self, result):
         """Each robot from its start, by the legs that it names; all in all each stop once."""

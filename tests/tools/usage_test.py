@@ -26,6 +26,7 @@ class Usage(ProgramTest):
     def test_a_point_is_one_word(self):
         self.refused(self.run_program("plan", "small.map", "--start", "0", "0", "--goal", "9,5"), 2,
                      '"0" is one argument too many; points are X,Y, without a blank')
+        self.assertNotIn("X,Y", self.run_program("info", "small.map", "5").err)
 
     def test_two_dashes_end_the_options(self):
         self.assertEqual(self.run_program("info", "--", "small.map").code, 0)

@@ -72,8 +72,8 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   const StopCondition stop{.token = token};
   const auto start = Clock::now();
   if (options.costs.asked())
-    map.costs = load_costs(*map.grid_alone, map.frame, options.costs,
-                           options.radius_metres ? map.frame->resolution : 1, map.radius);
+    map.costs =
+        load_costs(*map.grid_alone, map.frame, options.costs, map.length_in(frame, 1), map.radius);
   map.planner = make_planner(*map.grid_alone, {map.radius}, options, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
   if (map.planner && options.prepare && !options.prepared.empty()) prepare(map, threads, token);

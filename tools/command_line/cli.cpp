@@ -41,12 +41,16 @@ void refuse_extras(const CLI::App& app, const std::vector<std::string>& words) {
   const std::string word = extra->substr(0, extra->find('='));
   if (word.size() < 2 || word[0] != '-') {
     const auto at = std::find(words.rbegin(), words.rend(), *extra);
-    const std::string before = words.rend() - at > 1 ? at[1].substr(0, at[1].find('=')) : "";
+    const auto word_before = [&](int n) {
+      return words.rend() - at > n ? at[n].substr(0, at[n].find('=')) : std::string();
+    };
+    const std::string before = word_before(1), last = before[0] == '-' ? before : word_before(2);
+    const bool point = last == "--start" || last == "--goal" || last == "--via";
     const bool may_have = before == "--prepare" || before == "--islands";
     throw UsageError("\"" + word + "\" is one argument too many" +
-                     (may_have           ? ", and no value of " + before
-                      : parse_real(word) ? "; points are X,Y, without a blank"
-                                         : "") +
+                     (may_have                    ? ", and no value of " + before
+                      : point && parse_real(word) ? "; points are X,Y, without a blank"
+                                                  : "") +
                      "; see --help");
   }
   const auto dashes = std::ranges::find(words, "--");

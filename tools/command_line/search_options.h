@@ -58,7 +58,7 @@ std::vector<std::string> texts(std::span<const std::string_view> words);
 End point_value(std::string_view option, const std::string& text, Frame frame);
 /// "1.57", radians, or "90deg". @throws UsageError
 double angle_value(std::string_view option, std::string_view text, double low, double high);
-/// Of radians that may have been meant as degrees: as in ": 90 radians are 14.3 turns; degrees end
+/// Of radians that may have been meant as degrees: as in ": 90 radians are 14.32 turns; degrees end
 /// in deg". Else empty.
 std::string turns_hint(std::string_view text, double yaw);
 /// "X,Y,YAW": a point as above, in the frame of `run`, whose notes tell of many turns, and an angle

@@ -115,11 +115,12 @@ void draw_convergence(Canvas& canvas, const Box& box, const Convergence& converg
   static constexpr Colour kColours[] = {
       {0.8, 0.15, 0.15}, {0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}, {0.55, 0.3, 0.1}};
   std::vector<Level> of_best = convergence.levels, of_tours = convergence.levels;
+  constexpr double kRounding = 1e-9;  // of a level that is the best path's
   Range best;
   for (const double value : convergence.best.values) best.add(convergence.scale * value);
   if (!best.empty())
     std::erase_if(of_best,
-                  [&](const Level& level) { return level.value > best.high * (1 + 1e-9); });
+                  [&](const Level& level) { return level.value > (1 + kRounding) * best.high; });
   for (Level& level : of_tours)
     if (std::ranges::count(of_best, level.label, &Level::label) > 0) level.label.clear();
   const auto chart_of = [&](std::span<const Convergence::Series> all, std::size_t colour) {

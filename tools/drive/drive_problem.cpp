@@ -274,7 +274,7 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     const CostLayers& asked = command_.run.map.costs;
     CostLayers layers = asked;
     layers.inflation.reset();
-    const double cell = command_.run.map.radius_metres ? map.frame->resolution : 1;
+    const double cell = map.length_in(command_.run.frame, 1);
     const double radius =
         answer_.vehicle ? vehicle::inscribed_radius(answer_.vehicle->vehicle.vehicle) : map.radius;
     LoadedCosts& costs =

@@ -53,13 +53,20 @@ std::size_t read_entries(std::string_view bytes, std::map<int, std::string>& kep
 /// @throws Error where another process holds it.
 int held(const std::string& file) {
   for (;;) {
-    constexpr int kOwn = O_NOFOLLOW | O_NONBLOCK;  // no other file behind a link, no waiting pipe
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | kOwn, 0666);
-    if (descriptor < 0) return descriptor;
-    const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    constexpr int kNoOther = O_NOFOLLOW | O_NONBLOCK;  // a link, a pipe that nobody reads
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | kNoOther, 0666);
     struct stat now {};
-    if (!taken && (::fstat(descriptor, &now) != 0 || now.st_nlink > 0)) return descriptor;
-    ::close(descriptor);
+    const bool known = descriptor >= 0 && ::fstat(descriptor, &now) == 0;
+    const bool other = known ? !S_ISREG(now.st_mode) || now.st_nlink > 1
+                             : errno == ELOOP || errno == ENXIO || errno == EISDIR;
+    if (descriptor < 0 && !other) return descriptor;
+    const bool taken =
+        !other && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!other && !taken && (::fstat(descriptor, &now) != 0 || now.st_nlink > 0)) return descriptor;
+    if (descriptor >= 0) ::close(descriptor);
+    if (other)
+      throw Error(ErrorCode::output_failed, {.file = file}, "is no file of its own",
+                  "remove or rename it");
     if (taken)
       throw Error(ErrorCode::output_failed, {.file = file}, "another job of this command is at it",
                   "wait for its end, or end it");

@@ -8,22 +8,13 @@
 #include <string_view>
 
 #include "core/base/opening_pipe.h"
-#include "core/base/text_lines.h"
 #include "lasius/base/error.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr const char* kRemedyMissing = "name a .scen or .tsv file of queries";
-
-constexpr std::string_view kSeparators = " \t\r\v\f,";  // where there are no tabs
-
-std::vector<std::string_view> split_tabs(std::string_view line) {
-  auto fields = split(line, '\t');
-  for (auto& field : fields) field = trimmed(field, kBlanksOfLines);
-  return fields;
-}
+constexpr const char* kRemedyMissing = "name a .scen, .tsv or .csv file of queries";
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
 
@@ -139,15 +130,14 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
 }
 
 QueryFile read_rows(Lines& lines, bool whole, bool metres) {
-  const bool tabs = lines.text().find('\t') != std::string_view::npos;
-  const std::string header_text(lines.text());
-  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kSeparators);
+  const char separator = separator_of(lines.text());
+  const std::vector<std::string> header = fields_of(lines.text(), separator);
   std::array<std::size_t, 4> column;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto found = std::find(header.begin(), header.end(), kColumnNames[i]);
     if (found == header.end())
       lines.fail("neither 'version 1' nor a header with columns sx sy gx gy",
-                 "name a MovingAI .scen, or a TSV with such a header");
+                 "name a MovingAI .scen, or a table with such a header");
     if (std::find(found + 1, header.end(), kColumnNames[i]) != header.end())
       lines.fail("two columns are named " + std::string(kColumnNames[i]), "rename one of them");
     column[i] = static_cast<std::size_t>(found - header.begin());
@@ -156,7 +146,9 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   for (const std::string_view name : {"syaw", "gyaw"})
     file.yaws |= std::ranges::count(header, name) > 0;
   while (lines.next()) {
-    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kSeparators);
+    auto fields = fields_of(lines.text(), separator);
+    if (fields.empty()) lines.fail("a quote is not closed", "close it in its line");
+    leave_out_empty(fields, header.size());
     if (fields.size() != header.size())
       lines.fail(std::to_string(fields.size()) + " fields, but the header has " +
                      std::to_string(header.size()),
@@ -173,11 +165,29 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
 
 }  // namespace
 
+char separator_of(std::string_view first) {
+  for (const char one : {'\t', ','})
+    if (first.find(one) != first.npos) return one;
+  return ' ';
+}
+
+std::vector<std::string> fields_of(std::string_view line, char separator, std::string_view blanks) {
+  if (separator == ',') return csv_fields(line);
+  std::vector<std::string> fields;
+  for (const auto field : separator == ' ' ? words_of(line, blanks) : split(line, separator))
+    fields.emplace_back(trimmed(field, kBlanksOfLines));
+  return fields;
+}
+
+void leave_out_empty(std::vector<std::string>& fields, std::size_t most) {
+  while (fields.size() > most && fields.back().empty()) fields.pop_back();
+}
+
 QueryFile read_queries(std::istream& in, const std::string& file, int width, int height, bool whole,
                        bool metres) {
   Lines lines(in, file);
   if (!lines.next())
-    lines.fail("is empty", "name a MovingAI .scen, or a TSV with columns sx sy gx gy");
+    lines.fail("is empty", "name a MovingAI .scen, or a table with columns sx sy gx gy");
   if (is_scenario(lines)) return read_scenario(lines, width, height);
   return read_rows(lines, whole, metres);
 }
@@ -203,7 +213,7 @@ QueryFile read_queries(const std::string& file, int width, int height, bool whol
 QueryFile read_table(const std::string& file) {
   auto in = opened(file, kRemedyMissing);
   Lines lines(in, file);
-  constexpr const char* kRemedy = "give a TSV with columns sx sy gx gy";
+  constexpr const char* kRemedy = "give a table with columns sx sy gx gy";
   if (!lines.next()) lines.fail("is empty", kRemedy);
   if (is_scenario(lines)) lines.fail("is a scenario, of a bitmap's cells", kRemedy);
   return read_rows(lines, false, false);

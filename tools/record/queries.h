@@ -1,15 +1,27 @@
 // Files of queries: MovingAI scenarios, and tables with columns sx sy gx gy.
 #pragma once
 
+#include <cstddef>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/text_lines.h"
 #include "lasius/grid/geometry.h"
 #include "tools/options/options.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
+
+/// How the fields of a table's lines are parted, by its first: '\t', ',' for CSV, else ' ', any
+/// blanks.
+char separator_of(std::string_view first);
+/// The fields of a line, without blanks about them; nothing where a quote of CSV is not closed.
+std::vector<std::string> fields_of(std::string_view line, char separator,
+                                   std::string_view blanks = kBlanksOfLines);
+/// Leaves out empty fields beyond `most` at the end of a line, as spreadsheets write them.
+void leave_out_empty(std::vector<std::string>& fields, std::size_t most);
 
 struct QueryFile {
   struct Line {
@@ -28,16 +40,15 @@ inline void note_yaws(bool any, const std::string& file, SearchOptions& options)
 /// Reads all of a file before anything is returned.
 ///   .scen  "version 1" or "version 1.0", then bucket map width height sx sy gx gy optimal a line,
 ///          split at any blanks; the map's name is not looked at, its size must be width x height
-///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
-///          the header has no tab
-/// Coordinates are whole numbers of any size, cells; in a TSV any finite ones, all of them points
+///   table  a header that names sx, sy, gx and gy among others, and lines as fields_of()
+/// Coordinates are whole numbers of any size, cells; in a table any finite ones, all of them points
 /// unless `whole`: then those of a pair with a decimal point or an exponent. `metres`: whether
 /// these could be given instead, which a refusal then says.
 /// @throws Error(file_missing, file_broken) naming file and line.
 QueryFile read_queries(const std::string& file, int width, int height, bool whole,
                        bool metres = false);
 
-/// A TSV of finite coordinates, whatever a map's size; no scenario.
+/// A table of finite coordinates, whatever a map's size; no scenario.
 QueryFile read_table(const std::string& file);
 
 /// The same from a stream; `file` is named in errors.

@@ -225,8 +225,13 @@ Findings run_study(const Study& study, const Domain& domain, const RunnerOptions
       }
   };
   tool::Crew* const crew = tool::crew();
-  if (crew == nullptr) find_optima();
   auto jobs = list_jobs(study, domain, options, findings);
+  if (options.all_there && !jobs.empty())
+    throw Error(ErrorCode::file_broken, {.file = options.folder.string()},
+                "lacks " + tool::counted(static_cast<std::int64_t>(jobs.size()), "run") +
+                    ", or they were made of other maps or layers than there are now",
+                "run the parts again, on one state of the inputs");
+  if (crew == nullptr) find_optima();
   if (crew != nullptr) {
     if (!crew->leads() && options.stop.stop_requested()) throw tool::Dismissed{};
     findings.interrupted = !share(*crew, jobs, options);

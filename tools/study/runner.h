@@ -84,6 +84,7 @@ struct RunnerOptions {
   std::function<void(std::int64_t done, std::int64_t total, const std::string& note)> progress = {};
   std::uint64_t first_seed = 1;  ///< at least 1
   tool::Part part = {};          ///< of the runs: only these are done
+  bool all_there = false;        ///< runs that are not kept are refused: Error(file_broken)
   bool tell_all = false;         ///< of a crew: all ranks are told the runs, not its leader alone
 };
 

@@ -25,7 +25,7 @@ namespace lasius::tool {
 namespace {
 
 constexpr const char* kForms =
-    "give a TSV with columns x and y, JSON [[x, y], ...] or GeoJSON points";
+    "give a table with columns x and y, JSON [[x, y], ...] or GeoJSON points";
 
 constexpr const char* kPoses =
     "give x, y and, where it has one, the yaw; other members by their names";
@@ -122,25 +122,18 @@ class Reader {
     std::vector<std::string> header;
     std::size_t x = 0, y = 1;
     std::optional<std::size_t> name, after, loads, group, yaw;
-    char separator = 0;  // blanks
+    char separator = ' ';
     bool named = false;
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
       ++at.line;
       if (words_of(row, kSeparators).empty()) continue;
-      if (header.empty())
-        for (const char one : {',', '\t'})
-          if (row.find(one) != row.npos) separator = one;
-      std::vector<std::string> fields;
-      if (separator == ',' && (fields = csv_fields(row)).empty())
-        fail(at, "a quote is not closed", "close it in its line");
-      if (separator != ',')
-        for (const auto field : separator != 0 ? split(row, separator) : words_of(row, kSeparators))
-          fields.push_back(bare(field));
-      const bool numbers = header.empty() ? parse_real(fields.front()).has_value() : !named;
-      const std::size_t most = numbers ? (poses_ ? 3 : 2) : header.size();
-      while ((numbers || !header.empty()) && fields.size() > most && fields.back().empty())
-        fields.pop_back();  // as spreadsheets end lines
+      if (header.empty()) separator = separator_of(row);
+      std::vector<std::string> fields = fields_of(row, separator, kSeparators);
+      if (fields.empty()) fail(at, "a quote is not closed", "close it in its line");
+      const bool numbers = header.empty() && parse_real(fields.front());
+      if (numbers || !header.empty())
+        leave_out_empty(fields, numbers ? (poses_ ? 3 : 2) : header.size());
       if (header.empty()) {
         header = fields;
         named = !numbers;

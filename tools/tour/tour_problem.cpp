@@ -257,16 +257,24 @@ std::string TourProblem::summary(const Record& record) const {
   return gap ? text + printed(", a gap of %.3f%%", 100 * *gap) : text;
 }
 
+// By its name, its number in the file, or what it is where it stands in none.
+std::string TourProblem::stop_text(int stop) const {
+  const auto i = static_cast<std::size_t>(stop);
+  if (i >= command_.stops.points.size()) return answer_.goal == stop ? "goal" : "start";
+  if (i >= answer_.names.size() || answer_.names[i].empty()) return std::to_string(stop);
+  const std::string& name = answer_.names[i];
+  const bool bare = name.find_first_of(",\"") == name.npos && !parse_real(name) &&
+                    name != "start" && name != "goal";
+  return bare ? name : "\"" + name + "\"";
+}
+
 std::vector<std::string> TourProblem::orders() const {
   constexpr std::size_t kMost = 30;  // that a line shows
   const TourResult& tour = answer_.tour;
   if (tour.order.size() > kMost) return {};
   const auto text = [&](std::string words, const std::vector<int>& order) {
     for (const int& stop : order) {
-      const auto i = static_cast<std::size_t>(stop);
-      const bool named = i < answer_.names.size() && !answer_.names[i].empty();
-      words.append(&stop == order.data() ? " " : ", ")
-          .append(named ? answer_.names[i] : std::to_string(stop));
+      words.append(&stop == order.data() ? " " : ", ").append(stop_text(stop));
     }
     return words;
   };

@@ -39,6 +39,7 @@ class TourProblem : public ProblemOf<TourCommand> {
   virtual std::string summary(const Record& record) const;
   /// The stops in their order, by name or number, a line a robot; of many nothing.
   std::vector<std::string> orders() const;
+  std::string stop_text(int stop) const;
 
   bool in_metres() const { return command_.run.frame == Frame::world; }
   std::string unit() const { return in_metres() ? "m" : ""; }

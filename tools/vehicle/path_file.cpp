@@ -40,12 +40,16 @@ class TableReader {
     end_lines_in_lf(text);
     for (const std::string_view row : split(text, '\n')) {
       ++line_;
-      const auto fields = words_of(row, kSeparators);
-      if (fields.empty() || fields.front().starts_with('#')) continue;
-      if (columns_ == 0)
+      const auto first = words_of(row, kSeparators);
+      if (first.empty() || first.front().starts_with('#')) continue;
+      if (columns_ == 0) separator_ = separator_of(row);
+      Fields fields = fields_of(row, separator_, kSeparators);
+      if (columns_ == 0) {
         read_header(fields);
-      else
+      } else {
+        leave_out_empty(fields, columns_);
         read_row(fields);
+      }
     }
     // As a plan that found nothing leaves it.
     if (path_.points.empty() && columns_ > 0)
@@ -59,7 +63,7 @@ class TableReader {
     throw Error(ErrorCode::file_broken, {.file = path_.file, .line = std::max(line_, 1)}, problem,
                 remedy);
   }
-  using Fields = std::vector<std::string_view>;
+  using Fields = std::vector<std::string>;
 
   void read_header(const Fields& names) {
     columns_ = names.size();
@@ -92,7 +96,7 @@ class TableReader {
            "give every line what the header names");
     if (path_.points.empty() && robot_) robot_of_path_ = fields[*robot_];
     if (robot_ && fields[*robot_] != robot_of_path_)
-      fail("is of robot " + std::string(fields[*robot_]) + ", the path of robot " + robot_of_path_,
+      fail("is of robot " + fields[*robot_] + ", the path of robot " + robot_of_path_,
            "give the rows of one");
     path_.points.push_back({number("x", fields[*x_]), number("y", fields[*y_])});
     if (yaw_) path_.yaws.push_back(number("yaw", fields[*yaw_], kMostTurned, "radians"));
@@ -111,6 +115,7 @@ class TableReader {
   PathFile path_;
   int line_ = 0;
   std::size_t columns_ = 0;
+  char separator_ = ' ';
   std::optional<std::size_t> x_, y_, yaw_, kappa_, robot_;
   std::string robot_of_path_;
 };

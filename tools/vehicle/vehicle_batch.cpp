@@ -27,8 +27,8 @@ struct PoseQuery {
   StopCondition stop = {};
 };
 
-/// The queries of a table whose header names sx, sy, syaw, gx, gy and gyaw among others, split at
-/// commas, tabs or blanks. @throws Error(file_missing, file_broken) naming file and line
+/// The queries of a table whose header names sx, sy, syaw, gx, gy and gyaw among others. @throws
+/// Error(file_missing, file_broken) naming file and line
 std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMap& map,
                                          Frame frame) {
   static constexpr std::array<std::string_view, 6> kVehicleColumns{"sx", "sy", "syaw",
@@ -39,6 +39,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
   std::vector<PoseQuery> queries;
   std::array<std::size_t, 6> at{};
   std::size_t columns = 0;
+  char separator = ' ';
   std::int64_t line = 0;
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
     throw Error(ErrorCode::file_broken, {.file = file, .line = std::max<std::int64_t>(line, 1)},
@@ -46,8 +47,9 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
   };
   for (const std::string_view row : split(text, '\n')) {
     ++line;
-    const auto fields = words_of(row, " \t\r\v\f,");
-    if (fields.empty()) continue;
+    if (words_of(row, " \t\r\v\f,").empty()) continue;
+    if (columns == 0) separator = separator_of(row);
+    auto fields = fields_of(row, separator);
     if (columns == 0) {
       columns = fields.size();
       for (std::size_t i = 0; i < kVehicleColumns.size(); ++i) {
@@ -59,18 +61,16 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
       }
       continue;
     }
+    leave_out_empty(fields, columns);
     if (fields.size() != columns)
       fail(counted(static_cast<std::int64_t>(fields.size()), "field") + " instead of " +
                std::to_string(columns),
            "give every line what the header names");
     const auto end = [&](std::size_t first) {
-      const std::string pose = std::string(fields[at[first]]) + "," +
-                               std::string(fields[at[first + 1]]) + "," +
-                               std::string(fields[at[first + 2]]);
       const char* const name = first == 0 ? "start" : "goal";
       try {
         // A yaw that is a number, out of range, is of its query alone.
-        PoseEnd asked{point_value(name, pose.substr(0, pose.rfind(',')), frame)};
+        PoseEnd asked{point_value(name, fields[at[first]] + "," + fields[at[first + 1]], frame)};
         asked.yaw = angle_value(name, fields[at[first + 2]], -kNoLimit, kNoLimit);
         return vehicle_end(map, asked, frame);
       } catch (const UsageError& error) {

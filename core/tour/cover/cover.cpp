@@ -208,8 +208,9 @@ CoverResult plan_cover(const Planner& unprepared, const CoverRequest& request,
   }
   if (!plan || plan->swaths.empty()) {
     found.status = Status::invalid;
-    found.error = clear->count_free() > 0 ? "the tool has no place on the map that it can move in"
-                                          : "the tool has no place on the map";
+    found.error = request.start             ? "the tool cannot move from where the start is"
+                  : clear->count_free() > 0 ? "the tool has no place on the map that it can move in"
+                                            : "the tool has no place on the map";
     return result;
   }
   result.angle = plan->heading.degrees;

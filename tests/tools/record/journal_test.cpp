@@ -1,6 +1,7 @@
 // What a journal keeps of a command that died: whole entries, up to the first that is not.
 #include "tools/record/journal.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -10,6 +11,7 @@
 
 #include "lasius/base/error.h"
 #include "tests/core/base/made_files.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius::tool {
 namespace {
@@ -96,14 +98,17 @@ TEST_F(Journals, AnotherCommandBeginsAnewAndTheEndLeavesNothing) {
 }
 
 TEST_F(Journals, AreFilesOfTheirOwn) {
-  const std::string other = path("other"), link = path("link"), pipe = path("pipe");
+  const std::string other = path("other"), link = path("link"), hard = path("hard");
+  const std::string pipe = path("pipe"), read = path("read");
   file("mine", "other");
   std::filesystem::create_symlink(other, link);
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  for (const std::string& name : {link, pipe, path(".")}) {
-    SCOPED_TRACE(name);
-    EXPECT_THROW(Journal(name, "key"), Error);
-  }
+  std::filesystem::create_hard_link(other, hard);
+  for (const std::string& name : {pipe, read}) ASSERT_EQ(::mkfifo(name.c_str(), 0600), 0);
+  const Descriptor reader(::open(read.c_str(), O_RDONLY | O_NONBLOCK));
+  ASSERT_GE(reader.number(), 0);
+  for (const std::string& name : {link, hard, pipe, read, path(".")})
+    expect_says(error_of([&] { return Journal(name, "key").kept().size(); }, name),
+                "is no file of its own");
   EXPECT_EQ(bytes_of(other), "mine");
 }
 

@@ -128,11 +128,6 @@ class Session {
 
   Findings run_remaining(const Study& study, const study::Domain& domain, const fs::path& folder) {
     const auto tell = [&](std::size_t runs, double seconds) {
-      if (command_.joined)
-        throw Error(ErrorCode::file_broken, {.file = folder.string()},
-                    "of its runs " + std::to_string(runs) +
-                        " are missing or of other inputs than those that are there now",
-                    "run the parts again, on one state of maps and layers");
       if (!command_.messages.quiet)
         message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
                 duration_text(seconds) + " with " + counted(command_.threads, "thread") +
@@ -146,7 +141,8 @@ class Session {
                              .estimate = tell,
                              .progress = progress_shown(command_.messages),
                              .first_seed = seeds(study).first,
-                             .part = command_.part});
+                             .part = command_.part,
+                             .all_there = command_.joined});
   }
 
   /// Polls nothing: a signal ends it, and what was run is kept.

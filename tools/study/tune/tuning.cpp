@@ -134,7 +134,7 @@ void weigh(Family& family) {
   family.ratios = resampled_interval(family.pairs, median_ratio);
 }
 
-/// Names of judging maps that differ from those of the training may name the same cells.
+/// Maps of other names, and generated ones of other seeds, may have the same cells.
 /// @throws Error(file_broken)
 void check_maps_apart(const Tuning& tuning, const std::filesystem::path& maps) {
   std::map<std::string, std::uint64_t> known;
@@ -146,10 +146,10 @@ void check_maps_apart(const Tuning& tuning, const std::filesystem::path& maps) {
   for (const Question& judge : tuning.judging.experiments.front().questions)
     for (const Question& trained : tuning.training.experiments.front().questions)
       if (hash_of(judge) == hash_of(trained))
-        throw Error(
-            ErrorCode::file_broken, {.file = tuning.file},
-            "'judging' has \"" + judge.map + "\", which is trained on as \"" + trained.map + "\"",
-            "judge on other maps");
+        throw Error(ErrorCode::file_broken, {.file = tuning.file},
+                    "\"" + judge.map + "\", which is judged on, has the cells of \"" + trained.map +
+                        "\", which is trained on",
+                    "name `judging` maps of other cells");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST_F(ATuning, JudgesOnNoMapThatItTrainedOnByAnotherName) {
       "same.yaml");
   Tuning t = read_tuning(path("same.yaml"));
   expect_says(error_of([&] { return tune(t, options(1, "out")); }),
-              "'judging' has \"blobs 40x30 0.30 5\", which is trained on as \"blobs 40x30 0.3 5\"");
+              "\"blobs 40x30 0.30 5\", which is judged on, has the cells of \"blobs 40x30 0.3 5\"");
 }
 
 TEST_F(ATuning, FindsThePlantedValueAndJudgesItBetter) {
