@@ -88,6 +88,13 @@ std::optional<Point> nearest_point(const FreeSpace& space, const Ring& boundary,
   return nearest.best();
 }
 
+double far_distance(Point a, Point b) noexcept {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double most = std::max(std::abs(dx), std::abs(dy));
+  if (most < 1e150) return distance(a, b);
+  return most * std::sqrt(dx / most * (dx / most) + dy / most * (dy / most));
+}
+
 Place nearest_joined(const Regions& regions, const Ring& boundary, const Place& from, Point p) {
   const auto counts = [&](int region) {
     return std::ranges::any_of(

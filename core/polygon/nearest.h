@@ -23,6 +23,9 @@ bool joined(const Regions& regions, const Place& start, const Place& goal);
 /// where all is blocked.
 std::optional<Point> nearest_point(const FreeSpace& space, const Ring& boundary, Point p);
 
+/// A distance whose square may be more than doubles hold.
+double far_distance(Point a, Point b) noexcept;
+
 /// The point nearest to p of the pieces of free space that hold `from`, as a place. Precondition:
 /// `from` lies in some, and p in none of them.
 Place nearest_joined(const Regions& regions, const Ring& boundary, const Place& from, Point p);

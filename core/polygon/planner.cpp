@@ -150,7 +150,7 @@ class Planner::Impl {
                                   Result& refusal) const {
     const Place near = nearest_joined(regions, world.boundary.outer, start, goal.given);
     refusal.nearest_reachable = near.given;
-    const double away = distance(near.given, goal.given);
+    const double away = far_distance(near.given, goal.given);
     if (away <= tolerance) return near;
     refusal.error += "; the nearest point that can be reached, " + text(near.given) + ", is " +
                      number_text(away) + " from the goal, its tolerance " + number_text(tolerance);

@@ -19,7 +19,8 @@ using tour::RoutesFound;
 
 namespace {
 
-constexpr int kMostRouted = 2000;  // stops, whose tasks are compared pair by pair
+constexpr double kFirstBoundShare = 0.1;  // of the time to a deadline
+constexpr int kMostRouted = 2000;         // stops, whose tasks are compared pair by pair
 
 Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops& stops,
                         const TourRequest& request, double scale, const TourObserver& observer) {
@@ -34,12 +35,13 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
       for (const auto& order : found.orders) all.insert(all.end(), order.begin(), order.end());
       return told(all, found.cost);
     };
-  Poller poller(request.stop);
+  const StopCondition soon = earlier(request.stop, kFirstBoundShare);
+  Poller poller(request.stop), for_first(soon);
   const bool own_bounds = &lower != &costs;
-  const auto bound_of = [&](const RoutesFound& found) {
+  const auto bound_of = [&](const RoutesFound& found, Poller& until) {
     if (found.optimal && !own_bounds && !costs.priced_late()) return found.cost;
-    return own_bounds ? least_cost(problem, lower, request.open, found.cost, poller)
-                      : routes_bound(problem, lower, found.cost, poller);
+    return own_bounds ? least_cost(problem, lower, request.open, found.cost, until)
+                      : routes_bound(problem, lower, found.cost, until);
   };
   const auto answer = [&](RoutesFound&& found, std::int64_t bound) {
     return Orders{std::move(found.orders), bound, found.optimal,
@@ -51,7 +53,7 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     tour::RouteOptions first = options;
     first.generations = 0;
     early = find_routes(problem, costs, first);
-    early_bound = bound_of(*early);
+    early_bound = bound_of(*early, for_first);
     options.target = target_of(early_bound, request.target_gap);
     if (early->optimal || early->cost <= options.target || told.stopped() ||
         early->cause != StopCondition::Cause::none)
@@ -62,7 +64,8 @@ Orders routes_and_bound(const Costs& costs, const Costs& lower, const TourStops&
     early->cause = found.cause;
     return answer(std::move(*early), early_bound);
   }
-  const std::int64_t bound = std::max(early_bound, bound_of(found));  // either holds of any routes
+  const std::int64_t bound =
+      std::max(early_bound, bound_of(found, poller));  // either holds of any routes
   return answer(std::move(found), bound);
 }
 

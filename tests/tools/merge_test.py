@@ -82,6 +82,9 @@ class Batches(ProgramTest):
         self.refused(self.run_program("merge", one, "other", three), 3, "other, result 1", "'algorithm'")
         self.write("foreign", self.read(two).replace(b'"index":1', b'"index":2'))
         self.refused(self.run_program("merge", one, "foreign", three), 3, "query 2 is none of its part")
+        for index in ("0.9", "1e300", "-1", '"a"'):
+            self.write("index", self.read(two).replace(b'"index":1', b'"index":' + index.encode()))
+            self.refused(self.run_program("merge", one, "index", three), 3, "index, result 1", "is no answer that")
         self.write("twice", self.read(two) + self.read(two).splitlines(True)[0])
         self.refused(self.run_program("merge", one, "twice", three), 3, "twice, result 5", "answers query 1 once more")
         self.write("cut", self.read(two).replace(b'"solved"', b'"interrupted"'))

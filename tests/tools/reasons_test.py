@@ -145,6 +145,8 @@ class Reasons(ProgramTest):
         self.assertNotIn("--goal:", turned.err)
         self.ended(self.asked("--inflation", "0.5,3"), 0, "--inflation has no effect: its radius of 0.5 cells reaches no other cell; "
                    "with --frame world its radius is in metres")
+        self.ended(self.run_program("drive", "map.yaml", "--start", "3,4", "--goal", "6,4", "--inflation", "0.5,3"), 0,
+                   "--inflation has no effect: its radius of 0.5 cells reaches no other cell")
         for resolution in (0.042, 0.1, 0.104):  # r * (1 / r) is below 1 for some
             self.ros([".........."] * 6, resolution, "[0, 0, 0]")
             ends = f"{2.5 * resolution},{2.5 * resolution}", f"{7.5 * resolution},{2.5 * resolution}"

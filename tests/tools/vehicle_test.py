@@ -314,6 +314,8 @@ class Vehicles(ProgramTest):
         self.quiet(self.run_program("verify", "-q", "b.jsonl"))
         for text, problem in [("sx sy gx gy\n", "line 1: the header has no column syaw"),
                               ("sx sy syaw gx gy gyaw\n1 2 3\n", "line 2: 3 fields"),
+                              ("sx,sy,syaw,gx,gy,gyaw,note\n1,,2,3,4,5,6 7\n", "line 2: start: "),
+                              ("sx,sy,syaw,gx,gy,gyaw,gx\n1,2,2,3,4,5,6\n", "line 1: two columns are named gx"),
                               ("sx sy syaw gx gy gyaw\n1 2 east 3 4 0\n", "line 2: start: \"east\" is no angle; write 1.57")]:
             self.write("bad.tsv", text)
             self.refused(self.run_program("batch", "yard.map", "bad.tsv", "--vehicle", "car.json"), 3, problem)
@@ -322,6 +324,7 @@ class Vehicles(ProgramTest):
         self.write("far.tsv", far)
         run = self.run_program("batch", "yard.map", "far.tsv", "--vehicle", "car.json")
         self.assertEqual((run.code, [line["status"] for line in run.lines]), (0, ["invalid"] * 4 + ["solved"]), run.err)
+        self.assertIn("far.tsv: a yaw: 1e+09 radians are ", run.err)
         for line, word in zip(run.lines, ("start .*yaw", "goal .*yaw", "start .*outside", "goal .*outside")):
             self.assertRegex(line["error"], word)
 

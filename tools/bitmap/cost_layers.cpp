@@ -223,14 +223,7 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
     costs.field.add(raster.values, factor);
     costs.hashes.push_back(hash);
   }
-  costs.inflation = inflation_of(asked, cell, radius);
-  if (costs.inflation) costs.field.add(grid, *costs.inflation);
-  if (costs.inflation && costs.inflation->radius < 1)  // from centre to centre
-    costs.notes.push_back("--inflation has no effect: its radius of " +
-                          number_text(costs.inflation->radius) + " cells reaches no other cell" +
-                          (frame && cell == 1 && frame->resolution != 1
-                               ? "; with --frame world its radius is in metres"
-                               : ""));
+  inflate(costs, grid, frame, cell, radius);
   return costs;
 }
 
@@ -239,13 +232,21 @@ double cells_in(double length, double resolution) {
   return std::abs(cells - whole) <= 1e-12 * cells ? whole : cells;
 }
 
-std::optional<Inflation> inflation_of(const CostLayers& asked, double cell, double radius) {
-  if (!asked.inflation) return std::nullopt;
-  const auto [reach, scaling, weight] = *asked.inflation;
-  return Inflation{.radius = cells_in(reach, cell),
-                   .scaling = scaling * cell,
-                   .weight = weight,
-                   .inscribed = std::max(1.0, radius)};
+void inflate(LoadedCosts& costs, const Grid& grid, const std::optional<WorldFrame>& frame,
+             double cell, double radius) {
+  if (!costs.asked.inflation) return;
+  const auto [reach, scaling, weight] = *costs.asked.inflation;
+  costs.inflation = {.radius = cells_in(reach, cell),
+                     .scaling = scaling * cell,
+                     .weight = weight,
+                     .inscribed = std::max(1.0, radius)};
+  costs.field.add(grid, *costs.inflation);
+  if (costs.inflation->radius >= 1) return;  // from centre to centre
+  costs.notes.push_back("--inflation has no effect: its radius of " +
+                        number_text(costs.inflation->radius) + " cells reaches no other cell" +
+                        (frame && cell == 1 && frame->resolution != 1
+                             ? "; with --frame world its radius is in metres"
+                             : ""));
 }
 
 }  // namespace lasius::tool

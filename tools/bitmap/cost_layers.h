@@ -34,8 +34,10 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
 
 /// A length by a cell's in the same unit: what is whole but for rounding is whole.
 double cells_in(double length, double resolution);
-/// The inflation that is asked for, in cells.
-std::optional<Inflation> inflation_of(const CostLayers& asked, double cell, double radius);
+/// Adds the inflation that is asked for to costs that were made without it, or notes that it
+/// reaches no cell.
+void inflate(LoadedCosts& costs, const Grid& grid, const std::optional<WorldFrame>& frame,
+             double cell, double radius);
 
 /// What a result tells of costs: `layers` in what was found, `inflation` and `moves` in parameters.
 void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);

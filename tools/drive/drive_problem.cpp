@@ -283,8 +283,7 @@ class DriveProblem : public ProblemOf<DriveCommand> {
       (void)load_costs(*answer_.world->grid_alone, map.frame, layers, cell, radius);
     answer_.layers = costs.field;
     costs.asked = asked;
-    costs.inflation = inflation_of(asked, cell, radius);
-    if (costs.inflation) costs.field.add(*map.grid_alone, *costs.inflation);
+    inflate(costs, *map.grid_alone, map.frame, cell, radius);
     if (answer_.vehicle) {
       answer_.vehicle->how.costs = answer_.layers;
       answer_.vehicle->how.inflation = costs.inflation;

@@ -62,7 +62,8 @@ class Answers {
     const auto wrong = [&](const std::string& problem) {
       return not_of_one(nth_result(file, i), problem);
     };
-    if (!answer.is_object() || !answer.contains("part") || !answer.contains("index"))
+    if (!answer.is_object() || !answer.contains("part") ||
+        !answer.value("index", Json()).is_number_unsigned() || !answer.contains("status"))
       throw wrong("is no answer that `lasius batch --part I/N` printed");
     try {
       const Json part = answer.at("part");

@@ -27,14 +27,16 @@ struct PoseQuery {
   StopCondition stop = {};
 };
 
-/// The queries of a table whose header names sx, sy, syaw, gx, gy and gyaw among others. @throws
-/// Error(file_missing, file_broken) naming file and line
-std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMap& map,
-                                         Frame frame) {
+/// The queries of a table whose header names sx, sy, syaw, gx, gy and gyaw among others. `turned`
+/// is the turns_hint() of the first yaw that has one.
+/// @throws Error(file_missing, file_broken) naming file and line
+std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMap& map, Frame frame,
+                                         std::string& turned) {
   static constexpr std::array<std::string_view, 6> kVehicleColumns{"sx", "sy", "syaw",
                                                                    "gx", "gy", "gyaw"};
   auto in = opened(file, "name a table of poses");
   std::string text(std::istreambuf_iterator<char>(in), {});
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   end_lines_in_lf(text);
   std::vector<PoseQuery> queries;
   std::array<std::size_t, 6> at{};
@@ -57,6 +59,8 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
         if (found == fields.end())
           fail("the header has no column " + std::string(kVehicleColumns[i]),
                "begin with sx sy syaw gx gy gyaw");
+        if (std::find(found + 1, fields.end(), kVehicleColumns[i]) != fields.end())
+          fail("two columns are named " + std::string(kVehicleColumns[i]), "rename one of them");
         at[i] = static_cast<std::size_t>(found - fields.begin());
       }
       continue;
@@ -72,6 +76,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
         // A yaw that is a number, out of range, is of its query alone.
         PoseEnd asked{point_value(name, fields[at[first]] + "," + fields[at[first + 1]], frame)};
         asked.yaw = angle_value(name, fields[at[first + 2]], -kNoLimit, kNoLimit);
+        if (turned.empty()) turned = turns_hint(fields[at[first + 2]], asked.yaw);
         return vehicle_end(map, asked, frame);
       } catch (const UsageError& error) {
         fail(error.what(), "correct the line");
@@ -103,7 +108,9 @@ int run_vehicle_batch(VehicleCommand command) {
   const VehicleMap on = load_vehicle_map(command, {}, signals.token());
   note_files(on, run);
   check_files(run);
-  std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame);
+  std::string turned;
+  std::vector<PoseQuery> queries = read_pose_queries(command.queries, on.map, run.frame, turned);
+  if (!turned.empty()) run.notes.push_back(command.queries + ": a yaw" + turned);
   keep_part(queries, command.queries, run.part);
   const auto answer_all = [&](const Batch::Part& part, const BatchOptions& how,
                               const Batch::Take& take) {

@@ -336,7 +336,9 @@ TEST(Ends, BlockedOnesNameWhatIsJoinedToTheOther) {
     EXPECT_EQ(result.nearest_reachable, (Point{3, 5}));
     expect_says(result.error, "; the nearest point that can be reached, (3, 5), is ");
   }
-  expect_says(reached({-1e308, 5}, 1).error, "the nearest point that can be reached, (0, 5), is ");
+  expect_says(reached({-1e308, 5}, 1).error,
+              "the nearest point that can be reached, (0, 5), is 1e+308 from the goal");
+  EXPECT_EQ(reached({-1e308, 5}, 1e308).goal_reached, (Point{0, 5}));
   EXPECT_EQ(reached({1, 6}, 3).goal_reached, (Point{1, 6}));
   EXPECT_EQ(reached(out, 3).goal_reached, out);
   EXPECT_THROW(reached(out, -1), Error);
