@@ -14,6 +14,7 @@ class Poller {
   static constexpr std::int64_t kWords = 65536;  ///< scanned words between two polls
   static constexpr std::int64_t kSteps = 4096;   ///< ant steps between two polls
 
+  explicit Poller(const StopCondition&&, std::int64_t = kWords) = delete;  // none to refer to
   explicit Poller(const StopCondition& condition, std::int64_t interval = kWords) noexcept
       : condition_(&condition), interval_(interval), left_(interval) {}
 

@@ -150,7 +150,8 @@ TEST(Ants, FindThePrintedValuesOnReconstructedLines) {
                                   Printed{{0.2, 0.1, 0, 0, 0.5, 0.45, 0, 1, 0.65}, 439.372}}) {
     Params parameters("maklink-acs");
     parameters.values = length > 440 ? 11 : 21;
-    Poller poller({});
+    const StopCondition never;
+    Poller poller(never);
     const auto optimum = discrete_optimum(route, parameters.values, poller);
     ASSERT_TRUE(optimum);
     EXPECT_NEAR(optimum->length, length, 0.0005);
