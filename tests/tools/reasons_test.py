@@ -1,4 +1,5 @@
 """Why a start or a goal is refused or not reached, and what would help: maps of a robot among them."""
+import json
 import math
 import unittest
 
@@ -152,6 +153,24 @@ class Reasons(ProgramTest):
             ends = f"{2.5 * resolution},{2.5 * resolution}", f"{7.5 * resolution},{2.5 * resolution}"
             run = self.asked("--frame", "world", "--inflation", f"{resolution},3", start=ends[0], goal=ends[1])
             self.assertNotIn("no effect", self.ended(run, 0).err)
+
+    def test_inflation_in_metres_is_that_in_cells_and_is_replayed(self):
+        self.ros([".........."] * 3 + [".....#...."] + [".........."] * 3, 0.1, "[0, 0, 0]")
+        ends = {"start": "0.15,0.35", "goal": "0.95,0.35"}
+        self.write("cart.yaml", "type: differential\nunits: cells\nfootprint: [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3], [-0.3, 0.3]]\n")
+        for more in ((), ("--vehicle", "cart.yaml")):
+            yaw = ",0" if more else ""
+            for command in ("plan", "drive"):
+                with self.subTest(command=command, more=more):
+                    def asked(inflation, frame, start, goal):
+                        return self.ended(self.run_program(command, "map.yaml", "--start", start + yaw, "--goal", goal + yaw, *more, *frame,
+                                                           "--inflation", inflation, "--json"), 0).json
+                    metres = asked("0.2,5,9", ("--frame", "world"), **ends)
+                    cells = asked("2,0.5,9", (), start="1.5,3.5", goal="9.5,3.5")
+                    self.assertEqual(metres["parameters"]["inflation"], [2, 0.5, 9])
+                    self.assertAlmostEqual(metres["cost"], cells["cost"], places=9)
+                    self.write("r.json", json.dumps(metres))
+                    self.quiet(self.run_program("verify", "-q", "r.json"))
 
     def test_the_widest_radius_passes_and_a_hair_more_does_not(self):
         for resolution in (0.1, 0.05, 0.07):

@@ -44,9 +44,9 @@ Subcommand add_check_proof(CLI::App& app) {
                  {kBadFile, "map, proof or a layer is missing or broken"}}},
       [=](const Call&) {
         LoadedMap map = read_map(asked->map, asked->frame);
-        const double cell = map.length_in(asked->frame, 1);
-        const CostField costs =
-            load_costs(*map.grid_alone, map.frame, asked->costs, cell, map.radius).field;
+        const CostField costs = load_costs(*map.grid_alone, map.frame, asked->costs,
+                                           asked->frame == Frame::world, map.radius)
+                                    .field;
         const auto read = has_ending(asked->proof, ".cbor") ? proof_from_cbor : proof_from_json;
         const CostProof proof =
             read(read_text(asked->proof, std::int64_t{1000} * map.width * map.height + (1 << 20)),

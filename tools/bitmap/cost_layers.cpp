@@ -195,7 +195,7 @@ LayerValues read_layer(const std::string& file, const Grid& grid) {
 }  // namespace
 
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
-                       double cell, double radius) {
+                       bool metres, double radius) {
   LoadedCosts costs{.asked = asked, .field = CostField(grid.width(), grid.height())};
   for (const auto& [file, factor] : asked.layers) {
     std::uint64_t hash = file_hash(file);
@@ -223,7 +223,7 @@ LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const
     costs.field.add(raster.values, factor);
     costs.hashes.push_back(hash);
   }
-  inflate(costs, grid, frame, cell, radius);
+  inflate(costs, grid, frame, metres, radius);
   return costs;
 }
 
@@ -233,9 +233,10 @@ double cells_in(double length, double resolution) {
 }
 
 void inflate(LoadedCosts& costs, const Grid& grid, const std::optional<WorldFrame>& frame,
-             double cell, double radius) {
+             bool metres, double radius) {
   if (!costs.asked.inflation) return;
   const auto [reach, scaling, weight] = *costs.asked.inflation;
+  const double cell = metres ? frame->resolution : 1;
   costs.inflation = {.radius = cells_in(reach, cell),
                      .scaling = scaling * cell,
                      .weight = weight,
@@ -244,7 +245,7 @@ void inflate(LoadedCosts& costs, const Grid& grid, const std::optional<WorldFram
   if (costs.inflation->radius >= 1) return;  // from centre to centre
   costs.notes.push_back("--inflation has no effect: its radius of " +
                         number_text(costs.inflation->radius) + " cells reaches no other cell" +
-                        (frame && cell == 1 && frame->resolution != 1
+                        (frame && !metres && frame->resolution != 1
                              ? "; with --frame world its radius is in metres"
                              : ""));
 }

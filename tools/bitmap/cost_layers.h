@@ -25,19 +25,19 @@ struct LoadedCosts {
 };
 
 /// The weights of a map's cells: 1, each file's values times its factor, and the inflation, whose
-/// robot has `radius` cells. Blocks cells where a ROS map among the layers is occupied. `cell` is a
-/// cell's length in the unit that the inflation is given in.
+/// robot has `radius` cells. Blocks cells where a ROS map among the layers is occupied. `metres`:
+/// the inflation is given in metres, of the frame. Precondition: then there is one.
 /// @throws Error for files that are missing, broken or of another size, and for inflation out of
 /// its range.
 LoadedCosts load_costs(Grid& grid, const std::optional<WorldFrame>& frame, const CostLayers& asked,
-                       double cell, double radius);
+                       bool metres, double radius);
 
 /// A length by a cell's in the same unit: what is whole but for rounding is whole.
 double cells_in(double length, double resolution);
 /// Adds the inflation that is asked for to costs that were made without it, or notes that it
 /// reaches no cell.
 void inflate(LoadedCosts& costs, const Grid& grid, const std::optional<WorldFrame>& frame,
-             double cell, double radius);
+             bool metres, double radius);
 
 /// What a result tells of costs: `layers` in what was found, `inflation` and `moves` in parameters.
 void record_costs(const LoadedCosts& costs, Json& findings, Json& parameters);

@@ -73,7 +73,7 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners, int 
   const auto start = Clock::now();
   if (options.costs.asked())
     map.costs =
-        load_costs(*map.grid_alone, map.frame, options.costs, map.length_in(frame, 1), map.radius);
+        load_costs(*map.grid_alone, map.frame, options.costs, options.radius_metres, map.radius);
   map.planner = make_planner(*map.grid_alone, {map.radius}, options, threads, corners, stop);
   if (map.planner) map.grid_alone.reset();
   if (map.planner && options.prepare && !options.prepared.empty()) prepare(map, threads, token);

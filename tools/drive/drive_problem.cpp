@@ -274,16 +274,16 @@ class DriveProblem : public ProblemOf<DriveCommand> {
     const CostLayers& asked = command_.run.map.costs;
     CostLayers layers = asked;
     layers.inflation.reset();
-    const double cell = map.length_in(command_.run.frame, 1);
+    const bool metres = command_.run.map.radius_metres;
     const double radius =
         answer_.vehicle ? vehicle::inscribed_radius(answer_.vehicle->vehicle.vehicle) : map.radius;
     LoadedCosts& costs =
-        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, cell, radius));
+        map.costs.emplace(load_costs(*map.grid_alone, map.frame, layers, metres, radius));
     if (answer_.world)
-      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, cell, radius);
+      (void)load_costs(*answer_.world->grid_alone, map.frame, layers, metres, radius);
     answer_.layers = costs.field;
     costs.asked = asked;
-    inflate(costs, *map.grid_alone, map.frame, cell, radius);
+    inflate(costs, *map.grid_alone, map.frame, metres, radius);
     if (answer_.vehicle) {
       answer_.vehicle->how.costs = answer_.layers;
       answer_.vehicle->how.inflation = costs.inflation;

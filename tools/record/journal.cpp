@@ -55,15 +55,15 @@ int held(const std::string& file) {
   for (;;) {
     constexpr int kNoOther = O_NOFOLLOW | O_NONBLOCK;  // a link, a pipe that nobody reads
     const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | kNoOther, 0666);
-    struct stat now {};
-    const bool known = descriptor >= 0 && ::fstat(descriptor, &now) == 0;
-    const bool other = known ? !S_ISREG(now.st_mode) || now.st_nlink > 1
-                             : errno == ELOOP || errno == ENXIO || errno == EISDIR;
-    if (descriptor < 0 && !other) return descriptor;
+    const bool opened = descriptor >= 0;
+    if (!opened && errno != ELOOP && errno != ENXIO && errno != EISDIR) return descriptor;
     const bool taken =
-        !other && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!other && !taken && (::fstat(descriptor, &now) != 0 || now.st_nlink > 0)) return descriptor;
-    if (descriptor >= 0) ::close(descriptor);
+        opened && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct stat now {};
+    const bool known = opened && ::fstat(descriptor, &now) == 0;
+    const bool other = !opened || (known && (!S_ISREG(now.st_mode) || now.st_nlink > 1));
+    if (!other && !taken && (!known || now.st_nlink > 0)) return descriptor;
+    if (opened) ::close(descriptor);
     if (other)
       throw Error(ErrorCode::output_failed, {.file = file}, "is no file of its own",
                   "remove or rename it");

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 
 #include "core/base/opening_pipe.h"
@@ -164,6 +165,14 @@ QueryFile read_rows(Lines& lines, bool whole, bool metres) {
 }
 
 }  // namespace
+
+std::string table_text(const std::string& file, const std::string& remedy) {
+  auto in = opened(file, remedy);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  end_lines_in_lf(text);
+  return text;
+}
 
 char separator_of(std::string_view first) {
   for (const char one : {'\t', ','})

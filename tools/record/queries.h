@@ -14,6 +14,10 @@
 
 namespace lasius::tool {
 
+/// A table's text: lines end in LF, no byte order mark. @throws as opened().
+std::string table_text(const std::string& file, const std::string& remedy);
+/// What may part fields of tables that have neither tabs nor a header with commas.
+inline constexpr std::string_view kBlanksAndCommas = " \t\r\v\f,";
 /// How the fields of a table's lines are parted, by its first: '\t', ',' for CSV, else ' ', any
 /// blanks.
 char separator_of(std::string_view first);

@@ -65,7 +65,7 @@ WeightedMap load_weighted_map(const Question& question, const std::filesystem::p
   tool::CostLayers asked;
   for (const auto& [file, factor] : question.layers)
     asked.layers.push_back({(folder / file).string(), factor});
-  CostField costs = tool::load_costs(map.grid, map.frame, asked, 1, 0).field;
+  CostField costs = tool::load_costs(map.grid, map.frame, asked, false, 0).field;
   return {std::move(map), std::move(costs)};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -42,12 +41,10 @@ struct At {
 class Reader {
  public:
   Reader(const std::string& file, Frame frame, bool poses)
-      : file_(file), frame_(frame), poses_(poses) {
-    auto in = opened(file, "name a file of stops: .tsv, .json or .geojson");
-    text_.assign(std::istreambuf_iterator<char>(in), {});
-    if (text_.starts_with("\xef\xbb\xbf")) text_.erase(0, 3);
-    end_lines_in_lf(text_);
-  }
+      : file_(file),
+        frame_(frame),
+        poses_(poses),
+        text_(table_text(file, "name a file of stops: .tsv, .json or .geojson")) {}
 
   TourStops read() {
     if (first() == text_.size()) fail({}, "is empty", kForms);
@@ -66,7 +63,6 @@ class Reader {
 
  private:
   static constexpr std::string_view kNames[] = {"x", "y", "name", "after", "load", "group", "yaw"};
-  static constexpr std::string_view kSeparators = " \t\r\v\f,";
   static std::string bare(std::string_view text) {
     return std::string(trimmed(text, kBlanksOfLines));
   }
@@ -127,9 +123,9 @@ class Reader {
     At at{.line = 0};
     for (const std::string_view row : split(text_, '\n')) {
       ++at.line;
-      if (words_of(row, kSeparators).empty()) continue;
+      if (words_of(row, kBlanksAndCommas).empty()) continue;
       if (header.empty()) separator = separator_of(row);
-      std::vector<std::string> fields = fields_of(row, separator, kSeparators);
+      std::vector<std::string> fields = fields_of(row, separator, kBlanksAndCommas);
       if (fields.empty()) fail(at, "a quote is not closed", "close it in its line");
       const bool numbers = header.empty() && parse_real(fields.front());
       if (numbers || !header.empty())

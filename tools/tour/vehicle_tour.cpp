@@ -46,9 +46,8 @@ class VehicleTour final : public TourProblem {
     RunOptions& run = command_.run;
     command_.vehicle->run = run;
     on_.emplace(load_vehicle_map(*command_.vehicle, vehicle_, token));
-    note_files(*on_, run);
     answer_.map = on_->map;
-    if (answer_.map.costs) answer_.map.costs->notes.clear();  // note_files() has told them
+    note_files(answer_.map, run);
     if (!command_.stops_file.empty())
       command_.stops = read_stops(command_.stops_file, run.frame, true);
     note_map(answer_.map, run, token);

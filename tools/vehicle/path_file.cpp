@@ -20,7 +20,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::string_view kSeparators = " \t\r\v\f,";
 constexpr const char* kRemedyMissing =
     "name a .csv of a path, a path.yaml or a saved result, .json";
 
@@ -34,16 +33,13 @@ class TableReader {
       : path_{.file = file, .metres = frame == Frame::world} {}
 
   PathFile read() {
-    auto in = opened(path_.file, kRemedyMissing);
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    end_lines_in_lf(text);
+    const std::string text = table_text(path_.file, kRemedyMissing);
     for (const std::string_view row : split(text, '\n')) {
       ++line_;
-      const auto first = words_of(row, kSeparators);
+      const auto first = words_of(row, kBlanksAndCommas);
       if (first.empty() || first.front().starts_with('#')) continue;
       if (columns_ == 0) separator_ = separator_of(row);
-      Fields fields = fields_of(row, separator_, kSeparators);
+      Fields fields = fields_of(row, separator_, kBlanksAndCommas);
       if (columns_ == 0) {
         read_header(fields);
       } else {

@@ -145,8 +145,7 @@ VehicleMap load_vehicle_map(const VehicleCommand& command,
   const auto begin = Clock::now();
   if (run.map.costs.asked())
     on.map.costs = load_costs(*on.map.grid_alone, on.map.frame, run.map.costs,
-                              on.map.cells_of(run.map.radius_metres, 1),
-                              vehicle::inscribed_radius(on.vehicle.vehicle));
+                              run.map.radius_metres, vehicle::inscribed_radius(on.vehicle.vehicle));
   on.planner = vehicle::Planner::make(on.map.as_read(), on.vehicle.vehicle, {.token = token},
                                       on.map.costs ? &on.map.costs->field : nullptr);
   on.map.ready_ms = ms_since(begin);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -34,10 +33,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
                                          std::string& turned) {
   static constexpr std::array<std::string_view, 6> kVehicleColumns{"sx", "sy", "syaw",
                                                                    "gx", "gy", "gyaw"};
-  auto in = opened(file, "name a table of poses");
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  end_lines_in_lf(text);
+  const std::string text = table_text(file, "name a table of poses");
   std::vector<PoseQuery> queries;
   std::array<std::size_t, 6> at{};
   std::size_t columns = 0;
@@ -49,7 +45,7 @@ std::vector<PoseQuery> read_pose_queries(const std::string& file, const LoadedMa
   };
   for (const std::string_view row : split(text, '\n')) {
     ++line;
-    if (words_of(row, " \t\r\v\f,").empty()) continue;
+    if (words_of(row, kBlanksAndCommas).empty()) continue;
     if (columns == 0) separator = separator_of(row);
     auto fields = fields_of(row, separator);
     if (columns == 0) {

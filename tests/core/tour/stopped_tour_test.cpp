@@ -12,12 +12,18 @@
 namespace lasius {
 namespace {
 
-TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
-  const Planner planner(Grid(300, 300));
+/// Coordinates are 0 to `last`.
+std::vector<Cell> random_stops(int count, int last) {
   std::mt19937 random(4);
   std::vector<Cell> stops;
-  for (int i = 0; i < 100; ++i)
-    stops.push_back({random_in(0, 299, random), random_in(0, 299, random)});
+  for (int i = 0; i < count; ++i)
+    stops.push_back({random_in(0, last, random), random_in(0, last, random)});
+  return stops;
+}
+
+TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
+  const Planner planner(Grid(300, 300));
+  const std::vector<Cell> stops = random_stops(100, 299);
   int of_several = 0;
   for (const double gap : {0.0, 1e-6}) {
     for (const bool two : {false, true}) {
@@ -48,10 +54,7 @@ TEST(Tour, AnObserverIsToldEachBetterOrderAndEndsIt) {
 
 TEST(Tour, ABoundThatWasProvenIsKeptWhateverEndsTheRun) {
   const Planner planner(Grid(200, 200));
-  std::mt19937 random(4);
-  std::vector<Cell> stops;
-  for (int i = 0; i < 60; ++i)
-    stops.push_back({random_in(0, 199, random), random_in(0, 199, random)});
+  const std::vector<Cell> stops = random_stops(60, 199);
   for (const bool two : {false, true}) {
     TourRequest request{.stops = stops, .generations = 0, .target_gap = 1e-9};
     if (two) request.robots = {0, 1};
